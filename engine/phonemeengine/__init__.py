@@ -120,6 +120,7 @@ _PAGE = {
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
     "mouth.animation": "Animation animation_of",
+    "mouth.curves_file": "ExportedCurves read_curves",
     "shipping.folder": "format_ear ship",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
@@ -130,6 +131,7 @@ _PAGE = {
     "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",
     "mouth.viseme_override": "VisemeOverride",
     "mouth.table": "MouthTable load_table",
+    "mouth.table_writing": "table_to_toml",
     "mouth.motion_settings": "MotionSettings TransitionTimes",
     "mouth.blinks": "Blinker",
     "mouth.head_motion": "HeadMotion HeadPose",

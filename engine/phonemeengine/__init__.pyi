@@ -69,6 +69,7 @@ from phonemeengine.measurement import Statistics, StretchMeasurement, average_sp
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue, cues_of
+from phonemeengine.mouth.curves_file import ExportedCurves, read_curves
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.channels import ExpressionChannels, load_channels
@@ -96,6 +97,7 @@ from phonemeengine.mouth.osc_expression import OscExpression
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.mouth.table_writing import table_to_toml
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
@@ -205,6 +207,7 @@ __all__ = [
     "ExampleChoice",
     "ExportError",
     "ExportOptions",
+    "ExportedCurves",
     "Expression",
     "ExpressionChannels",
     "ExpressionStream",
@@ -402,6 +405,7 @@ __all__ = [
     "phrases_of",
     "pinyin_track",
     "push_together",
+    "read_curves",
     "read_expression",
     "read_recordings",
     "read_sentence",
@@ -417,6 +421,7 @@ __all__ = [
     "speak",
     "speak_by_program",
     "spoken_text",
+    "table_to_toml",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

@@ -2,6 +2,7 @@
 
 import json
 from pathlib import Path
+from random import Random
 from typing import Any
 
 import bpy
@@ -193,3 +194,34 @@ def test_a_table_that_moves_nothing_of_the_face_makes_no_strips(mouth: Any, tmp_
     ):
         bpy.ops.lip_sync.import_curves(filepath=curves(tmp_path / "a.json"), form="CUES")
     assert not bpy.data.actions
+
+
+def test_strips_lie_where_the_cues_are_however_short_these_are(mouth: Any, tmp_path: Path) -> None:
+    table(mouth)
+    chance = Random(1)
+    cues, start = [], 0.0
+    for k in range(200):
+        end = round(start + chance.choice([0.0, 0.01, 0.02, 0.05, 0.3]), 4)
+        cues.append(CUES[k % 3] | {"start": start, "end": end})
+        start = end
+    bpy.ops.lip_sync.import_curves(filepath=curves(tmp_path / "a.json", cues=cues), form="CUES")
+    tracks = mouth.data.shape_keys.animation_data.nla_tracks
+    strips = sorted((strip for track in tracks for strip in track.strips), key=lambda strip: strip.frame_start)
+    lasting = [cue for cue in cues if cue["end"] > cue["start"]]
+    begins = [strip.frame_start for strip in strips]
+    np.testing.assert_allclose(begins, [1 + 25 * cue["start"] for cue in lasting], atol=2e-3)
+    assert all(strip.frame_end >= 1 + 25 * cue["end"] - 2e-3 for strip, cue in zip(strips, lasting, strict=True))
+
+
+@pytest.mark.parametrize("form", ["CUES", "CURVES"])
+def test_strips_of_before_are_kept_and_silent_and_those_of_others_go_on(
+    mouth: Any, tmp_path: Path, form: str
+) -> None:
+    table(mouth)
+    path = curves(tmp_path / "a.json")
+    keys = mouth.data.shape_keys
+    keys.animation_data_create().nla_tracks.new().name = "Brows"
+    bpy.ops.lip_sync.import_curves(filepath=path, form="CUES")
+    bpy.ops.lip_sync.import_curves(filepath=path, form=form)
+    muted = [track.mute for track in keys.animation_data.nla_tracks]
+    assert muted == [False, True, True, *[False] * 2 * (form == "CUES")]

@@ -150,3 +150,21 @@ def test_a_face_that_is_being_edited_is_refused(cube: bpy.types.Object, tmp_path
     with pytest.raises(RuntimeError, match="Cube is being edited; go back to object mode"):
         bpy.ops.lip_sync.import_movestates(filepath=write(tmp_path / "a.3dm", CUBE, "a", 0, (0, 1, 0)))
     bpy.ops.object.mode_set(mode="OBJECT")
+
+
+def test_a_mesh_whose_vertices_an_importer_split_moves_in_all_copies(cube: bpy.types.Object, tmp_path: Path) -> None:
+    bpy.ops.export_scene.gltf(filepath=str(tmp_path / "cube.glb"))
+    bpy.ops.import_scene.gltf(filepath=str(tmp_path / "cube.glb"))
+    split = bpy.context.object
+    assert len(split.data.vertices) == 24
+    bpy.ops.lip_sync.import_movestates(filepath=write(tmp_path / "up.3dm", CUBE, "up", 7, (0, 0.5, 0)))
+    rest, up = (positions_of(split.data.shape_keys.key_blocks[name].data) for name in ("Basis", "up"))
+    moved = (rest != up).any(axis=1)
+    np.testing.assert_array_equal(rest[moved], [(1, -1, 1)] * 3)
+    np.testing.assert_array_equal((up - rest)[moved], [(0, 0, 0.5)] * 3)
+
+
+def test_another_ending_is_refused(mouth: bpy.types.Object, tmp_path: Path) -> None:
+    with pytest.raises(RuntimeError, match=r"a\.glb: its ending must be \.3dm or \.3dma; choose another"):
+        bpy.ops.lip_sync.export_movestates(filepath=str(tmp_path / "a.glb"))
+    assert not (tmp_path / "a.glb").exists()

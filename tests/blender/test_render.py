@@ -32,9 +32,9 @@ def lit(scene: Any) -> None:
 
 def seen(scene: Any) -> None:
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.data.lens = 105
+    camera.data.lens = 84
     camera.location = (1.6, -8.2, 0.45)
-    camera.rotation_euler = (Vector((0, 0, 0.1)) - camera.location).to_track_quat("-Z", "Y").to_euler()
+    camera.rotation_euler = (Vector((0, 0, 0.24)) - camera.location).to_track_quat("-Z", "Y").to_euler()
     scene.collection.objects.link(camera)
     scene.camera = camera
 
@@ -63,7 +63,7 @@ def rendered(scene: Any, frame: int, path: Path) -> np.ndarray:
 
 def test_the_mouth_of_the_head_opens_in_the_picture(head: Any, speaking: Any, tmp_path: Path) -> None:
     scene = bpy.context.scene
-    scene.render.engine, scene.cycles.device, scene.cycles.samples = "CYCLES", "CPU", 24
+    scene.render.engine, scene.cycles.device, scene.cycles.samples = "CYCLES", "CPU", 16
     scene.render.resolution_x = scene.render.resolution_y = SIZE
     coloured(head)
     lit(scene)

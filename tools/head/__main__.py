@@ -103,7 +103,7 @@ def trimmed(clay: Clay, height: Floats) -> Clay:
 
 
 def end_of_neck(clay: Clay) -> Floats:
-    """Return the lower edge of the trimmed neck, in order around it, counter-clockwise seen from above, shape (n, 3)."""
+    """Return the lower edge of the trimmed neck, in order, counter-clockwise seen from above, shape (n, 3)."""
     directed = np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)])
     known = set(map(tuple, directed.tolist()))
     low = clay.points[:, 1] < NECK + 0.5

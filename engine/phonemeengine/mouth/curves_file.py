@@ -4,6 +4,7 @@ import json
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -82,6 +83,8 @@ def parse_curves(text: str) -> ExportedCurves:
     if not movestates:
         weights = np.zeros((len(head), 0), np.float32)
     cues = tuple(_cue_of(table) for table in top.tables("cues"))
+    if early := [cue for before, cue in pairwise(cues) if cue.start < before.end]:
+        raise MouthError(f"a cue begins at {early[0].start:g} s, before the last one ends; export the curves again")
     return ExportedCurves(
         top.value("sound", str), duration, rate, top.value("table", str), cues, movestates, weights, head
     )

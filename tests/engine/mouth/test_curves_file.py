@@ -69,6 +69,7 @@ def test_what_was_exported_comes_back(tmp_path: Path) -> None:
         ({"head": [{"name": "yaw", "values": [0, 1]}]}, "head has 2 values and curves 3; export the curves again"),
         ({"cues": [GOOD["cues"][0] | {"end": -1}]}, "a cue begins before it ends"),
         ({"cues": [GOOD["cues"][0] | {"phoneme": "q"}]}, "phoneme must be one of silence"),
+        ({"cues": GOOD["cues"] * 2}, "a cue begins at 0 s, before the last one ends; export the curves again"),
         ({"cues": 3}, "cues must be a list, found 3"),
     ],
 )

@@ -7,6 +7,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 
+TRACK = "Lip Sync"
+"""How the names of tracks begin that were made here."""
 LINEAR = 1
 """Straight from key to key, as Blender numbers it."""
 
@@ -30,6 +32,13 @@ def play_action(owner: bpy.types.ID, action: bpy.types.Action | None) -> None:
     animation.action = action
     if action is not None and hasattr(animation, "action_slot"):
         animation.action_slot = action.slots[0]
+
+
+def mute_tracks(keys: bpy.types.Key) -> None:
+    """Silence the strips that were made for other sounds; they stay in the file."""
+    for track in keys.animation_data.nla_tracks:
+        if track.name.startswith(TRACK):
+            track.mute = True
 
 
 def add_curve(curves: Any, path: str, first: float, values: Float32Array, index: int = 0) -> None:

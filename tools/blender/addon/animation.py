@@ -7,7 +7,7 @@ from mathutils import Euler
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 
-from .actions import add_curve, new_action, path_of_key, play_action
+from .actions import add_curve, mute_tracks, new_action, path_of_key, play_action
 from .mouth_tables import key_named
 from .shape_keys import names_of_keys
 from .tracks import ANGLES, SpokenTrack
@@ -34,7 +34,7 @@ def animate_face(face: bpy.types.Object, track: SpokenTrack, name: str, first: f
     MeshError : it has none of them; nothing changes.
     """
     keys = names_of_keys(face)
-    wanted = [channel for channel in track.movement.channels if not channel.endswith(("Yaw", "Pitch", "Roll"))]
+    wanted = track.movestates
     channels = {key: channel for channel in wanted if (key := key_named(channel, keys))}
     if not channels:
         raise MeshError(
@@ -46,6 +46,7 @@ def animate_face(face: bpy.types.Object, track: SpokenTrack, name: str, first: f
         allow(face, key, values)
         add_curve(curves, path_of_key(key), first, values)
     play_action(face.data.shape_keys, action)
+    mute_tracks(face.data.shape_keys)
     return tuple(channel for channel in wanted if channel not in channels.values())
 
 

@@ -1,7 +1,5 @@
 """Import of movement: curves JSON and Live Link CSV, as curves or as strips."""
 
-from pathlib import Path
-
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
@@ -9,7 +7,7 @@ from bpy_extras.io_utils import ImportHelper
 from phonemeengine.files import printable_name
 
 from .animation import animate_face, turn_head
-from .refusal import RefusingOperator, chosen_face
+from .refusal import RefusingOperator, chosen_face, chosen_path
 from .strips import add_strips
 from .table_properties import table_of_face
 from .tracks import SpokenTrack, read_track
@@ -59,7 +57,7 @@ class ImportCurves(MovingOperator, bpy.types.Operator, ImportHelper):
 
     def act(self, context: bpy.types.Context) -> str:
         """Move it."""
-        path = Path(self.filepath)
+        path = chosen_path(self)
         return self.move(context, read_track(path), printable_name(path))
 
 

@@ -1,18 +1,16 @@
 """Import and export of movestates: .3dm and .3dma."""
 
-from pathlib import Path
-
 import bpy
 from bpy.props import EnumProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from phonemeengine.errors import MeshError
 from phonemeengine.files import printable_name
-from phonemeengine.mouth.files.io import load_morph_targets, save_morph_targets
+from phonemeengine.mouth.files.io import TARGET_SUFFIXES, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 
 from .axes import Axes
-from .refusal import RefusingOperator, chosen_face
+from .refusal import RefusingOperator, chosen_face, chosen_path
 from .shape_keys import add_movestates, axes_of, movestates_of
 
 ENDINGS = "*.3dm;*.3dma"
@@ -37,7 +35,7 @@ class ImportMovestates(RefusingOperator, bpy.types.Operator, ImportHelper):
 
     def act(self, context: bpy.types.Context) -> str:
         """Add them."""
-        path = Path(self.filepath)
+        path = chosen_path(self)
         face, targets = chosen_face(context), load_morph_targets(path)
         try:
             add_movestates(face, targets, self.tolerance)
@@ -67,7 +65,9 @@ class ExportMovestates(RefusingOperator, bpy.types.Operator, ExportHelper):
 
     def act(self, context: bpy.types.Context) -> str:
         """Write them."""
-        face, path = chosen_face(context), Path(self.filepath)
+        face, path = chosen_face(context), chosen_path(self)
+        if path.suffix.lower() not in TARGET_SUFFIXES:
+            raise MeshError(f"{printable_name(path)}: its ending must be .3dm or .3dma; choose another")
         targets = movestates_of(face, axes_of(face) if self.axes == "AUTO" else Axes(self.axes))
         save_morph_targets(targets, path)
         return f"{printable_name(path)} has {len(targets.states)} movestates of {face.name}"

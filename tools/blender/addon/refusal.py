@@ -1,5 +1,6 @@
 """Operators that say in one sentence what they refuse, and leave everything as it was."""
 
+from pathlib import Path
 from typing import Any
 
 import bpy
@@ -23,6 +24,11 @@ class RefusingOperator:
             return {"CANCELLED"}
         self.report({"INFO"}, done)
         return {"FINISHED"}
+
+
+def chosen_path(operator: Any) -> Path:
+    """Return the file that an operator's dialogue has chosen; // is the folder of Blender's own file."""
+    return Path(bpy.path.abspath(operator.filepath))
 
 
 def chosen_face(context: bpy.types.Context) -> bpy.types.Object:

@@ -15,11 +15,13 @@ from phonemeengine.files import printable_name
 
 from .curves_operator import MovingOperator
 from .mouth_tables import checked_toml
-from .refusal import chosen_face
+from .refusal import chosen_face, chosen_path
 from .table_properties import table_of_face
 from .tracks import SpokenTrack, read_track
 
 PROGRAM = "phonemeanalyser"
+NO_WINDOW = getattr(subprocess, "CREATE_NO_WINDOW", 0)
+"""Has Windows open no console for it."""
 ENDING = ".curves.json"
 """Of the files that `phonemeanalyser export --format curves-json` writes."""
 
@@ -49,7 +51,7 @@ class SpeakSound(MovingOperator, bpy.types.Operator, ImportHelper):
 
     def act(self, context: bpy.types.Context) -> str:
         """Speak it."""
-        sound, face = Path(self.filepath), chosen_face(context)
+        sound, face = chosen_path(self), chosen_face(context)
         program = shutil.which(context.preferences.addons[__package__].preferences.program)
         done = self.move(context, _track_of(sound, face, program), printable_name(sound))
         return done + _play(context.scene, sound, self.first)
@@ -78,7 +80,9 @@ def _track_of(sound: Path, face: bpy.types.Object, program: str | None) -> Spoke
 
 def _run(command: list[str]) -> None:
     try:
-        ended = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False)
+        ended = subprocess.run(
+            command, capture_output=True, text=True, errors="replace", check=False, creationflags=NO_WINDOW
+        )
     except OSError as error:
         raise ExportError(f"{command[0]} cannot be run ({error.strerror}); correct its path") from error
     if ended.returncode:

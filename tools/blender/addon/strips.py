@@ -15,7 +15,7 @@ from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 
-from .actions import add_curve, new_action, path_of_key, play_action
+from .actions import TRACK, add_curve, mute_tracks, new_action, path_of_key, play_action
 from .animation import allow
 from .mouth_tables import key_named
 from .shape_keys import names_of_keys
@@ -39,15 +39,18 @@ def add_strips(
     """
     if not cues:
         raise MeshError("there are no cues in it; choose curves JSON, or import its curves")
+    cues = [cue for cue in cues if cue.end > cue.start]
     poses = _poses_of(face, cues, table)
     actions = {shape: _action_of(face, shape, pose) for shape, pose in poses.items()}
     keys = face.data.shape_keys
     play_action(keys, None)
+    mute_tracks(keys)
     tracks = [keys.animation_data.nla_tracks.new() for _ in range(2)]
+    for track in tracks:
+        track.name = f"{TRACK} {name}"
     times = _times_of(cues, table)
     for k, cue in enumerate(cues):
         track, action = tracks[k % 2], actions[table.shape_of(cue.phoneme, cue.phone)]
-        track.name = name
         fade_in, fade_out = rate * times[k], rate * times[k + 1]
         strip = track.strips.new(f"{action.name} {k + 1}", round(_last_end(track) + 1), action)
         strip.frame_end = first + rate * cue.end + fade_out

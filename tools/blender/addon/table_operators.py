@@ -1,7 +1,5 @@
 """Mouth tables: made for a face, loaded, edited and saved."""
 
-from pathlib import Path
-
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
@@ -11,7 +9,7 @@ from phonemeengine.files import printable_name, write_file
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
 
 from .mouth_tables import checked_toml, movements_on
-from .refusal import RefusingOperator, chosen_face
+from .refusal import RefusingOperator, chosen_face, chosen_path
 from .shape_keys import names_of_keys
 from .table_properties import show_table, table_of_face
 
@@ -49,7 +47,7 @@ class LoadTable(RefusingOperator, bpy.types.Operator, ImportHelper):
 
     def act(self, context: bpy.types.Context) -> str:
         """Load it."""
-        face, path = chosen_face(context), Path(self.filepath)
+        face, path = chosen_face(context), chosen_path(self)
         table = load_table(path)
         show_table(face.data, table, {shape: [*moved.items()] for shape, moved in table.shapes.items()})
         return f"{face.name} has the mouth table of {printable_name(path)}"
@@ -66,7 +64,7 @@ class SaveTable(RefusingOperator, bpy.types.Operator, ExportHelper):
 
     def act(self, context: bpy.types.Context) -> str:
         """Save it."""
-        path = Path(self.filepath)
+        path = chosen_path(self)
         write_file(path, checked_toml(table_of_face(chosen_face(context))).encode(), MouthError)
         return f"{printable_name(path)} has the mouth table"
 

@@ -9,6 +9,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.files import printable_name
+from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.curves_file import HEAD, ExportedCurves, read_curves
 from phonemeengine.performance.face_track import FaceTrack
@@ -16,6 +17,8 @@ from phonemeengine.performance.livelink import read_livelink
 
 ANGLES = tuple(f"head{angle.capitalize()}" for angle in HEAD)
 """The channels that turn the head, degrees: how Live Link calls them."""
+ALL_ANGLES = frozenset(name[0].lower() + name[1:] for name in LIVE_LINK_ANGLES)
+"""Those, and the channels that turn the eyes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +33,11 @@ class SpokenTrack:
 
     movement: FaceTrack
     cues: tuple[Cue, ...] = ()
+
+    @property
+    def movestates(self) -> tuple[str, ...]:
+        """The channels that are no angles."""
+        return tuple(name for name in self.movement.channels if name not in ALL_ANGLES)
 
     def columns_of(self, channels: Mapping[str, str], rate: float) -> dict[str, Float32Array]:
         """Return the values of some channels at each frame, so many frames a second, under other names."""
