@@ -315,6 +315,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>add {take}</source>
+            <translation>Hinzufügen von {take}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>added to the log-odds of {phoneme}: each +1 makes it 2.7 times likelier. The bar is by how much it falls short of the likeliest other one: it is named while the bar is left of the handle.</source>
             <translation>wird zur logarithmierten Chance von {phoneme} addiert: Jede +1 macht es 2.7-mal wahrscheinlicher. Der Balken zeigt, wie viel ihm zum wahrscheinlichsten anderen fehlt: Es gilt, solange der Balken links vom Griff endet.</translation>
         </message>
@@ -691,7 +696,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
             <source>boundary of a {unit}</source>
-            <translation>Grenze: {unit}</translation>
+            <translation>Verschieben einer Grenze ({unit})</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -806,7 +811,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>change of {what}</source>
-            <translation>Ändern: {what}</translation>
+            <translation>Änderung ({what})</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
@@ -1174,6 +1179,11 @@
             <translation>Den Take löschen (Entf); Strg+Z bringt ihn zurück</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>delete {take}</source>
+            <translation>Löschen von {take}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
             <source>Deleted takes removed from the disk: {n}.</source>
             <translation>Gelöschte Takes vom Datenträger entfernt: {n}.</translation>
@@ -1427,6 +1437,11 @@
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Exclude the take, or not</source>
             <translation>Den Take auslassen, oder nicht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>exclude {take}</source>
+            <translation>Auslassen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
@@ -2178,6 +2193,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>include</source>
             <translation>mitzählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>include {take}</source>
+            <translation>Mitzählen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -3082,7 +3102,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
             <source>new label</source>
-            <translation>neue Beschriftung</translation>
+            <translation>Einfügen einer Beschriftung</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
@@ -3986,14 +4006,14 @@
             <translation>rote Punkte, nach Burg, wie Praat sie misst</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/menus.py" />
-            <source>Redo</source>
-            <translation>Wiederherstellen</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
             <source>refuse</source>
             <translation>ablehnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>relabel {take}</source>
+            <translation>Umbenennen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
@@ -4063,7 +4083,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>reset of {what}</source>
-            <translation>Zurücksetzen: {what}</translation>
+            <translation>Zurücksetzen ({what})</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
@@ -4084,6 +4104,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Reset {text} to what the preset's file says</source>
             <translation>{text} auf den Wert aus der Datei des Presets zurücksetzen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>restore {take}</source>
+            <translation>Wiederherstellen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -5602,6 +5627,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>trim {take}</source>
+            <translation>Zuschneiden von {take}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Turkish</source>
             <translation>Türkisch</translation>
         </message>
@@ -5639,11 +5669,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Ukrainian</source>
             <translation>Ukrainisch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/menus.py" />
-            <source>Undo</source>
-            <translation>Rückgängig</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
