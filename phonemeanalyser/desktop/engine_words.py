@@ -9,6 +9,7 @@ WORDS = (
     # what is chosen from
     tr_noop("linear"), tr_noop("mel"), tr_noop("logarithmic"),
     tr_noop("sine"), tr_noop("white noise"), tr_noop("pink noise"), tr_noop("sweep"), tr_noop("vowel"),
+    tr_noop("per window"), tr_noop("log-odds"), tr_noop("ratio"),
     tr_noop("sum"), tr_noop("max"), tr_noop("mean"),
     tr_noop("raw"), tr_noop("filtered"), tr_noop("normalised"),
     tr_noop("automatic"), tr_noop("letters of pinyin"), tr_noop("recorded faces"),

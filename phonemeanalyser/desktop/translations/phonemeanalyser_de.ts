@@ -836,7 +836,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>changes a second</source>
-            <translation>Wechsel pro Sekunde</translation>
+            <translation>Wechsel/s</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/unsaved.py" />
@@ -2312,7 +2312,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased removes them first.</source>
-            <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Diplomarbeit; „ohne Aliasing“ entfernt sie vorher.</translation>
+            <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Thesis; „ohne Aliasing“ entfernt sie vorher.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
@@ -2661,6 +2661,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>log-odds</source>
+            <translation>logarithmierte Chance</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>logarithmic</source>
             <translation>logarithmisch</translation>
         </message>
@@ -2798,6 +2803,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Macedonian</source>
             <translation>Mazedonisch</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>macro F1</source>
+            <translation>Makro-F1</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
@@ -3581,6 +3591,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>per window</source>
+            <translation>je Fenster</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Persian</source>
             <translation>Persisch</translation>
         </message>
@@ -3854,6 +3869,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>rate</source>
             <translation>Tempo</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>ratio</source>
+            <translation>Verhältnis</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -5288,22 +5308,22 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis as it describes them: weak, but every step shows.</source>
-            <translation>Die Regeln der Diplomarbeit, wie sie sie beschreibt: schwach, aber jeder Schritt ist zu sehen.</translation>
+            <translation>Die Regeln der Thesis, wie sie sie beschreibt: schwach, aber jeder Schritt ist zu sehen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with hysteresis, on sound that quantising does not fold.</source>
-            <translation>Die Regeln der Diplomarbeit mit Hysterese, auf Klang, den das Quantisieren nicht faltet.</translation>
+            <translation>Die Regeln der Thesis mit Hysterese, auf Klang, den das Quantisieren nicht faltet.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with hysteresis: fewer changes.</source>
-            <translation>Die Regeln der Diplomarbeit mit Hysterese: weniger Wechsel.</translation>
+            <translation>Die Regeln der Thesis mit Hysterese: weniger Wechsel.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with the 21 numbers of a PhonemeData file.</source>
-            <translation>Die Regeln der Diplomarbeit mit den 21 Zahlen einer PhonemeData-Datei.</translation>
+            <translation>Die Regeln der Thesis mit den 21 Zahlen einer PhonemeData-Datei.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
