@@ -55,8 +55,8 @@ class Menus:
         """Add the menu of undo and redo."""
         menu = self.add(tr("&Edit"))
         for action, key in (
-            (stack.createUndoAction(self._window, tr("Undo")), QKeySequence.StandardKey.Undo),
-            (stack.createRedoAction(self._window, tr("Redo")), QKeySequence.StandardKey.Redo),
+            (stack.createUndoAction(self._window), QKeySequence.StandardKey.Undo),
+            (stack.createRedoAction(self._window), QKeySequence.StandardKey.Redo),
         ):
             action.setShortcuts(QKeySequence.keyBindings(key))  # Ctrl+Y and Ctrl+Shift+Z
             menu.addAction(action)

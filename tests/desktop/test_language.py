@@ -27,7 +27,7 @@ from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.calibration.takes.quality import Fault, check_take
 from phonemeengine.conversion import CONVERSIONS
 from phonemeengine.dsp.sonagram import FrequencyAxis
-from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum
+from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, unit_of
 from phonemeengine.labels.boundaries import LabelUnit
 from phonemeengine.mouth.expression.streams import expression_presets
 from phonemeengine.mouth.face_driver import FaceDriver
@@ -279,7 +279,7 @@ def test_all_words_of_the_engines_tables_are_translated() -> None:
         *(step.value.replace("_", " ") for step in Filter), *(name.replace("_", " ") for name in LIMITS),
         *(preset_entries(FACTORY_PRESETS)[k].summary for k in range(len(FACTORY_PRESETS))),
         *(load_table(name).name for name in shipped_tables() if "mouth shapes" in load_table(name).name),
-        *({source.value for source in Spectrum} - {"mel"}),
+        *({source.value for source in Spectrum} - {"mel"}), *({unit_of(name) for name in BUILT_IN_NAMES} - {"Hz"}),
     }  # fmt: skip
     known = {text for text, _ in GERMAN}
     assert {words for words in shown_words - known if not NAMES.match(words) and words not in SAME} == set()

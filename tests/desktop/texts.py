@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.manual import ManualDialog
+from phonemeanalyser.desktop.widgets.timeline import Timeline
 
 _MARKUP = re.compile(r"<[^>]*>|&nbsp;")
 _BREAKS = re.compile(r"\s*(?:<(?:br|p|/p|tr|/tr|td|/td)[^>]*>|\n)\s*")
@@ -88,5 +89,6 @@ _KINDS: dict[Any, Callable[[Any], Texts]] = {
     QTableWidget: _of_table,
     QListWidget: lambda rows: (rows.item(k).text() for k in range(rows.count())),
     pg.GraphicsView: _of_plot,
+    Timeline: lambda timeline: (lane.name for lane in timeline.lanes),
 }
 """What each kind of object shows."""

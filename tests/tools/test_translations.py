@@ -30,7 +30,7 @@ SHOWING = {
 """What is called with something that people read."""
 TRANSLATING = {"tr", "tr_noop", "tr_amid", "tr_count", "tr_engine"}
 SAME = re.compile(
-    r"PhonemeAnalyser|PhonemeData|HOST:PORT|dB|macro F1|WAV|Praat|TextGrid|mono|stereo|^(Ctrl|Shift|Alt)\+.*|"
+    r"PhonemeAnalyser|PhonemeData|HOST:PORT|dB|WAV|Praat|TextGrid|mono|stereo|^(Ctrl|Shift|Alt)\+.*|"
     r"^(Space|Escape|Home|End|Delete)$|^(left|bottom)$"
 )
 """Names, formats, keys and sides of plots are the same in all languages."""

@@ -147,7 +147,7 @@ class DistributionView(QWidget):
             draw_text(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
         scale = ", " + tr("logarithmic scale") if distribution.logarithmic else ""
         label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
-        text = f"{distribution.variable} ({self._unit_of(distribution)}){scale}"
+        text = f"{distribution.variable} ({tr(self._unit_of(distribution))}){scale}"
         draw_text(painter, label, text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
             draw_text(painter, self._cell(k, TOP - 18, 16), tr(name), self._theme.faint, 10, AT_RIGHT)

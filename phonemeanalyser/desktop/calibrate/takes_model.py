@@ -58,7 +58,7 @@ class TakeEdit(QUndoCommand):
     """
 
     def __init__(self, takes: "TakesModel", what: str) -> None:
-        super().__init__(what)
+        super().__init__(tr_engine(what))
         self._takes = takes
         self._done = True
 

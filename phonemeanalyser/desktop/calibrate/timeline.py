@@ -41,7 +41,7 @@ class ConfusionLanes(Timeline):
         begins = np.flatnonzero(first)
         times = np.append(begins, len(codes)) * FRAME_PERIOD
         said = codes[begins]
-        return Lane(name, times[:-1], times[1:], LABELS[said].tolist(), self._colours[said])
+        return Lane(tr(name), times[:-1], times[1:], LABELS[said].tolist(), self._colours[said])
 
 
 class ConfusionTimeline(TimelineView):

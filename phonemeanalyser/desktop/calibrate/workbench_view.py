@@ -147,7 +147,7 @@ class WorkbenchView(QWidget):
         )
         self.figures.setText(
             f"{tr('accuracy')} <b>{_percent(confusion.accuracy)}</b> &nbsp; "
-            f"macro F1 <b>{_percent(confusion.macro_f1)}</b> &nbsp; "
+            f"{tr('macro F1')} <b>{_percent(confusion.macro_f1)}</b> &nbsp; "
             f"{tr('changes a second')} <b style='color:{colour}'>{changes:.1f}</b>, "
             f"{tr('labels')} {of_labels:.1f}{ratio} &nbsp; <span style='color:{self._theme.faint}'>{of_what}</span>"
         )

@@ -325,6 +325,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>add {take}</source>
+            <translation>Hinzufügen von {take}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>added to the log-odds of {phoneme}: each +1 makes it 2.7 times likelier. The bar is by how much it falls short of the likeliest other one: it is named while the bar is left of the handle.</source>
             <translation>wird zur logarithmierten Chance von {phoneme} addiert: Jede +1 macht es 2.7-mal wahrscheinlicher. Der Balken zeigt, wie viel ihm zum wahrscheinlichsten anderen fehlt: Es gilt, solange der Balken links vom Griff endet.</translation>
         </message>
@@ -706,7 +711,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
             <source>boundary of a {unit}</source>
-            <translation>Grenze: {unit}</translation>
+            <translation>Verschieben einer Grenze ({unit})</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -826,7 +831,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>change of {what}</source>
-            <translation>Ändern: {what}</translation>
+            <translation>Änderung ({what})</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
@@ -851,7 +856,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>changes a second</source>
-            <translation>Wechsel pro Sekunde</translation>
+            <translation>Wechsel/s</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/unsaved.py" />
@@ -1204,6 +1209,11 @@
             <translation>Den Take löschen (Entf); Strg+Z bringt ihn zurück</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>delete {take}</source>
+            <translation>Löschen von {take}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
             <source>Deleted takes removed from the disk: {n}.</source>
             <translation>Gelöschte Takes vom Datenträger entfernt: {n}.</translation>
@@ -1462,6 +1472,11 @@
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Exclude the take, or not</source>
             <translation>Den Take auslassen, oder nicht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>exclude {take}</source>
+            <translation>Auslassen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
@@ -2231,6 +2246,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>include {take}</source>
+            <translation>Mitzählen von {take}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Indonesian</source>
             <translation>Indonesisch</translation>
         </message>
@@ -2342,7 +2362,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased removes them first.</source>
-            <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Diplomarbeit; „ohne Aliasing“ entfernt sie vorher.</translation>
+            <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Thesis; „ohne Aliasing“ entfernt sie vorher.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
@@ -2701,6 +2721,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>log-odds</source>
+            <translation>logarithmierte Chance</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>logarithmic</source>
             <translation>logarithmisch</translation>
         </message>
@@ -2838,6 +2863,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Macedonian</source>
             <translation>Mazedonisch</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>macro F1</source>
+            <translation>Makro-F1</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
@@ -3147,7 +3177,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
             <source>new label</source>
-            <translation>neue Beschriftung</translation>
+            <translation>Einfügen einer Beschriftung</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
@@ -3641,6 +3671,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>per window</source>
+            <translation>je Fenster</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Persian</source>
             <translation>Persisch</translation>
         </message>
@@ -3917,6 +3952,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>ratio</source>
+            <translation>Verhältnis</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>raw</source>
             <translation>roh</translation>
         </message>
@@ -4066,14 +4106,14 @@
             <translation>rote Punkte, nach Burg, wie Praat sie misst</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/menus.py" />
-            <source>Redo</source>
-            <translation>Wiederherstellen</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
             <source>refuse</source>
             <translation>ablehnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>relabel {take}</source>
+            <translation>Umbenennen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
@@ -4148,7 +4188,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
             <source>reset of {what}</source>
-            <translation>Zurücksetzen: {what}</translation>
+            <translation>Zurücksetzen ({what})</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
@@ -4169,6 +4209,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Reset {text} to what the preset's file says</source>
             <translation>{text} auf den Wert aus der Datei des Presets zurücksetzen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>restore {take}</source>
+            <translation>Wiederherstellen von {take}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -5378,22 +5423,22 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis as it describes them: weak, but every step shows.</source>
-            <translation>Die Regeln der Diplomarbeit, wie sie sie beschreibt: schwach, aber jeder Schritt ist zu sehen.</translation>
+            <translation>Die Regeln der Thesis, wie sie sie beschreibt: schwach, aber jeder Schritt ist zu sehen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with hysteresis, on sound that quantising does not fold.</source>
-            <translation>Die Regeln der Diplomarbeit mit Hysterese, auf Klang, den das Quantisieren nicht faltet.</translation>
+            <translation>Die Regeln der Thesis mit Hysterese, auf Klang, den das Quantisieren nicht faltet.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with hysteresis: fewer changes.</source>
-            <translation>Die Regeln der Diplomarbeit mit Hysterese: weniger Wechsel.</translation>
+            <translation>Die Regeln der Thesis mit Hysterese: weniger Wechsel.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The rules of the thesis with the 21 numbers of a PhonemeData file.</source>
-            <translation>Die Regeln der Diplomarbeit mit den 21 Zahlen einer PhonemeData-Datei.</translation>
+            <translation>Die Regeln der Thesis mit den 21 Zahlen einer PhonemeData-Datei.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -5727,6 +5772,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>trim {take}</source>
+            <translation>Zuschneiden von {take}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Turkish</source>
             <translation>Türkisch</translation>
         </message>
@@ -5764,11 +5814,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Ukrainian</source>
             <translation>Ukrainisch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/menus.py" />
-            <source>Undo</source>
-            <translation>Rückgängig</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
