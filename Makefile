@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp hooks
+.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp blender test-blender release hooks
 
 setup: .venv/ready
 
@@ -43,6 +43,7 @@ fuzz: setup
 soak: setup
 	$(BIN)/python -m pytest -q -m long
 	$(BIN)/python -m tools.soak
+	$(BIN)/python -m tools.soak.serving
 
 screenshots: setup
 	$(BIN)/python -m tools.screenshots
@@ -61,6 +62,20 @@ fit: setup
 	$(BIN)/python -m tools.fit.rules $(CORPUS) $(if $(MORE),--more $(MORE)) -o $(FITTED)
 	$(BIN)/python -m tools.fit.templates $(CORPUS) -o $(FITTED)
 
+# Builds the add-on for Blender into build/blender.
+blender: setup
+	@$(BIN)/python -m tools.blender
+
+# Tests the add-on in Blender itself, which BPY names as a module; each version has one version of Python.
+BPY ?= bpy==5.0.1
+BPY_PYTHON ?= python3.11
+BPY_HOME = build/$(subst ==,-,$(BPY))
+test-blender: blender
+	@[ -e $(BPY_HOME)/ready ] || { $(BPY_PYTHON) -m venv $(BPY_HOME) \
+	  && $(BPY_HOME)/bin/python -m pip install --quiet --disable-pip-version-check '$(BPY)' pytest && touch $(BPY_HOME)/ready; }
+	PYTHONPATH=.:engine $(BPY_HOME)/bin/python -m pytest -c tests/blender/pytest.ini --rootdir . --confcutdir tests/blender \
+	  -p no:cacheprovider -q tests/blender
+
 # Builds the documentation into build/docs; a link that leads nowhere fails.
 docs: setup
 	@$(BIN)/python -c 'import material, mkdocstrings' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[docs]'
@@ -69,6 +84,10 @@ docs: setup
 # Builds a program that needs no Python into build/bundle: a folder, and an archive of it.
 bundle: setup
 	$(BIN)/python -m tools.bundle
+
+# Makes all files of a release into build/release, from a checkout without changes.
+release: setup
+	$(BIN)/python -m tools.release
 
 # Has git check each commit, and its message.
 hooks: setup

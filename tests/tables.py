@@ -25,6 +25,11 @@ def outputs_in(folder: Path) -> list[str]:
     return sorted(path.relative_to(folder).as_posix() for path in files)
 
 
+def contents(folder: Path) -> dict[str, bytes]:
+    """Give what was made in a folder, by name."""
+    return {name: (folder / name).read_bytes() for name in outputs_in(folder)}
+
+
 def gapless(rows: list[dict[str, str]], duration: float) -> None:
     assert float(rows[0]["start_s"]) == 0
     assert float(rows[-1]["end_s"]) == pytest.approx(duration, abs=2e-6)

@@ -16,6 +16,12 @@ A program with samples of its own pushes them, cut as they come, or asks about a
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
     phoneme, intensity, confidence = recognise_window(samples[:2048], preset)
 
+Bytes of any rate that come over a network are heard within 60 ms, with their text, if it comes along, aligned::
+
+    speech = IncomingSpeech(preset, StreamFormat(Encoding.S16, 24_000))
+    for piece in speech.pieces(data):        # bytes, cut as they come
+        speech.hear(piece).analysis.phonemes
+
 A face follows what was heard, and may be looked at whenever a picture is drawn::
 
     morpher = Morpher(load_table("arkit"), seed=1)
@@ -90,10 +96,12 @@ _PAGE = {
     "audio.devices": "Device InputChoice",
     "audio.files": "SOUND_SUFFIXES SoundReader",
     "audio.level": "Level",
+    "audio.incoming": "Encoding StreamFormat",
+    "live.incoming_speech": "HeardPiece IncomingSpeech",
     "live.status": "Status",
     "live.microphone_analyser": "Latency",
     # What is said in it
-    "analyser": "Analyser Analysis Reading analyse_blocks recognise_window",
+    "analyser": "Analyser Analysis Reading analyse_blocks push_together recognise_window",
     "visemes": "NO_VISEME Viseme viseme_of",
     "phonemes": "MOUTH_SHAPES MouthShape Phoneme",
     "features.measure": "Features",
@@ -166,6 +174,7 @@ _PAGE = {
     "recognition.trace": "RuleComparison Trace",
     # What is said in a sound, by its script
     "alignment.align": "align",
+    "alignment.growing": "GrownWords",
     "text.lexicon": "Lexicon load_lexicon",
     "text.pronunciation": "Pronunciation ScriptWord notes_on words_of",
     "text.syllables": "SpokenSyllable",

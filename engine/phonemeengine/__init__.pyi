@@ -1,10 +1,12 @@
 """The types of the page in ``__init__.py``, for type checkers and editors."""
 
 from phonemeengine.alignment.align import align
-from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, recognise_window
+from phonemeengine.alignment.growing import GrownWords
+from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, push_together, recognise_window
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.averaged_spectrum import AveragedSpectrum
@@ -57,6 +59,7 @@ from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
@@ -196,6 +199,7 @@ __all__ = [
     "DifferentStretch",
     "Ear",
     "EncoderHead",
+    "Encoding",
     "EngineError",
     "Example",
     "ExampleChoice",
@@ -212,10 +216,13 @@ __all__ = [
     "FrameLabels",
     "Gesture",
     "GroupScores",
+    "GrownWords",
     "HeadDriver",
     "HeadMotion",
     "HeadPose",
+    "HeardPiece",
     "IdleMotion",
+    "IncomingSpeech",
     "InhibitionTimes",
     "InputChoice",
     "Keywords",
@@ -313,6 +320,7 @@ __all__ = [
     "Spring",
     "Statistics",
     "Status",
+    "StreamFormat",
     "StretchMeasurement",
     "Syllable",
     "TableAbout",
@@ -393,6 +401,7 @@ __all__ = [
     "phones_of",
     "phrases_of",
     "pinyin_track",
+    "push_together",
     "read_expression",
     "read_recordings",
     "read_sentence",

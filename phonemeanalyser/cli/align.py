@@ -71,9 +71,9 @@ class AlignmentWork:
         """Return what tells it from other work."""
         return fingerprint_of("align", self.preset, self.channel)
 
-    def text_of(self, source: Path) -> str:
+    def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(source)
+        return self.texts.known_of(job.source)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:

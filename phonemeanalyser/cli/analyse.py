@@ -133,7 +133,7 @@ class DifferenceWork:
         """Return what tells it from other work."""
         return fingerprint_of("difference", self.first, self.second, self.channel)
 
-    def text_of(self, _source: Path) -> str:
+    def known_of(self, _job: Job) -> str:
         """Return nothing: nothing is known of a file besides."""
         return ""
 
@@ -183,9 +183,9 @@ class AnalysisWork:
         """Return what tells it from other work."""
         return fingerprint_of("analyse", self.table, self.preset, self.channel)
 
-    def text_of(self, source: Path) -> str:
+    def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(source)
+        return self.texts.known_of(job.source)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:

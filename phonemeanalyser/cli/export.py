@@ -106,9 +106,9 @@ class ExportWork:
             "export", self.kind, table, options, self.preset, self.channel, driving_key(self.driving)
         )
 
-    def text_of(self, source: Path) -> str:
+    def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(source)
+        return self.texts.known_of(job.source)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:

@@ -2,7 +2,7 @@
 
 import argparse
 import sys
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -28,7 +28,7 @@ from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Say, Work
 from phonemeengine.files import printable, printable_name
 
-SHARED = {"inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
+SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
 """Arguments that name files which are opened where the work is done."""
 
 
@@ -87,14 +87,23 @@ def batch_options(options: argparse.Namespace, jobs: int | None = None) -> Batch
     return BatchOptions(options.jobs or jobs, folder, options.dask)
 
 
-def work_through(jobs: Sequence[Job], work: Work, options: BatchOptions | None = None) -> list[Outcome]:
+def work_through(
+    jobs: Sequence[Job], work: Work, options: BatchOptions | None = None,
+    then: Callable[[Outcome], object] = lambda _: None,
+) -> list[Outcome]:  # fmt: skip
     """Do something with every file; say what is odd, report those that fail on standard error and go on.
 
-    Where it is noted what is done, what was wrong is told by two files in the folder as well.
+    Where it is noted what is done, what was wrong is told by two files in the folder as well. `then` is told what
+    became of each file.
     """
     options = options or BatchOptions(jobs=1)
+
+    def take(outcome: Outcome) -> None:
+        _say_outcome(outcome)
+        then(outcome)
+
     with batch_bar(len(jobs)) as show:
-        outcomes = run_batch(jobs, work, options, on_outcome=_say_outcome, on_progress=show)
+        outcomes = run_batch(jobs, work, options, on_outcome=take, on_progress=show)
     if options.folder is not None:
         write_batch_report(outcomes, options.folder)
     n_skipped = sum(outcome.state is JobState.SKIPPED for outcome in outcomes)

@@ -162,9 +162,9 @@ class PreviewWork:
         moved = driving_key(self.driving)
         return fingerprint_of("preview", table, options, self.preset, self.channel, moved, self.faces, self.look)
 
-    def text_of(self, source: Path) -> str:
+    def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(source)
+        return self.texts.known_of(job.source)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:

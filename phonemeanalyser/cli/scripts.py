@@ -26,7 +26,6 @@ from phonemeengine.alignment.align import is_other_text
 from phonemeengine.alignment.best_takes import scored_take
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Made, Say
-from phonemeengine.calibration.scores.evaluation import WordsOf
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.text.espeak import languages
@@ -117,7 +116,48 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
     return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
 
 
-def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsOf | None:
+@dataclass(frozen=True)
+class WordsToScore:
+    """The words of labelled recordings.
+
+    Attributes
+    ----------
+    texts : what is said, by the sound's file.
+    language : of the texts; None for the manifest's.
+    lexicon : goes before the language's voice.
+    tags : the languages that there are.
+    """
+
+    texts: Mapping[Path, str]
+    language: str | None
+    lexicon: Lexicon | None
+    tags: frozenset[str]
+
+    def __call__(self, utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
+        """Return the words of a recording, and say at once what cannot be used; None where they are not known."""
+        return self.of(utterance, say_note)
+
+    def of(self, utterance: LabelledUtterance, say: Say) -> Sequence[ScriptWord] | None:
+        """Return the words of a recording, and say what cannot be used; None where they are not known."""
+        if utterance.path not in self.texts:
+            return None
+        try:
+            return words_of(self.texts[utterance.path], self._tag_of(utterance), self.lexicon)
+        except VoiceError:
+            raise
+        except TextError as error:
+            say(printable_name(utterance.path), f"recognised without its text: {error}")
+            return None
+
+    def known_of(self, utterance: LabelledUtterance) -> str:
+        """Return what tells whether something else is said in a recording than before."""
+        return fingerprint_of(self.texts.get(utterance.path), self._tag_of(utterance), self.lexicon)
+
+    def _tag_of(self, utterance: LabelledUtterance) -> str:
+        return self.language or _tag_of(utterance.language, self.tags)
+
+
+def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsToScore | None:
     """Return what gives the words of labelled recordings; None where the command line asks for none.
 
     Raises
@@ -132,21 +172,7 @@ def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtt
     if not texts:
         raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
-    known = {language.tag for language in languages()}
-
-    def words_for(utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
-        if utterance.path not in texts:
-            return None
-        tag = options.language or _tag_of(utterance.language, known)
-        try:
-            return words_of(texts[utterance.path], tag, lexicon)
-        except VoiceError:
-            raise
-        except TextError as error:
-            say_note(printable_name(utterance.path), f"recognised without its text: {error}")
-            return None
-
-    return words_for
+    return WordsToScore(texts, options.language, lexicon, frozenset(language.tag for language in languages()))
 
 
 def _tag_of(language: str, known: Collection[str]) -> str:

@@ -3,7 +3,7 @@
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
-from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from importlib.metadata import Distribution, PackageMetadata, PackageNotFoundError, distribution
 from pathlib import Path
 
 PROGRAM = "phonemeanalyser"
@@ -36,7 +36,7 @@ _APPROVED = "License :: OSI Approved :: "
 
 
 @dataclass(frozen=True)
-class Part:
+class LicencedPart:
     """A package that the program runs with.
 
     Attributes
@@ -54,7 +54,7 @@ class Part:
     texts: tuple[str, ...]
 
 
-def parts() -> list[Part]:
+def parts() -> list[LicencedPart]:
     """Return the program and all packages that are installed for its users, by name."""
     found: dict[str, Distribution] = {}
     _add(PROGRAM, FOR_USERS, found)
@@ -99,16 +99,19 @@ def _key(name: str) -> str:
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
-def _part(there: Distribution) -> Part:
+def _part(there: Distribution) -> LicencedPart:
     about = there.metadata
     classifiers = [words.removeprefix(_APPROVED) for words in about.get_all("Classifier") or [] if _APPROVED in words]
-    said = (about.get("License") or "").strip().split("\n")[0]
-    texts = tuple(
-        file.read_text() for file in there.files or [] if _LICENCE_FILE.search(str(file)) and file.locate().is_file()
-    )
+    said = _said(about, "License").strip().split("\n")[0]
+    files = [file for file in there.files or [] if _LICENCE_FILE.search(str(file))]
+    texts = tuple(file.read_text() for file in files if Path(file.locate()).is_file())
     known = {_key(name): words for name, words in LIBRARIES.items()}
-    licence = about.get("License-Expression") or ", ".join(classifiers) or said or "?"
-    return Part(there.name, there.version, licence, known.get(_key(there.name), ""), texts)
+    licence = _said(about, "License-Expression") or ", ".join(classifiers) or said or "?"
+    return LicencedPart(there.name, there.version, licence, known.get(_key(there.name), ""), texts)
+
+
+def _said(about: PackageMetadata, field: str) -> str:
+    return about[field] if field in about else ""  # noqa: SIM401 - its type has no get
 
 
 def _whole(name: str, texts: tuple[str, ...]) -> str:

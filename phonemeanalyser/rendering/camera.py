@@ -19,6 +19,8 @@ PER_STEP = 0.9
 MOST_PAN = 0.75
 """How far the centre may be moved, as a share of the radius of what is looked at."""
 MARGIN = 1.06
+TURNING = 0.08
+"""Room beside what is seen for a head that turns, as a share of it."""
 
 Point = tuple[float, float, float]
 
@@ -96,6 +98,22 @@ class Camera:
         view[:3, :3] = np.stack(self.axes)
         view[:3, 3] = -view[:3, :3] @ self.eye
         return np.asarray(_perspective(aspect, self._near, self._far) @ view, np.float32)
+
+    def place_of(self, points: Float32Array, size: tuple[int, int]) -> tuple[int, int, int, int]:
+        """Return where points, shape (n, 3), lie in a picture: left, lower edge, width and height, pixels.
+
+        There is room around them for a head that turns; the whole picture, where one lies behind the camera.
+        """
+        width, height = size
+        across = self.matrix(width / height)
+        seen = points @ across[:, :3].T + across[:, 3]
+        if seen[:, 3].min() <= 0:
+            return 0, 0, width, height
+        low, high = (edge(seen[:, :2] / seen[:, 3:], axis=0) for edge in (np.min, np.max))
+        room = TURNING * (high - low)
+        low, high = (np.clip((edge + 1) / 2, 0, 1) * size for edge in (low - room, high + room))
+        (left, bottom), (right, top) = np.floor(low).astype(int).tolist(), np.ceil(high).astype(int).tolist()
+        return left, bottom, max(1, right - left), max(1, top - bottom)
 
     @property
     def _near(self) -> float:

@@ -13,12 +13,24 @@ class EdgeSmoothing:
         self._program = program_of(context, "backdrop", "smoothing")
         self._corners, self._array = full_screen(context, self._program)
 
-    def paint(self, picture: moderngl.Texture, target: moderngl.Framebuffer) -> None:
-        """Paint all of the target, which is as large as the picture."""
+    def paint(
+        self, picture: moderngl.Framebuffer, target: moderngl.Framebuffer, place: tuple[int, int, int, int]
+    ) -> None:
+        """Paint all of the target, which is as large as the picture, a texture; edges lie within a place of it.
+
+        Parameters
+        ----------
+        place : left, lower edge, width and height, pixels: elsewhere nothing is smoothed.
+        """
+        self._context.copy_framebuffer(target, picture)
         target.use()
-        picture.use(0)
+        target.scissor = place
+        texture = picture.color_attachments[0]
+        assert isinstance(texture, moderngl.Texture)
+        texture.use(0)
         self._context.disable(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self._array.render(moderngl.TRIANGLES)
+        target.scissor = (0, 0, *target.size)
 
     def release(self) -> None:
         """Return everything back to the graphics driver."""

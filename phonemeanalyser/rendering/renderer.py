@@ -153,11 +153,10 @@ class HeadRenderer:
             self._draw_skin(finish)
             if glow:
                 self._backdrop.draw(background)
-        drawn = canvas.color_attachments[0]
-        if isinstance(drawn, moderngl.Texture):
-            self._smoothing.paint(drawn, target)
-        else:
+        if finish.samples:
             self._context.copy_framebuffer(target, canvas)
+        else:
+            self._smoothing.paint(canvas, target, camera.place_of(positions, size))
         target.use()
 
     def release(self) -> None:

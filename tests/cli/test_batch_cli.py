@@ -9,7 +9,7 @@ import pytest
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.reports.batch_report import PAGE, TABLE
 from phonemeengine.batch.record import RECORD
-from tests.tables import outputs_in
+from tests.tables import contents, outputs_in
 
 EXPORT = ("export", "--format", "rhubarb-json")
 
@@ -23,10 +23,6 @@ def sounds(sound: Path, tmp_path: Path) -> Path:
     return folder
 
 
-def content_of(folder: Path) -> dict[str, bytes]:
-    return {name: (folder / name).read_bytes() for name in outputs_in(folder)}
-
-
 @pytest.mark.parametrize("command", [("analyse",), EXPORT], ids=lambda command: command[0])
 def test_two_processes_write_the_bytes_of_one_by_one(command: tuple[str, ...], sounds: Path, tmp_path: Path) -> None:
     assert main([*command, str(sounds), "-o", str(tmp_path / "two"), "--jobs", "2"]) == 0
@@ -34,8 +30,8 @@ def test_two_processes_write_the_bytes_of_one_by_one(command: tuple[str, ...], s
     single = tmp_path / "single"
     for path in ("a.wav", "b.wav", "deep/c.wav"):
         assert main([*command, str(sounds / path), "-o", str((single / path).parent)]) == 0
-    assert content_of(tmp_path / "two") == content_of(tmp_path / "one") == content_of(single)
-    assert len(content_of(single)) == 3
+    assert contents(tmp_path / "two") == contents(tmp_path / "one") == contents(single)
+    assert len(contents(single)) == 3
 
 
 def test_what_is_done_is_not_touched_again(sounds: Path, tmp_path: Path) -> None:
@@ -95,3 +91,27 @@ def test_what_was_wrong_stands_in_a_table_and_on_a_page(
 def test_a_single_sound_leaves_no_record(sound: Path, tmp_path: Path) -> None:
     assert main(["analyse", str(sound), "-o", str(tmp_path / "out")]) == 0
     assert not (tmp_path / "out" / RECORD).exists()
+
+
+def test_a_score_by_two_processes_and_one_that_was_kept_is_that_of_one(
+    corpus: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with (corpus / "manifest.csv").open(newline="", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))[::30]
+    for row in rows:
+        for name in (row["wav"], row["labels"]):
+            (tmp_path / "some" / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(corpus / name, tmp_path / "some" / name)
+    with (tmp_path / "some" / "manifest.csv").open("w", newline="", encoding="utf-8") as file:
+        table = csv.DictWriter(file, list(rows[0]))
+        table.writeheader()
+        table.writerows(rows)
+    words = ["score", str(tmp_path / "some"), "--format", "json", "--noise", "pink", "--snr", "10"]
+    assert main(words) == 0
+    alone = capsys.readouterr().out
+    assert main([*words, "--jobs", "2"]) == 0
+    assert capsys.readouterr().out == alone
+    for _ in range(2):
+        assert main([*words, "--keep", str(tmp_path / "kept")]) == 0
+        assert capsys.readouterr().out == alone
+    assert len(outputs_in(tmp_path / "kept")) == len(rows)

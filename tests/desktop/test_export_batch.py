@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.session.export_queue import ExportState
 from phonemeanalyser.reports.batch_report import TABLE
 from phonemeengine import Channel, convert, convert_all, load_preset
 from tests.desktop.hands import CARDS, LEFT
-from tests.tables import outputs_in
+from tests.tables import contents
 
 PRESET = load_preset("thesis")
 KIND = "rhubarb-json"
@@ -46,10 +46,7 @@ def test_window_command_line_program_and_single_files_write_the_same_bytes(deskt
     assert convert_all(sorted(folder.iterdir()), tmp_path / "program", KIND, PRESET) == {}
     for sound in folder.iterdir():
         convert(sound, tmp_path / "single" / f"{sound.stem}.rhubarb.json", KIND, PRESET)
-    found = [
-        {name: (tmp_path / way / name).read_bytes() for name in outputs_in(tmp_path / way)}
-        for way in ("window", "commands", "program", "single")
-    ]
+    found = [contents(tmp_path / way) for way in ("window", "commands", "program", "single")]
     assert len(found[0]) == 3
     assert found[1:] == 3 * found[:1]
 

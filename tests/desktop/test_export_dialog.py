@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QFileDialog
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
+from phonemeanalyser.desktop.session import export_queue
 from phonemeanalyser.desktop.session.export_queue import ExportState
 from phonemeengine import Channel, convert, load_preset
 from phonemeengine.labels.files import write_labels
@@ -97,6 +98,16 @@ def test_the_result_is_seen_before_it_is_written(dialog, folder, qtbot):
     choose(dialog, "gltf")
     assert dialog.preview.toPlainText() == ""
     assert not list(folder.rglob("*.csv"))
+
+
+def test_of_a_long_sound_the_beginning_is_seen(dialog, folder, qtbot, monkeypatch):
+    monkeypatch.setattr(export_queue, "SECONDS_PREVIEWED", 0.5)
+    choose(dialog, "phonemes-csv")
+    with qtbot.waitSignal(dialog.queue.previewed):
+        QTest.mouseClick(dialog.look, LEFT)
+    *rows, last = dialog.preview.toPlainText().splitlines()
+    assert last == "…"
+    assert float([row for row in rows if row][-1].split(",")[1]) == pytest.approx(0.5, abs=0.03)
 
 
 def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(dialog):

@@ -30,8 +30,8 @@ class CopyWork:
     def fingerprint(self) -> str:
         return fingerprint_of(self)
 
-    def text_of(self, source: Path) -> str:
-        return "another text" if "text" in source.name else ""
+    def known_of(self, job: Job) -> str:
+        return "another text" if "text" in job.source.name else ""
 
     @contextmanager
     def opened(self) -> Iterator[Act]:

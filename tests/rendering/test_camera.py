@@ -13,6 +13,19 @@ from tests.meshes import cube
 ANGLES = st.floats(-20, 20)
 
 
+def test_the_place_of_a_mesh_is_where_it_is_seen_and_room_beside():
+    points = np.array([[-1, -1, 0], [1, 1, 0]], np.float32)
+    camera = Camera(distance=10.0)
+    seen = camera.matrix(2.0) @ (1, 1, 0, 1)
+    right, top = (seen[:2] / seen[3] + 1) / 2 * (800, 400)
+    left, bottom, width, height = camera.place_of(points, (800, 400))
+    assert right < left + width < right + 0.2 * width
+    assert top < bottom + height < top + 0.2 * height
+    assert (left + left + width, bottom + bottom + height) == pytest.approx((800, 400), abs=2)
+    assert camera.place_of(points + np.array((0, 0, 20)), (800, 400)) == (0, 0, 800, 400)
+    assert Camera(distance=10.0).pan(-9, 0).place_of(points, (800, 400))[2] >= 1
+
+
 def seen_at(camera: Camera, point: tuple[float, float, float], aspect: float = 1.0) -> np.ndarray:
     x, y, z, w = camera.matrix(aspect).astype(float) @ np.array([*point, 1.0])
     return np.array((x, y, z)) / w

@@ -26,6 +26,8 @@ from tools.bench.figures import ROOT, child_environment, speech
 
 BLOCK = 0.02
 """Seconds of sound that are sent at once."""
+MOST_LATE = 0.1
+"""Seconds by which no frame may be late, of fifty streams at once."""
 SETTLED = 2.0
 """Seconds at the beginning of which nothing is counted: everybody connects at once."""
 
@@ -95,12 +97,21 @@ def stream_server(preset: str) -> Iterator[StreamServer]:
         process.wait(10)
 
 
-def loaded(n_streams: int, seconds: float, preset: str = "learned", rate: int = 24_000) -> Load:
-    """Have so many streams run for so long."""
+def loaded(
+    n_streams: int, seconds: float, preset: str = "learned", rate: int = 24_000, *, disturbed: bool = False
+) -> Load:
+    """Have so many streams run for so long; disturbed, beside clients that lie, flood, stall and vanish."""
     sound = resample_whole(speech(30.0), SAMPLE_RATE, rate)
     data = np.rint(np.clip(sound, -1, 1) * 32_767).astype("<i2").tobytes()
     with stream_server(preset) as server:
-        return asyncio.run(_load(server, data, n_streams, seconds, rate))
+        words = ["nice", "-n", "30", sys.executable, "-m", "tools.bench.bad_clients", server.address]
+        bad = subprocess.Popen(words, cwd=ROOT, env=child_environment()) if disturbed else None
+        try:
+            return asyncio.run(_load(server, data, n_streams, seconds, rate))
+        finally:
+            if bad is not None:
+                bad.kill()
+                bad.wait()
 
 
 async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: float, rate: int) -> Load:
@@ -163,8 +174,10 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=20.0)
     parser.add_argument("--preset", default="learned")
     parser.add_argument("--rate", type=int, default=24_000)
+    parser.add_argument("--disturbed", action="store_true", help="beside clients that lie, flood, stall and vanish")
     options = parser.parse_args()
-    print(loaded(options.streams, options.seconds, options.preset, options.rate).words)
+    load = loaded(options.streams, options.seconds, options.preset, options.rate, disturbed=options.disturbed)
+    print(load.words)
 
 
 if __name__ == "__main__":

@@ -26,6 +26,8 @@ PACKAGES = ("numpy", "scipy", "soundfile", "soxr")
 """What decides with the program what outputs are, to the last bit."""
 CONNECTION_TIMEOUT = 10.0
 """Seconds in which a scheduler, and a first worker, must answer."""
+FAREWELL = 2.0
+"""Seconds in which a scheduler may answer that this program leaves."""
 LEAST_GIVEN = 8
 """Chunks that a cluster has at least, which may grow meanwhile."""
 WAITING = 4
@@ -102,7 +104,7 @@ class Cluster:
 
     def close(self) -> None:
         """Leave the cluster."""
-        self._client.close(timeout=CONNECTION_TIMEOUT)
+        self._client.close(timeout=FAREWELL)
 
     def _check_workers(self) -> None:
         with _told(self._address):
@@ -195,7 +197,8 @@ def _imported() -> Any:
             f"a cluster needs packages that cannot be loaded ({error}); install them with: pip install "
             "'phonemeanalyser[cluster]'"
         ) from error
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what goes wrong is said in one sentence
+    for name in [name for name in logging.root.manager.loggerDict if name.startswith("distributed")]:
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what goes wrong is said in one sentence
     return distributed
 
 

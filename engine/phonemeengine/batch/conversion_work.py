@@ -54,7 +54,7 @@ class ConversionWork:
         written = replace(options, table=None, mesh=mesh)
         return fingerprint_of("convert", self.kind, table, written, for_files(self.preset), self.channel)
 
-    def text_of(self, _source: Path) -> str:
+    def known_of(self, _job: Job) -> str:
         """Return nothing: nothing is known of a file besides."""
         return ""
 

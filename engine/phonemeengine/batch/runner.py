@@ -167,12 +167,16 @@ class _Batch:
                 self._todo.append(job)
                 self._sizes[job] = _size_of(job.source)
         self.progress.n_files, self.progress.n_bytes = len(self._todo), sum(self._sizes.values())
+        self._sweep()
+
+    def _sweep(self) -> None:
+        """Remove what was left half by who died."""
         if self._record is not None:
-            sweep({job.target for job in self._todo if job.target is not None})
+            sweep({job.target for job in self.jobs if job.target is not None})
 
     def _key_of(self, job: Job) -> str:
         """Return what tells what is asked of a file; its name, which outputs may hold, goes into it."""
-        return fingerprint_of(self._fingerprint, job.source.name, self.work.text_of(job.source))
+        return fingerprint_of(self._fingerprint, job.source.name, self.work.known_of(job))
 
     # -- doing it -----------------------------------------------------------------------------------------
 
@@ -193,6 +197,7 @@ class _Batch:
             crew = Cluster(self.options.cluster, order_of(self.work), self.options.folder, token)
         with closing(crew):
             _Shift(self, crew).work_through(self._chunks(crew.most_given))
+        self._sweep()
 
     def _n_processes(self) -> int:
         asked = self.options.jobs

@@ -56,7 +56,7 @@ class Work(Protocol):
     def fingerprint(self) -> str:
         """Return what tells it from other work: its kind, preset and options."""
 
-    def text_of(self, source: Path) -> str:
+    def known_of(self, job: Job) -> str:
         """Return what it knows of one file besides, such as the words that are said in it."""
 
     def opened(self) -> AbstractContextManager[Act]:

@@ -46,6 +46,8 @@ WHEEL_STEP = 0.8
 """How much less is seen after a notch of the wheel."""
 OUTDATED = 0.43
 """How much of its colour is left of what was found with other settings."""
+LEAST_BOX = 4
+"""Pixels of a label from which on its border is strong: of narrower ones, nothing else would be seen."""
 LETTERS_APART = 11
 """Pixels between two frequencies that are written."""
 GRAB = 3
@@ -320,7 +322,8 @@ class FileView(QWidget):
             drawn = right
             box = QRectF(left, row.top(), max(1.0, right - left), row.height())
             chosen = self._labels.chosen == (tier, k)
-            painter.fillRect(box, QColor(self._theme.faint if says else self._theme.line))
+            strong = says and box.width() >= LEAST_BOX
+            painter.fillRect(box, QColor(self._theme.faint if strong else self._theme.line))
             painter.fillRect(box.adjusted(1, 1, 0, -1), QColor(self._theme.accent if chosen else self._theme.field))
             if box.width() >= NARROWEST_LETTER or shown.points:
                 words = painter.fontMetrics().elidedText(raw.name, Qt.TextElideMode.ElideRight, int(box.width()))

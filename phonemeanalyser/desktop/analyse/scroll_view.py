@@ -48,7 +48,7 @@ class ScrollView(QWidget):
         self._preset = preset
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
-        self._graphics.setAccessibleName("what is heard over time")
+        self._graphics.setAccessibleName(tr("what is heard over time"))
         self.sonagram = SonagramItem(history, theme)
         self._lane = PhonemeLane(history, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))

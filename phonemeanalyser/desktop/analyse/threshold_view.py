@@ -155,7 +155,7 @@ class ThresholdView(QScrollArea):
 
     def __init__(self, preset: PresetModel, history: History, theme: Theme) -> None:
         super().__init__()
-        self.setAccessibleName("thresholds")
+        self.setAccessibleName(tr("thresholds"))
         self._preset = preset
         self._history = history
         self._theme = theme

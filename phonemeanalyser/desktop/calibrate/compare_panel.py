@@ -38,7 +38,7 @@ class ComparePanel(QWidget):
         self.own = SegmentList(tr("only the preset in use is right"), tr("said, not"))
         self.others = SegmentList(tr("only the second preset is right"), tr("said, not"))
         self.tabs = QTabWidget()
-        self.tabs.tabBar().setAccessibleName("pages of the comparison")
+        self.tabs.tabBar().setAccessibleName(tr("pages of the comparison"))
         self._lay_out()
         self._connect()
         self._show()

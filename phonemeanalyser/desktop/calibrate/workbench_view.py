@@ -47,7 +47,7 @@ class WorkbenchView(QWidget):
         self.fit = FitPanel(calibration.fit, theme)
         self.compare = ComparePanel(calibration.comparison, theme)
         self.tabs = QTabWidget()
-        self.tabs.tabBar().setAccessibleName("pages of the workbench")
+        self.tabs.tabBar().setAccessibleName(tr("pages of the workbench"))
         self.timeline = ConfusionTimeline(theme)
         self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()

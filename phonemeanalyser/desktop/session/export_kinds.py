@@ -105,10 +105,10 @@ class ExportOrderWork:
             return self._conversion().fingerprint()
         return fingerprint_of("window", order.kind, for_files(order.preset), order.options, order.channel)
 
-    def text_of(self, source: Path) -> str:
+    def known_of(self, job: Job) -> str:
         """Return what the files beside a sound hold by which a report scores it."""
         if self.order.kind not in CONVERSIONS and not EXPORT_KINDS[self.order.kind].moves_mouth:
-            return fingerprint_of(*(source.with_suffix(suffix) for suffix in LABEL_SUFFIXES))
+            return fingerprint_of(*(job.source.with_suffix(suffix) for suffix in LABEL_SUFFIXES))
         return ""
 
     @contextmanager

@@ -13,12 +13,18 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, ExportOrderWork
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome
+from phonemeengine.conversion import CONVERSIONS
+from phonemeengine.measurement import save_stretch
 from phonemeengine.progress import Progress
+from phonemeengine.settings import Channel
 
 MOST_PREVIEWED = 4000
 """Characters of a file that are shown before it is written."""
+SECONDS_PREVIEWED = 30.0
+"""Of a longer sound, what its beginning becomes is shown."""
 
 
 class ExportState(StrEnum):
@@ -161,6 +167,12 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     if not EXPORT_KINDS[order.kind].is_text:
         return tr("A clip is seen once it is made; the page Talk shows the same head at once.")
     with TemporaryDirectory() as folder:
+        with SoundReader(source) as reader:
+            is_long = reader.duration > SECONDS_PREVIEWED
+        if is_long and order.kind in CONVERSIONS:
+            beginning = Path(folder) / f"{source.stem}.wav"
+            save_stretch(source, 0.0, SECONDS_PREVIEWED, beginning, channel=order.channel)
+            source, order = beginning, replace(order, channel=Channel.MIX)
         target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
         EXPORT_KINDS[order.kind].make(source, target, order, progress)
         content = target.read_bytes()
@@ -170,7 +182,7 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
         return tr("{target}: {n} bytes that are no text").format(
             target=target.name, n=f"{len(content):,}".replace(",", " ")
         )
-    return text[:MOST_PREVIEWED] + ("\n…" if len(text) > MOST_PREVIEWED else "")
+    return text[:MOST_PREVIEWED] + ("\n…" if is_long or len(text) > MOST_PREVIEWED else "")
 
 
 def sounds_in(paths: Sequence[Path], suffixes: Collection[str]) -> list[Path]:

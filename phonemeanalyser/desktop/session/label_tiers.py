@@ -1,6 +1,7 @@
 """The labels of the file in hand, tier by tier: loaded, edited, saved, and compared with what is recognised."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from phonemeengine.labels.files import known_labels, phoneme_tier_of
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import deleted, inserted, labels_beside, moved, read_tiers, renamed, write_tiers
-from phonemeengine.whole_sound import SoundTracks
+from phonemeengine.whole_sound import FrameState, SoundTracks
 
 MOST_SHOWN = 3
 """Tiers that are shown of a file at first: more leave the sonagram little room."""
@@ -221,7 +222,7 @@ class LabelTiers(QObject):
         said = self.said_frames()
         asked = (id(said), id(tracks), tracks.revision)
         if self._errors[0] != asked:
-            self._errors = asked, [] if said is None else label_errors(said, tracks.phonemes)
+            self._errors = asked, [] if said is None else label_errors(_known_of(said, tracks), tracks.phonemes)
         return self._errors[1]
 
     def next_error(self, tracks: SoundTracks, position: float, *, back: bool = False) -> LabelError | None:
@@ -286,3 +287,10 @@ class LabelTiers(QObject):
     def _push(self, state: LabelState, what: str, moves: tuple[object, ...] | None = None) -> None:
         if state != self.state:
             self._undo_stack.push(LabelsEdit(self, state, what, moves))
+
+
+def _known_of(said: FrameLabels, tracks: SoundTracks) -> FrameLabels:
+    """Return labels that are sure of nothing where nobody knows yet what is recognised."""
+    known = tracks.states[: len(said.phonemes)] != FrameState.UNKNOWN
+    labels = said.at(slice(len(known)))
+    return replace(labels, certain=labels.certain & known)

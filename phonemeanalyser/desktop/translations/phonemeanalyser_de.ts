@@ -1104,6 +1104,11 @@
             <translation>Bild kopieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/widgets/table_copy.py" />
+            <source>Copy Table</source>
+            <translation>Tabelle kopieren</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
             <source>Copy the table, with tabs between the columns</source>
             <translation>Die Tabelle kopieren, mit Tabulatoren zwischen den Spalten</translation>
@@ -1562,6 +1567,11 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Filters</source>
+            <translation>Filter</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <source>filters</source>
             <translation>Filter</translation>
         </message>
         <message>
@@ -3590,9 +3600,19 @@
             <translation>eigene Tabelle …</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <source>pages of the comparison</source>
+            <translation>Seiten des Vergleichs</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/manual.py" />
             <source>pages of the manual</source>
             <translation>Seiten des Handbuchs</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>pages of the workbench</source>
+            <translation>Seiten der Werkbank</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
@@ -5586,6 +5606,11 @@
             <translation>Schwellen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
+            <source>thresholds</source>
+            <translation>Schwellen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
             <source>through the mel bank</source>
             <translation>durch die Mel-Filterbank</translation>
@@ -5989,6 +6014,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
             <source>What is drawn over the sonagram, and below it: formants, pitch, level, words</source>
             <translation>Was über dem Sonagramm und darunter gezeichnet wird: Formanten, Grundfrequenz, Pegel, Wörter</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <source>what is heard over time</source>
+            <translation>was über die Zeit gehört wird</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />

@@ -267,6 +267,10 @@ class TimelineView(QWidget):
         super().__init__()
         self.lanes = lanes
         self.bar = QScrollBar(Qt.Orientation.Horizontal)
+        keeps_its_room = self.bar.sizePolicy()
+        keeps_its_room.setRetainSizeWhenHidden(True)
+        self.bar.setSizePolicy(keeps_its_room)
+        self.bar.hide()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
@@ -388,6 +392,7 @@ class TimelineView(QWidget):
     def _fit(self) -> None:
         seen = int(self.lanes.n_seen)
         self.bar.setRange(0, max(0, self.lanes.n_frames - seen))
+        self.bar.setVisible(self.bar.maximum() > 0)
         self.bar.setPageStep(seen)
         self.bar.setSingleStep(max(1, seen // 10))
         self._scroll(self.bar.value())

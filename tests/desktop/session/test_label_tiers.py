@@ -10,6 +10,7 @@ from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.whole_sound import SoundTracks
 from tests.desktop.hands import CARDS
 
 M_A = Tier("phones", (RawLabel(0.1, 0.3, "m", ""), RawLabel(0.3, 0.6, "a", "")))
@@ -128,3 +129,9 @@ def test_said_and_recognised_are_compared(session, qtbot, sound):
     assert labels.next_error(tracks, 0.0, back=True) is None
     labels.show((0,), None)
     assert labels.errors(tracks) == []
+
+
+def test_what_is_not_recognised_yet_is_no_error(labels, sound):
+    labels.follow(sound, 2.0)
+    assert labels.said_frames() is not None
+    assert labels.errors(SoundTracks(200)) == []
