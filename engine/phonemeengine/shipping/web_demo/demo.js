@@ -5,6 +5,7 @@ import { Spectrum } from "./spectrum.js";
 
 const MOST_ROWS = 1000;
 const TABLE = "arkit";
+const LONGEST_START = 5000; // milliseconds
 
 const element = (id) => document.getElementById(id);
 const seconds = (frames) => (frames / 100).toFixed(2);
@@ -18,16 +19,20 @@ class Listening {
   /** Begins to listen to what `open` makes of an audio context: a source, and whether it is heard as well. */
   static async begin(open) {
     const context = new AudioContext();
+    let stop = () => {};
     try {
       const node = await earNode(context, model, (frame) => fresh.push(frame));
-      const { source, audible, stop } = await open(context); // now, since what comes earlier is not heard
+      const opened = await open(context); // now, since what comes earlier is not heard
+      const { source, audible } = opened;
+      stop = opened.stop;
       const analyser = new AnalyserNode(context, { fftSize: 1024, smoothingTimeConstant: 0 });
       source.connect(analyser).connect(node);
       if (audible) source.connect(context.destination);
-      await context.resume();
+      await started(context);
       return new Listening(context, new Spectrum(element("spectrum"), analyser), stop);
     } catch (error) {
-      await context.close();
+      stop();
+      context.close();
       throw error;
     }
   }
@@ -43,6 +48,15 @@ class Listening {
     this.stop();
     this.mouth?.close();
     this.context.close();
+  }
+}
+
+/* Wait until sound flows, which it does at once, or never where the system has no output. */
+async function started(context) {
+  const late = new Promise((resolve) => setTimeout(resolve, LONGEST_START));
+  await Promise.race([context.resume(), late]);
+  if (context.state !== "running") {
+    throw new Error("the browser opens no sound output; connect a loudspeaker or headphones, and try again");
   }
 }
 
