@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from html import escape
+from itertools import chain
 from pathlib import Path
 
 from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
@@ -170,7 +171,8 @@ class Dialogs(QObject):
         path = self._session.path
         chosen = list(sounds) or ([] if path is None else [path])
         preset, channel = self._preset.in_force, self._session.channel
-        ExportDialog(preset, channel, chosen, self._settings, self._window).open()
+        others = chain.from_iterable(self.preset_sections().values())
+        ExportDialog(preset, channel, chosen, self._settings, self._window, others).open()
 
     # -- recordings ---------------------------------------------------------------------------------------
 

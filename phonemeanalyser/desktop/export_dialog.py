@@ -1,5 +1,6 @@
 """Files from sounds: what they become, how and where; one or a whole folder of them, with a look before."""
 
+from collections.abc import Iterable
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt
@@ -40,6 +41,8 @@ from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.presets.entries import PresetEntry
+from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 
@@ -57,13 +60,14 @@ class ExportDialog(QDialog):
 
     Parameters
     ----------
-    preset, channel : what is recognised with, and of what.
+    preset, channel : what is recognised with, unless another preset is chosen, and of what.
     sounds : to begin with.
+    presets : others to choose from.
 
     Attributes
     ----------
     queue : works through the files.
-    kind, table, rate, minimum, anticipation, detail, blinks, head, seed : choices.
+    kind, heard, table, rate, minimum, anticipation, detail, blinks, head, seed : choices.
     overwrite : whether files that may be somebody else's are replaced.
     files : the table of the sounds.
     preview : the beginning of what the chosen sound would become.
@@ -72,7 +76,8 @@ class ExportDialog(QDialog):
     """
 
     def __init__(
-        self, preset: Preset, channel: Channel, sounds: list[Path], settings: QSettings, parent: QWidget
+        self, preset: Preset, channel: Channel, sounds: list[Path], settings: QSettings, parent: QWidget,
+        presets: Iterable[PresetEntry] = (),
     ) -> None:  # fmt: skip
         super().__init__(parent)
         self._preset, self._channel, self._settings = preset, channel, settings
@@ -85,6 +90,10 @@ class ExportDialog(QDialog):
         self.setAcceptDrops(True)
         self.resize(*SIZE)
         self._make_choices()
+        self.heard.addItem(preset.name, None)
+        for entry in presets:
+            self.heard.addItem(entry.name, entry.path)
+            self.heard.setItemData(self.heard.count() - 1, entry.summary, Qt.ItemDataRole.ToolTipRole)
         self._make_files()
         self._make_buttons()
         self._lay_out()
@@ -100,7 +109,14 @@ class ExportDialog(QDialog):
         self._show_files()
 
     def order(self) -> ExportOrder:
-        """Return what the sounds are turned into."""
+        """Return what the sounds are turned into.
+
+        Raises
+        ------
+        EngineError : the preset that is chosen cannot be loaded.
+        """
+        path = self.heard.currentData()
+        preset = self._preset if path is None else load_preset(path)
         table = self.table.currentData()
         detail = Detail(self.detail.currentData())
         idle = IdleMotion(self.blinks.isChecked(), self.head.isChecked(), self.seed.value(), detail)
@@ -108,13 +124,13 @@ class ExportDialog(QDialog):
         ahead = None if anticipation < 0 else anticipation
         options = ExportOptions(self.rate.value() or None, self.minimum.value(), ahead, table, idle=idle)
         return ExportOrder(
-            self.kind.currentData(), self._preset, options, self._channel, overwrite=self.overwrite.isChecked()
+            self.kind.currentData(), preset, options, self._channel, overwrite=self.overwrite.isChecked()
         )
 
     # -- how it is made -----------------------------------------------------------------------------------
 
     def _make_choices(self) -> None:
-        self.kind, self.table, self.detail = QComboBox(), QComboBox(), QComboBox()
+        self.kind, self.heard, self.table, self.detail = (QComboBox() for _ in range(4))
         for name, kind in EXPORT_KINDS.items():
             self.kind.addItem(f"{tr(kind.words)} ({name})", name)
         kept = self.kind.findData(str(self._settings.value("export/kind", "rhubarb-json")))
@@ -186,22 +202,20 @@ class ExportDialog(QDialog):
     def _lay_out(self) -> None:
         form = QFormLayout()
         rows: tuple[tuple[str, QWidget], ...] = (
-            (tr("Becomes"), self.kind), (tr("Mouth table"), self.table), (tr("Rate"), self.rate),
-            (tr("Shortest cue"), self.minimum), (tr("Mouth ahead"), self.anticipation), (tr("Follows"), self.detail),
-            (tr("Seed"), self.seed), ("", self.blinks), ("", self.head), (tr("Goes"), self.folder),
-            ("", self.overwrite),
+            (tr("Becomes"), self.kind), (tr("Heard with"), self.heard), (tr("Mouth table"), self.table),
+            (tr("Rate"), self.rate), (tr("Shortest cue"), self.minimum), (tr("Mouth ahead"), self.anticipation),
+            (tr("Follows"), self.detail), (tr("Seed"), self.seed), ("", self.blinks), ("", self.head),
+            (tr("Goes"), self.folder), ("", self.overwrite),
         )  # fmt: skip
         for words, widget in rows:
             form.addRow(words, widget)
             widget.setAccessibleName(words or widget.property("text"))
         self.kind.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.kind.setMinimumContentsLength(28)
+        self.heard.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         left = QVBoxLayout()
         left.addLayout(form)
         left.addStretch(1)
-        heard = QLabel(tr("Heard with the preset {preset}").format(preset=self._preset.name))
-        heard.setWordWrap(True)
-        left.addWidget(heard)
         listing = QHBoxLayout()
         for button in (self.add_files, self.add_folder, self.remove):
             listing.addWidget(button)
@@ -225,6 +239,7 @@ class ExportDialog(QDialog):
 
     def _connect(self) -> None:
         self.kind.currentIndexChanged.connect(self._show_kind)
+        self.heard.currentIndexChanged.connect(self.preview.clear)
         self.add_files.clicked.connect(self._ask_files)
         self.add_folder.clicked.connect(self._ask_folder)
         self.remove.clicked.connect(self._remove)
@@ -265,7 +280,7 @@ class ExportDialog(QDialog):
         self.start.setEnabled(bool(self._sounds) and not busy)
         self.look.setEnabled(bool(self._sounds))
         self.cancel.setEnabled(busy)
-        for widget in (self.add_files, self.add_folder, self.remove, self.folder, self.kind):
+        for widget in (self.add_files, self.add_folder, self.remove, self.folder, self.kind, self.heard):
             widget.setEnabled(not busy)
 
     def _show_row(self, row: int, cells: tuple[str, ...]) -> None:
@@ -325,8 +340,8 @@ class ExportDialog(QDialog):
 
     def _checked_order(self) -> ExportOrder | None:
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""
-        order = self.order()
         try:
+            order = self.order()
             check_order(order)
         except EngineError as error:
             self.told.setText(str(error))

@@ -16,7 +16,7 @@ from phonemeengine import Channel, convert, load_preset
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import THESIS_PRESET
+from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET
 from tests.desktop.hands import CARDS, LEFT, shown
 from tests.tables import outputs_in
 
@@ -136,6 +136,22 @@ def test_files_go_where_the_user_says(dialog, folder, tmp_path, qtbot, monkeypat
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: "")
     QTest.mouseClick(dialog.folder, LEFT)
     assert dialog.folder.text() == BESIDE
+
+
+def test_another_preset_is_chosen(desktop, qtbot, folder):
+    window = shown(desktop, qtbot, None)
+    window.dialogs.show_export([folder])
+    (dialog,) = (d for d in window.findChildren(ExportDialog) if d.isVisible())
+    assert dialog.order().preset == desktop.preset.in_force
+    paths = [dialog.heard.itemData(k) for k in range(dialog.heard.count())]
+    dialog.heard.setCurrentIndex(paths.index(DEFAULT_PRESET))
+    assert dialog.order().preset == load_preset(DEFAULT_PRESET)
+    assert dialog.order().preset != desktop.preset.in_force
+    dialog.heard.setItemData(dialog.heard.currentIndex(), folder / "gone.toml")
+    QTest.mouseClick(dialog.start, LEFT)
+    assert "gone.toml" in dialog.told.text()
+    assert dialog.queue.jobs == []
+    dialog.close()
 
 
 def test_sounds_are_removed_from_the_list(dialog):

@@ -1941,8 +1941,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>Heard with the preset {preset}</source>
-            <translation>Gehört mit dem Preset {preset}</translation>
+            <source>Heard with</source>
+            <translation>Gehört mit</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
