@@ -1,5 +1,6 @@
 """What a stream and its client say to each other, as JSON, strictly read."""
 
+import functools
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
@@ -163,6 +164,7 @@ def _value(told: Mapping[str, Any], key: str, kind: type[_T], usual: _T) -> _T:
     return value
 
 
+@functools.cache
 def _table_named(name: str) -> MouthTable | None:
     """Load a table that ships with the program: clients name no files of this machine."""
     if name and name not in shipped_tables():

@@ -11,9 +11,8 @@ from pathlib import Path
 import numpy as np
 from aiohttp import web
 
-from phonemeanalyser.server import messages
 from phonemeanalyser.server.access import PROTOCOL, Access
-from phonemeanalyser.server.door import Door
+from phonemeanalyser.server.door import CLOSING, Door, refusal
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import MEGABYTE, USUAL_HOST, USUAL_PORT, ServerLimits
 from phonemeanalyser.server.refused import FAILED, RefusedError
@@ -29,8 +28,6 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 STREAM, EXPORT = "/stream", "/export"
 WRITER_LIMIT = 1 << 14
 """Bytes of answers that are under way to a client before the next one waits."""
-CLOSING = 2.0
-"""Seconds that a client has to answer when its stream is closed."""
 TOO_LARGE = 1009
 """The code with which a stream is closed after a message that is too large."""
 
@@ -70,9 +67,7 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
     application.router.add_get("/", service.tell)
     application.router.add_get(STREAM, service.stream)
     application.router.add_post(EXPORT, service.export)
-    runner = web.AppRunner(
-        application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING, lingering_time=CLOSING
-    )
+    runner = web.AppRunner(application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING)
     async with AsyncExitStack() as stack:
         stack.callback(service.close)
         await runner.setup()
@@ -124,14 +119,14 @@ class Service:
             self._access.check(request.headers, _protocols_of(request))
             answer = await handler(request)
         except EngineError as error:
-            answer = _refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
+            answer = refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
         except web.HTTPException as error:
-            answer = _refusal(
+            answer = refusal(
                 f"{request.method} {request.path[:60]!a} is not served; GET / tells what is", error.status
             )
         except Exception:  # noqa: BLE001 - a bug in one request ends no stream
             _log.exception("a request has failed")
-            answer = _refusal(FAILED, 500)
+            answer = refusal(FAILED, 500)
         if not answer.prepared:
             answer.force_close()
         return answer
@@ -186,7 +181,3 @@ class _StreamSocket(web.WebSocketResponse):
 
 def _protocols_of(request: web.Request) -> list[str]:
     return [word.strip() for word in request.headers.get("Sec-WebSocket-Protocol", "").split(",")]
-
-
-def _refusal(sentence: str, status: int) -> web.Response:
-    return web.Response(text=messages.error(sentence), status=status, content_type="application/json")

@@ -92,7 +92,12 @@ class IncomingSpeech:
         return self._aligner is not None and self._aligner.fit.is_wrong
 
     def add_words(self, words: Sequence[ScriptWord]) -> None:
-        """Take the next words of the text, see `words_of`; it was announced when this was made."""
+        """Take the next words of the text, see `words_of`; it was announced when this was made.
+
+        Raises
+        ------
+        TextError : a word is endless.
+        """
         assert self._aligner is not None
         self._aligner.add_words(words)
 
