@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import socket
 from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AsyncExitStack, asynccontextmanager
@@ -28,6 +29,8 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 STREAM, EXPORT = "/stream", "/export"
 WRITER_LIMIT = 1 << 14
 """Bytes of answers that are under way to a client before the next one waits."""
+BUFFER = 1 << 16
+"""Bytes that the system keeps for each connection, either way: what floods is looked through a little at a time."""
 TOO_LARGE = 1009
 """The code with which a stream is closed after a message that is too large."""
 
@@ -82,6 +85,9 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
                 f"{place} cannot be served ({reason_of(error)}); choose another host or port"
             ) from error
         stack.callback(listening.close)
+        for endpoint in listening.sockets:  # connections inherit it
+            endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
+            endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         yield listening.sockets[0].getsockname()[1]
 
 
@@ -148,21 +154,21 @@ class Service:
         """Hear a stream."""
         if self._n_streams >= self._limits.most_streams:
             raise RefusedError(f"there are {self._n_streams} streams, as many as this server takes; try later", 503)
-        socket = _StreamSocket(
+        stream = _StreamSocket(
             timeout=CLOSING, protocols=[PROTOCOL], compress=False, writer_limit=WRITER_LIMIT,
             max_msg_size=int(self._limits.largest_message * MEGABYTE),
         )  # fmt: skip
-        if not socket.can_prepare(request):
+        if not stream.can_prepare(request):
             raise RefusedError(f"{STREAM} is a WebSocket; open it as one", 426)
         self._n_streams += 1
         try:
-            await socket.prepare(request)
-            await StreamSession(socket, self._preset, self._limits, self._turns, self._words_of_text).run()
+            await stream.prepare(request)
+            await StreamSession(stream, self._preset, self._limits, self._turns, self._words_of_text).run()
         finally:
             self._n_streams -= 1
-            if not socket.closed and request.transport is not None:
+            if not stream.closed and request.transport is not None:
                 request.transport.abort()  # nobody would take a farewell
-        return socket
+        return stream
 
     async def _words_of_text(self, text: str, language: str) -> Sequence[ScriptWord]:
         return await asyncio.get_running_loop().run_in_executor(self._readers, words_of, text, language)
