@@ -29,6 +29,8 @@ MOST_UNSENT = 64
 """Answers that may wait to be sent; then no more sound is heard."""
 REFUSED = 1008
 """The code with which a stream is closed after a sentence that says why (RFC 6455: policy violation)."""
+LONGEST_REASON = 123
+"""Bytes that a WebSocket may be closed with."""
 
 WordsOfText = Callable[[str, str], Awaitable[Sequence[ScriptWord]]]
 """Gives the words of a text in a language."""
@@ -235,4 +237,5 @@ class StreamSession:
     async def _refuse(self, error: EngineError) -> None:
         with suppress(GoneError):
             await self._send(messages.error(str(error)))
-            await self._socket.close(code=REFUSED)
+            reason = str(error).encode()[:LONGEST_REASON].decode(errors="ignore")
+            await self._socket.close(code=REFUSED, message=reason.encode())

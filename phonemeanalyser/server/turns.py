@@ -2,8 +2,9 @@
 
 import asyncio
 import logging
-from collections.abc import Mapping, Sequence
-from typing import Protocol
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from typing import Protocol, TypeVar
 
 from phonemeanalyser.server.refused import FAILED
 from phonemeengine import EngineError
@@ -14,6 +15,7 @@ GATHER = 0.004
 """Seconds from the first piece that waits to the turn, so that what comes meanwhile is heard in the same one."""
 
 
+_T = TypeVar("_T")
 _log = logging.getLogger(__name__)
 
 
@@ -57,7 +59,7 @@ class Turns:
 
     def _take(self) -> None:
         self._is_planned = False
-        found = [(stream, stream.next_piece()) for stream in [*self._streams]]
+        found = [(stream, _safely(stream, stream.next_piece)) for stream in [*self._streams]]
         pieces = {stream: piece for stream, piece in found if piece is not None}
         if not pieces:
             return
@@ -66,12 +68,22 @@ class Turns:
             if isinstance(known, EngineError):
                 stream.fail(known)
             else:
-                stream.tell(known)
+                _safely(stream, partial(stream.tell, known))
+
+
+def _safely(stream: Hearing, act: Callable[[], _T]) -> _T | None:
+    """Do something for a stream; a bug in it ends that one with a word, and no other."""
+    try:
+        return act()
+    except Exception:  # noqa: BLE001 - see above
+        _log.exception("a stream has failed")
+        stream.fail(EngineError(FAILED))
+        return None
 
 
 def _heard(pieces: Mapping[Hearing, Float32Array]) -> Sequence[HeardPiece | EngineError]:
     try:
         return hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
-    except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no other one
+    except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no others
         _log.exception("sounds could not be heard")
         return [EngineError(FAILED)] * len(pieces)
