@@ -2,6 +2,7 @@
 
 import functools
 import json
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
@@ -10,6 +11,7 @@ import numpy as np
 
 from phonemeanalyser.server.refused import RefusedError
 from phonemeengine import MouthTable, Phoneme, Viseme, Word, load_table, viseme_of
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
@@ -102,16 +104,16 @@ def answers(heard: HeardPiece) -> Iterator[str]:
 
 def _frames(heard: HeardPiece) -> str:
     analysis = heard.analysis
-    sure = analysis.confidences
+    sure = _thousandths(analysis.confidences)
     told: dict[str, Any] = {
         "time": round(analysis.start * FRAME_PERIOD, 2),
         "phonemes": [_PHONEMES[code] for code in analysis.phonemes.tolist()],
         "visemes": [_VISEMES[code] for code in analysis.visemes.tolist()],
-        "confidences": _rounded(sure) if not np.isnan(sure).any() else [None] * len(sure),
-        "intensities": _rounded(analysis.intensities),
+        "confidences": [None] * len(sure) if math.isnan(sure[0]) else sure,
+        "intensities": _thousandths(analysis.intensities),
     }
     if heard.weights is not None:
-        told["weights"] = _rounded(heard.weights)
+        told["weights"] = np.round(heard.weights.astype(np.float64), 3).tolist()
     return json.dumps(told)
 
 
@@ -139,9 +141,8 @@ def _word(word: Word) -> dict[str, Any]:
     return {"word": word.text, "start": round(word.start, 2), "end": round(word.end, 2), "phones": phones}
 
 
-def _rounded(values: np.ndarray[Any, np.dtype[np.float32]]) -> list[Any]:
-    found: list[Any] = np.round(values.astype(np.float64), 3).tolist()
-    return found
+def _thousandths(values: Float32Array) -> list[float]:
+    return [round(value, 3) for value in values.tolist()]
 
 
 def _object_in(message: str, known: tuple[str, ...]) -> Mapping[str, Any]:
