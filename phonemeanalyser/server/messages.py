@@ -3,14 +3,14 @@
 import functools
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 
 from phonemeanalyser.server.refused import RefusedError
-from phonemeengine import MouthTable, Phoneme, Viseme, Word, load_table, viseme_of
+from phonemeengine import GrownWords, MouthTable, Phoneme, Viseme, Word, load_table, viseme_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
@@ -92,17 +92,14 @@ def ready(start: StreamStart, speech: IncomingSpeech, preset: str) -> str:
     return json.dumps({"ready": told | ({"movestates": start.table.movestates} if start.table else {})})
 
 
-def answers(heard: HeardPiece) -> Iterator[str]:
-    """Return what a client is told of a piece: its frames, and its words."""
-    if len(heard.analysis):
-        yield _frames(heard)
-    words = heard.words
-    if words is not None and (words.settled or words.open or words.skipped):
-        told = {"words": [_word(w) for w in words.settled], "open": [_word(w) for w in words.open]}
-        yield json.dumps(told | ({"skipped": words.skipped} if words.skipped else {}))
+def words(grown: GrownWords) -> str:
+    """Return what is known of the text."""
+    told = {"words": [_word(w) for w in grown.settled], "open": [_word(w) for w in grown.open]}
+    return json.dumps(told | ({"skipped": grown.skipped} if grown.skipped else {}))
 
 
-def _frames(heard: HeardPiece) -> str:
+def frames(heard: HeardPiece) -> str:
+    """Return what is said in the frames of a piece, of which there are some."""
     analysis = heard.analysis
     sure = _thousandths(analysis.confidences)
     told: dict[str, Any] = {

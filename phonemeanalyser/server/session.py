@@ -16,7 +16,7 @@ from phonemeanalyser.server.limits import AHEAD, PER_MESSAGE, ServerLimits
 from phonemeanalyser.server.pace import Pace
 from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeanalyser.server.turns import Turns
-from phonemeengine import EngineError, Preset, ScriptWord
+from phonemeengine import EngineError, GrownWords, Preset, ScriptWord
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import PIECE
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
@@ -114,8 +114,15 @@ class StreamSession:
 
     def tell(self, heard: HeardPiece) -> None:
         """Have the client told what is known of a piece."""
-        for answer in messages.answers(heard):
-            self._unsent.put_nowait(answer)
+        if len(heard.analysis):
+            self._unsent.put_nowait(messages.frames(heard))
+        if heard.words is not None:
+            self.tell_words(heard.words)
+
+    def tell_words(self, words: GrownWords) -> None:
+        """Have the client told what is known of its text, if there is anything."""
+        if words != GrownWords():
+            self._unsent.put_nowait(messages.words(words))
 
     def fail(self, error: EngineError) -> None:
         """Have the client told why no more is heard, after all that is known."""

@@ -2,15 +2,18 @@
 
 import asyncio
 import logging
-from collections.abc import Callable, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
 
 from phonemeanalyser.server.refused import FAILED
-from phonemeengine import EngineError
+from phonemeengine import EngineError, GrownWords
 from phonemeengine.arrays import Float32Array
-from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech, hear_together
+from phonemeengine.live.incoming_speech import LOOK, HeardPiece, IncomingSpeech, hear_together
 
+LOOKING = 0.004
+"""Seconds of a turn after which no more words are looked for."""
 GATHER = 0.004
 """Seconds from the first piece that waits to the turn, so that what comes meanwhile is heard in the same one."""
 
@@ -31,6 +34,9 @@ class Hearing(Protocol):
 
     def tell(self, heard: HeardPiece) -> None:
         """Take what is known of that piece."""
+
+    def tell_words(self, words: GrownWords) -> None:
+        """Take what is known of its text."""
 
     def fail(self, error: EngineError) -> None:
         """Take why it cannot be heard."""
@@ -69,6 +75,18 @@ class Turns:
                 stream.fail(known)
             else:
                 _safely(stream, partial(stream.tell, known))
+        self._look(pieces)
+
+    def _look(self, streams: Iterable[Hearing]) -> None:
+        """Look for the words of texts where that was not done for longest, as long as phonemes may wait for it."""
+        began = time.monotonic()
+        due = [stream for stream in streams if stream.speech.n_unlooked >= LOOK]
+        for stream in sorted(due, key=lambda stream: -stream.speech.n_unlooked):
+            words = _safely(stream, stream.speech.look)
+            if words is not None:
+                _safely(stream, partial(stream.tell_words, words))
+            if time.monotonic() - began > LOOKING:
+                return
 
 
 def _safely(stream: Hearing, act: Callable[[], _T]) -> _T | None:

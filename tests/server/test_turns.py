@@ -8,7 +8,7 @@ import pytest
 from phonemeanalyser.server import turns as room
 from phonemeanalyser.server.pace import Pace
 from phonemeanalyser.server.turns import Turns
-from phonemeengine import EngineError, load_preset
+from phonemeengine import EngineError, GrownWords, load_preset, words_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
@@ -19,12 +19,13 @@ THESIS = load_preset("thesis")
 class Stream:
     """Hears silence, a piece a turn."""
 
-    def __init__(self, n_pieces: int, fault: str = "") -> None:
-        self.speech = IncomingSpeech(THESIS, StreamFormat(Encoding.F32))
+    def __init__(self, n_pieces: int, fault: str = "", *, with_text: bool = False) -> None:
+        self.speech = IncomingSpeech(THESIS, StreamFormat(Encoding.F32), with_text=with_text)
+        if with_text:
+            self.speech.add_words(words_of("hello", "en-us"))
         self.n_pieces, self.fault = n_pieces, fault
-        self.n_frames = 0
+        self.n_frames = self.n_looks = 0
         self.error: EngineError | None = None
-        self.order: list[int] = []
 
     def next_piece(self) -> Float32Array | None:
         if self.fault == "piece":
@@ -38,6 +39,9 @@ class Stream:
         if self.fault == "tell":
             raise ZeroDivisionError
         self.n_frames += len(heard.analysis)
+
+    def tell_words(self, words: GrownWords) -> None:
+        self.n_looks += 1
 
     def fail(self, error: EngineError) -> None:
         self.error = error
@@ -61,6 +65,14 @@ def test_all_that_waits_is_heard() -> None:
     streams = Stream(5), Stream(1), Stream(0)
     taken(*streams)
     assert [stream.n_frames for stream in streams] == [48, 8, 0]
+
+
+def test_words_are_looked_for_in_all_streams_while_there_is_little_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(room, "LOOKING", 0.0)  # one look a turn
+    streams = [Stream(20, with_text=True) for _ in range(3)]
+    taken(*streams)
+    assert all(4 <= stream.n_looks <= 7 for stream in streams)
+    assert all(stream.speech.n_unlooked < 60 for stream in streams)
 
 
 @pytest.mark.parametrize("fault", ["piece", "tell"])

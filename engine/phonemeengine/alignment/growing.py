@@ -18,8 +18,10 @@ from phonemeengine.text.pronunciation import ScriptWord
 
 LONGEST, UNSETTLED = 200, 100
 """Frames that are aligned anew each time, and how many at their end stay unsettled beyond that."""
-MOST_SOUNDS = 300
-"""Sounds of the text that are looked for in these frames, over all pronunciations; a word has fewer."""
+MOST_SOUNDS = 80
+"""Sounds of the text that are looked for in these frames: 25 a second, more than fast speakers say."""
+LONGEST_WORD = 1000
+"""Sounds that a word has at the most."""
 SHOWN = 20
 """Letters of a word that are shown."""
 HURRY = 1
@@ -68,9 +70,9 @@ class GrowingAligner:
         TextError : a word has more sounds than anybody says in one.
         """
         for word in words:
-            if _n_sounds_of(word) > MOST_SOUNDS:
+            if _n_sounds_of(word) > LONGEST_WORD:
                 shown = printable(word.text[:SHOWN])
-                raise TextError(f"the word {shown!r}... has more than {MOST_SOUNDS} sounds; write it as several")
+                raise TextError(f"the word {shown!r}... has more than {LONGEST_WORD} sounds; write it as several")
         self._words += words
 
     def push(self, evidence: Evidence) -> None:
@@ -114,12 +116,10 @@ class GrowingAligner:
         return found
 
     def _next_words(self) -> tuple[ScriptWord, ...]:
-        """Return the words that can be said in the frames that wait."""
+        """Return the words that can be said in the frames that wait, at least one."""
         n_sounds = accumulate(map(_n_sounds_of, self._words))
-        return tuple(
-            word
-            for word, _ in takewhile(lambda pair: pair[1] <= MOST_SOUNDS, zip(self._words, n_sounds, strict=False))
-        )
+        n_words = sum(1 for _ in takewhile(lambda n: n <= MOST_SOUNDS, n_sounds))
+        return tuple(self._words[: max(1, n_words)])
 
     def _forget(self, n: int) -> None:
         """Forget the first frames that wait."""
@@ -144,4 +144,4 @@ class GrowingAligner:
 
 
 def _n_sounds_of(word: ScriptWord) -> int:
-    return sum(len(pronunciation.phones) for pronunciation in word.pronunciations)
+    return max(len(pronunciation.phones) for pronunciation in word.pronunciations)
