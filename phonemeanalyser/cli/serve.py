@@ -2,6 +2,7 @@
 
 import argparse
 import asyncio
+import gc
 from contextlib import AbstractAsyncContextManager
 from dataclasses import fields
 from pathlib import Path
@@ -45,6 +46,7 @@ def run(options: argparse.Namespace) -> int:
 
 async def _serve(serving: AbstractAsyncContextManager[int], host: str) -> None:
     async with serving as port:
+        gc.freeze()  # what is there stays: looking through it would only hold streams up
         shown = f"[{host}]" if ":" in host else host
         print(f"serving http://{shown}:{port}, streams at ws://{shown}:{port}/stream; Ctrl-C ends it", flush=True)
         await asyncio.Event().wait()

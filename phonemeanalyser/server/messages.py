@@ -1,14 +1,17 @@
 """What a stream and its client say to each other, as JSON, strictly read."""
 
+import functools
 import json
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 
 from phonemeanalyser.server.refused import RefusedError
-from phonemeengine import MouthTable, Phoneme, Viseme, Word, load_table, viseme_of
+from phonemeengine import GrownWords, MouthTable, Phoneme, Viseme, Word, load_table, viseme_of
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
@@ -89,28 +92,25 @@ def ready(start: StreamStart, speech: IncomingSpeech, preset: str) -> str:
     return json.dumps({"ready": told | ({"movestates": start.table.movestates} if start.table else {})})
 
 
-def answers(heard: HeardPiece) -> Iterator[str]:
-    """Return what a client is told of a piece: its frames, and its words."""
-    if len(heard.analysis):
-        yield _frames(heard)
-    words = heard.words
-    if words is not None and (words.settled or words.open or words.skipped):
-        told = {"words": [_word(w) for w in words.settled], "open": [_word(w) for w in words.open]}
-        yield json.dumps(told | ({"skipped": words.skipped} if words.skipped else {}))
+def words(grown: GrownWords) -> str:
+    """Return what is known of the text."""
+    told = {"words": [_word(w) for w in grown.settled], "open": [_word(w) for w in grown.open]}
+    return json.dumps(told | ({"skipped": grown.skipped} if grown.skipped else {}))
 
 
-def _frames(heard: HeardPiece) -> str:
+def frames(heard: HeardPiece) -> str:
+    """Return what is said in the frames of a piece, of which there are some."""
     analysis = heard.analysis
-    sure = analysis.confidences
+    sure = _thousandths(analysis.confidences)
     told: dict[str, Any] = {
         "time": round(analysis.start * FRAME_PERIOD, 2),
         "phonemes": [_PHONEMES[code] for code in analysis.phonemes.tolist()],
         "visemes": [_VISEMES[code] for code in analysis.visemes.tolist()],
-        "confidences": _rounded(sure) if not np.isnan(sure).any() else [None] * len(sure),
-        "intensities": _rounded(analysis.intensities),
+        "confidences": [None] * len(sure) if math.isnan(sure[0]) else sure,
+        "intensities": _thousandths(analysis.intensities),
     }
     if heard.weights is not None:
-        told["weights"] = _rounded(heard.weights)
+        told["weights"] = np.round(heard.weights.astype(np.float64), 3).tolist()
     return json.dumps(told)
 
 
@@ -138,9 +138,8 @@ def _word(word: Word) -> dict[str, Any]:
     return {"word": word.text, "start": round(word.start, 2), "end": round(word.end, 2), "phones": phones}
 
 
-def _rounded(values: np.ndarray[Any, np.dtype[np.float32]]) -> list[Any]:
-    found: list[Any] = np.round(values.astype(np.float64), 3).tolist()
-    return found
+def _thousandths(values: Float32Array) -> list[float]:
+    return [round(value, 3) for value in values.tolist()]
 
 
 def _object_in(message: str, known: tuple[str, ...]) -> Mapping[str, Any]:
@@ -163,6 +162,7 @@ def _value(told: Mapping[str, Any], key: str, kind: type[_T], usual: _T) -> _T:
     return value
 
 
+@functools.cache
 def _table_named(name: str) -> MouthTable | None:
     """Load a table that ships with the program: clients name no files of this machine."""
     if name and name not in shipped_tables():

@@ -2,6 +2,7 @@
 
 import asyncio
 import logging
+import socket
 from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AsyncExitStack, asynccontextmanager
@@ -11,9 +12,8 @@ from pathlib import Path
 import numpy as np
 from aiohttp import web
 
-from phonemeanalyser.server import messages
 from phonemeanalyser.server.access import PROTOCOL, Access
-from phonemeanalyser.server.door import Door
+from phonemeanalyser.server.door import CLOSING, Door, refusal
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import MEGABYTE, USUAL_HOST, USUAL_PORT, ServerLimits
 from phonemeanalyser.server.refused import FAILED, RefusedError
@@ -29,8 +29,8 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 STREAM, EXPORT = "/stream", "/export"
 WRITER_LIMIT = 1 << 14
 """Bytes of answers that are under way to a client before the next one waits."""
-CLOSING = 2.0
-"""Seconds that a client has to answer when its stream is closed."""
+BUFFER = 1 << 16
+"""Bytes that the system keeps for each connection, either way: what floods is looked through a little at a time."""
 TOO_LARGE = 1009
 """The code with which a stream is closed after a message that is too large."""
 
@@ -70,9 +70,7 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
     application.router.add_get("/", service.tell)
     application.router.add_get(STREAM, service.stream)
     application.router.add_post(EXPORT, service.export)
-    runner = web.AppRunner(
-        application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING, lingering_time=CLOSING
-    )
+    runner = web.AppRunner(application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING)
     async with AsyncExitStack() as stack:
         stack.callback(service.close)
         await runner.setup()
@@ -87,6 +85,9 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
                 f"{place} cannot be served ({reason_of(error)}); choose another host or port"
             ) from error
         stack.callback(listening.close)
+        for endpoint in listening.sockets:  # connections inherit it
+            endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
+            endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
         yield listening.sockets[0].getsockname()[1]
 
 
@@ -124,14 +125,14 @@ class Service:
             self._access.check(request.headers, _protocols_of(request))
             answer = await handler(request)
         except EngineError as error:
-            answer = _refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
+            answer = refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
         except web.HTTPException as error:
-            answer = _refusal(
+            answer = refusal(
                 f"{request.method} {request.path[:60]!a} is not served; GET / tells what is", error.status
             )
         except Exception:  # noqa: BLE001 - a bug in one request ends no stream
             _log.exception("a request has failed")
-            answer = _refusal(FAILED, 500)
+            answer = refusal(FAILED, 500)
         if not answer.prepared:
             answer.force_close()
         return answer
@@ -153,21 +154,21 @@ class Service:
         """Hear a stream."""
         if self._n_streams >= self._limits.most_streams:
             raise RefusedError(f"there are {self._n_streams} streams, as many as this server takes; try later", 503)
-        socket = _StreamSocket(
+        stream = _StreamSocket(
             timeout=CLOSING, protocols=[PROTOCOL], compress=False, writer_limit=WRITER_LIMIT,
             max_msg_size=int(self._limits.largest_message * MEGABYTE),
         )  # fmt: skip
-        if not socket.can_prepare(request):
+        if not stream.can_prepare(request):
             raise RefusedError(f"{STREAM} is a WebSocket; open it as one", 426)
         self._n_streams += 1
         try:
-            await socket.prepare(request)
-            await StreamSession(socket, self._preset, self._limits, self._turns, self._words_of_text).run()
+            await stream.prepare(request)
+            await StreamSession(stream, self._preset, self._limits, self._turns, self._words_of_text).run()
         finally:
             self._n_streams -= 1
-            if not socket.closed and request.transport is not None:
+            if not stream.closed and request.transport is not None:
                 request.transport.abort()  # nobody would take a farewell
-        return socket
+        return stream
 
     async def _words_of_text(self, text: str, language: str) -> Sequence[ScriptWord]:
         return await asyncio.get_running_loop().run_in_executor(self._readers, words_of, text, language)
@@ -186,7 +187,3 @@ class _StreamSocket(web.WebSocketResponse):
 
 def _protocols_of(request: web.Request) -> list[str]:
     return [word.strip() for word in request.headers.get("Sec-WebSocket-Protocol", "").split(",")]
-
-
-def _refusal(sentence: str, status: int) -> web.Response:
-    return web.Response(text=messages.error(sentence), status=status, content_type="application/json")

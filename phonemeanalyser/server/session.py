@@ -2,6 +2,8 @@
 
 import asyncio
 import logging
+import math
+import time
 from collections import deque
 from collections.abc import Awaitable, Callable, Sequence
 from contextlib import suppress
@@ -14,7 +16,7 @@ from phonemeanalyser.server.limits import AHEAD, PER_MESSAGE, ServerLimits
 from phonemeanalyser.server.pace import Pace
 from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeanalyser.server.turns import Turns
-from phonemeengine import EngineError, Preset, ScriptWord
+from phonemeengine import EngineError, GrownWords, Preset, ScriptWord
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import PIECE
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
@@ -29,6 +31,10 @@ MOST_UNSENT = 64
 """Answers that may wait to be sent; then no more sound is heard."""
 REFUSED = 1008
 """The code with which a stream is closed after a sentence that says why (RFC 6455: policy violation)."""
+LOOKS = 4
+"""How often it is looked, in the time that a client may be idle, whether it is."""
+LONGEST_REASON = 123
+"""Bytes that a WebSocket may be closed with."""
 
 WordsOfText = Callable[[str, str], Awaitable[Sequence[ScriptWord]]]
 """Gives the words of a text in a language."""
@@ -67,16 +73,20 @@ class StreamSession:
         self._n_waiting, self._has_ended = 0, False
         self._room = asyncio.Event()
         self._unsent: asyncio.Queue[str | EngineError | None] = asyncio.Queue()
+        self._receives_since = self._sends_since = math.inf
 
     async def run(self) -> None:
         """Speak with the client until the sound has ended, the client has gone, or something is refused."""
         try:
-            await self._begin()
+            async with asyncio.timeout(self._limits.idle):
+                await self._begin()
             self._turns.join(self)
             await self._converse()
             await self._socket.close()
         except EngineError as error:
             await self._refuse(error)
+        except TimeoutError:
+            await self._refuse(self._nothing_came())
         except GoneError:
             pass
         except Exception:  # noqa: BLE001 - a bug in one stream ends no other one
@@ -104,8 +114,15 @@ class StreamSession:
 
     def tell(self, heard: HeardPiece) -> None:
         """Have the client told what is known of a piece."""
-        for answer in messages.answers(heard):
-            self._unsent.put_nowait(answer)
+        if len(heard.analysis):
+            self._unsent.put_nowait(messages.frames(heard))
+        if heard.words is not None:
+            self.tell_words(heard.words)
+
+    def tell_words(self, words: GrownWords) -> None:
+        """Have the client told what is known of its text, if there is anything."""
+        if words != GrownWords():
+            self._unsent.put_nowait(messages.words(words))
 
     def fail(self, error: EngineError) -> None:
         """Have the client told why no more is heard, after all that is known."""
@@ -139,14 +156,18 @@ class StreamSession:
         await self._send(messages.ready(start, self.speech, self._preset.name))
 
     async def _converse(self) -> None:
-        tasks = [asyncio.create_task(self._receive_all()), asyncio.create_task(self._send_all())]
+        receiving, sending = asyncio.create_task(self._receive_all()), asyncio.create_task(self._send_all())
         try:
-            await asyncio.wait(tasks, return_when=asyncio.FIRST_EXCEPTION)
+            while not sending.done() and not (receiving.done() and receiving.exception()):
+                under_way = [task for task in (receiving, sending) if not task.done()]
+                looks = self._limits.idle / LOOKS
+                await asyncio.wait(under_way, timeout=looks, return_when=asyncio.FIRST_EXCEPTION)
+                self._check_patience()
         finally:
-            for task in tasks:
+            for task in (receiving, sending):
                 task.cancel()
-            await asyncio.wait(tasks)
-        for task in tasks:
+            await asyncio.wait((receiving, sending))
+        for task in (receiving, sending):
             if not task.cancelled():
                 task.result()
 
@@ -167,12 +188,9 @@ class StreamSession:
         self._turns.wake()
 
     async def _next_message(self) -> str | bytes:
-        try:
-            message = await self._socket.receive(self._limits.idle)
-        except TimeoutError:
-            raise RefusedError(
-                f"nothing came for {self._limits.idle:g} s; say when the sound has ended, or send silence"
-            ) from None
+        self._receives_since = time.monotonic()
+        message = await self._socket.receive()
+        self._receives_since = math.inf
         if message.type not in {WSMsgType.TEXT, WSMsgType.BINARY}:
             raise GoneError
         content: str | bytes = message.data
@@ -226,13 +244,28 @@ class StreamSession:
                 self._turns.wake()
 
     async def _send(self, answer: str) -> None:
+        self._sends_since = time.monotonic()
         try:
-            async with asyncio.timeout(self._limits.idle):
-                await self._socket.send_str(answer)
-        except (ConnectionError, TimeoutError):
+            await self._socket.send_str(answer)
+        except ConnectionError:
             raise GoneError from None
+        self._sends_since = math.inf
+
+    def _check_patience(self) -> None:
+        """Give up a client that sends nothing, or takes nothing; a watch for each message would cost far more."""
+        now, idle = time.monotonic(), self._limits.idle
+        if now - self._sends_since > idle:
+            raise GoneError
+        if now - self._receives_since > idle:
+            raise self._nothing_came()
+
+    def _nothing_came(self) -> RefusedError:
+        words = "say when the sound has ended, or send silence"
+        return RefusedError(f"nothing came for {self._limits.idle:g} s; {words}")
 
     async def _refuse(self, error: EngineError) -> None:
-        with suppress(GoneError):
-            await self._send(messages.error(str(error)))
-            await self._socket.close(code=REFUSED)
+        with suppress(GoneError, TimeoutError):
+            async with asyncio.timeout(self._limits.idle):
+                await self._send(messages.error(str(error)))
+            reason = str(error).encode()[:LONGEST_REASON].decode(errors="ignore")
+            await self._socket.close(code=REFUSED, message=reason.encode())

@@ -159,6 +159,18 @@ def test_what_is_not_served_is_answered_by_a_sentence(
     assert (found, words in told["error"]) == (status, True)
 
 
+@pytest.mark.parametrize(
+    "words", [b"nonsense\r\n\r\n", b"GET / HTTP/9.9\r\n\r\n", b"\x16\x03\x01" + bytes(100) + b"\r\n\r\n"]
+)
+def test_what_is_no_http_is_answered_by_a_sentence(server: str, words: bytes) -> None:
+    parts = urlsplit(server)
+    with socket.create_connection((parts.hostname, parts.port), timeout=60) as client:
+        client.sendall(words)
+        answered = b"".join(iter(lambda: client.recv(1000), b""))
+    assert answered.startswith(b"HTTP/1.0 400 ")
+    assert answered.endswith(b'{"error": "this is no request of HTTP/1.1; send one"}')
+
+
 def test_a_client_that_says_nothing_is_let_go() -> None:
     with served(ServerSettings(port=0, limits=ServerLimits(idle=1))) as address:
         told = said(address, json.dumps(START))

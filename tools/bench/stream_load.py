@@ -42,12 +42,19 @@ class Load:
     n_missing : frames that were not answered at all.
     share : of a core, which the server took.
     megabytes : of memory that the server held, each second.
+    held_up : the longest time for which the machine, or its own work, kept the client from looking, seconds.
     """
 
     late: np.ndarray
     n_missing: int
     share: float
     megabytes: Sequence[float]
+    held_up: float
+
+    @property
+    def n_late(self) -> int:
+        """Frames that were later than any should be."""
+        return int(np.count_nonzero(self.late > MOST_LATE))
 
     @property
     def words(self) -> str:
@@ -55,8 +62,9 @@ class Load:
         middle, high, most = (1000 * float(np.quantile(self.late, q)) for q in (0.5, 0.99, 1.0))
         return (
             f"{len(self.late)} frames: median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms; "
-            f"{self.n_missing} missing; {self.share:.1%} of a core, "
-            f"{self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB"
+            f"{self.n_late} too late, {self.n_missing} missing; {self.share:.1%} of a core, "
+            f"{self.megabytes[0]:.0f} to {self.megabytes[-1]:.0f} MB; "
+            f"the client was held up {1000 * self.held_up:.0f} ms at most"
         )
 
 
@@ -116,21 +124,33 @@ def loaded(
 
 async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: float, rate: int) -> Load:
     megabytes: list[float] = []
+    lags, share = [0.0], 0.0
     async with aiohttp.ClientSession() as session:
         streams = [
             asyncio.create_task(_stream(session, server.address, data, k / n_streams, seconds, rate))
             for k in range(n_streams)
         ]
         await asyncio.sleep(SETTLED)
+        beating = asyncio.create_task(_beat(lags))
         began, spent = time.monotonic(), server.processor
         while not all(stream.done() for stream in streams):
             megabytes.append(server.megabytes)
             await asyncio.sleep(1)
             if time.monotonic() - began < seconds - SETTLED - 1:
                 share = (server.processor - spent) / (time.monotonic() - began)
+        beating.cancel()
         found = [stream.result() for stream in streams]
     late = np.sort(np.concatenate([late for late, _ in found]))
-    return Load(late, sum(n for _, n in found), share, megabytes)
+    return Load(late, sum(n for _, n in found), share, megabytes, lags[0])
+
+
+async def _beat(lags: list[float]) -> None:
+    """Note how late the client itself is woken at the most."""
+    while True:
+        due = time.monotonic() + BLOCK
+        await asyncio.sleep(BLOCK)
+        lag = time.monotonic() - due
+        lags[0] = max(lags[0], lag)
 
 
 async def _stream(

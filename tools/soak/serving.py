@@ -26,6 +26,9 @@ def _rows(load: Load) -> Iterator[Row]:
     middle, high, most = (1000 * float(np.quantile(load.late, q)) for q in (0.5, 0.99, 1.0))
     yield Row("frames", f"{len(load.late)} told, {load.n_missing} missing", load.n_missing == 0)
     yield Row("late", f"median {middle:.0f} ms, p99 {high:.0f} ms, most {most:.0f} ms", most < 1000 * MOST_LATE)
+    yield Row(
+        "later than 100 ms", f"{load.n_late}; the client itself was held up {1000 * load.held_up:.0f} ms at most"
+    )
     settled = load.megabytes[len(load.megabytes) // 3 :]
     third = max(1, len(settled) // 3)
     growth = statistics.median(settled[-third:]) - statistics.median(settled[:third])

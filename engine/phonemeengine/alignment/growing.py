@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import accumulate, takewhile
 
 import numpy as np
 
@@ -9,14 +10,20 @@ from phonemeengine.alignment.aligner import PRICES, TextFit, settled_steps, unit
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.viterbi import LeastFrames, WayStep, cheapest_way
+from phonemeengine.errors import TextError
+from phonemeengine.files import printable
 from phonemeengine.labels.utterance import Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.text.pronunciation import ScriptWord
 
 LONGEST, UNSETTLED = 200, 100
 """Frames that are aligned anew each time, and how many at their end stay unsettled beyond that."""
-MOST_WORDS = 60
-"""Words of the text that are looked for in these frames."""
+MOST_SOUNDS = 80
+"""Sounds of the text that are looked for in these frames: 25 a second, more than fast speakers say."""
+LONGEST_WORD = 1000
+"""Sounds that a word has at the most."""
+SHOWN = 20
+"""Letters of a word that are shown."""
 HURRY = 1
 """Frames by which sounds may be shorter than usual: nobody knows yet how fast the speech is."""
 
@@ -56,7 +63,16 @@ class GrowingAligner:
         return self._fit
 
     def add_words(self, words: Sequence[ScriptWord]) -> None:
-        """Take the next words of the text."""
+        """Take the next words of the text.
+
+        Raises
+        ------
+        TextError : a word has more sounds than anybody says in one.
+        """
+        for word in words:
+            if _n_sounds_of(word) > LONGEST_WORD:
+                shown = printable(word.text[:SHOWN])
+                raise TextError(f"the word {shown!r}... has more than {LONGEST_WORD} sounds; write it as several")
         self._words += words
 
     def push(self, evidence: Evidence) -> None:
@@ -82,10 +98,10 @@ class GrowingAligner:
         if not self._words:
             self._forget(0 if last else max(0, len(heard) - LONGEST))
             return GrownWords()
-        passage = Passage(tuple(self._words[:MOST_WORDS]))
+        passage = Passage(self._next_words())
         shortfalls = shortfalls_of(heard)
         least = LeastFrames(passage.least_frames(HURRY))
-        whole = last and len(self._words) <= MOST_WORDS
+        whole = last and len(self._words) == len(passage.words)
         way = cheapest_way(shortfalls, passage.lattice, PRICES, least, whole=whole)
         assert way is not None  # all of it may be strange
         steps, rest = self._parted(way.steps, len(heard), passage, last=last)
@@ -98,6 +114,12 @@ class GrowingAligner:
         del self._words[: passage.n_words_in(steps)]
         self._forget(n)
         return found
+
+    def _next_words(self) -> tuple[ScriptWord, ...]:
+        """Return the words that can be said in the frames that wait, at least one."""
+        n_sounds = accumulate(map(_n_sounds_of, self._words))
+        n_words = sum(1 for _ in takewhile(lambda n: n <= MOST_SOUNDS, n_sounds))
+        return tuple(self._words[: max(1, n_words)])
 
     def _forget(self, n: int) -> None:
         """Forget the first frames that wait."""
@@ -119,3 +141,7 @@ class GrowingAligner:
         if settled and settled[-1].last < cut.last:
             rest.insert(0, cut._replace(first=settled[-1].last))
         return settled, rest
+
+
+def _n_sounds_of(word: ScriptWord) -> int:
+    return max(len(pronunciation.phones) for pronunciation in word.pronunciations)

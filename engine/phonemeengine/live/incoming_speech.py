@@ -7,7 +7,7 @@ import numpy as np
 
 from phonemeengine.alignment.evidence import evidence_of
 from phonemeengine.alignment.growing import GrowingAligner, GrownWords
-from phonemeengine.analyser import Analyser, Analysis, push_together
+from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, push_together
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
@@ -64,6 +64,7 @@ class IncomingSpeech:
     ----------
     analyser : what analyses it.
     is_foreign : whether a recogniser of another package does.
+    n_unlooked : frames in which no words of the text have been looked for yet.
     """
 
     def __init__(
@@ -74,7 +75,8 @@ class IncomingSpeech:
         self.is_foreign = spec_of(preset.recogniser).entry is not None
         self._morpher = Morpher(table) if table is not None else None
         self._aligner = GrowingAligner() if with_text else None
-        self._unlooked = 0
+        self._unlooked: list[Analysis] = []
+        self.n_unlooked = 0
 
     @property
     def seconds(self) -> float:
@@ -92,7 +94,12 @@ class IncomingSpeech:
         return self._aligner is not None and self._aligner.fit.is_wrong
 
     def add_words(self, words: Sequence[ScriptWord]) -> None:
-        """Take the next words of the text, see `words_of`; it was announced when this was made."""
+        """Take the next words of the text, see `words_of`; it was announced when this was made.
+
+        Raises
+        ------
+        TextError : a word is endless.
+        """
         assert self._aligner is not None
         self._aligner.add_words(words)
 
@@ -107,7 +114,8 @@ class IncomingSpeech:
 
     def hear(self, piece: Float32Array) -> HeardPiece:
         """Return what is known since the next piece came."""
-        return self.known_of(self.analyser.push(piece))
+        heard = self.known_of(self.analyser.push(piece))
+        return replace(heard, words=self.look()) if self.n_unlooked >= LOOK else heard
 
     def finish(self) -> Iterator[HeardPiece]:
         """Return what is known of the rest, since the sound has ended.
@@ -118,28 +126,36 @@ class IncomingSpeech:
         """
         yield self.hear(self._sound.finish())
         rest = self.known_of(self.analyser.finish())
-        yield rest if self._aligner is None else replace(rest, words=self._aligner.finish(self.seconds))
+        if self._aligner is not None:
+            self._take_evidence(self._aligner)
+            rest = replace(rest, words=self._aligner.finish(self.seconds))
+        yield rest
 
     def known_of(self, analysis: Analysis) -> HeardPiece:
-        """Return what is known since the next frames were analysed."""
-        weights = None if self._morpher is None else _weights(self._morpher, analysis)
-        return HeardPiece(analysis, weights, self._words_in(analysis))
+        """Return what is known since the next frames were analysed, but for words: `look` finds them."""
+        if self._aligner is not None and len(analysis):
+            self._unlooked.append(analysis)
+            self.n_unlooked += len(analysis)
+        return HeardPiece(analysis, None if self._morpher is None else _weights(self._morpher, analysis))
 
-    def _words_in(self, analysis: Analysis) -> GrownWords | None:
-        if self._aligner is None or not len(analysis):
+    def look(self) -> GrownWords | None:
+        """Return what is known of the words of the text by now; None where no text was announced."""
+        if self._aligner is None:
             return None
-        self._aligner.push(evidence_of(analysis))
-        self._unlooked += len(analysis)
-        if self._unlooked < LOOK:
-            return None
-        self._unlooked = 0
+        self._take_evidence(self._aligner)
         return self._aligner.look()
+
+    def _take_evidence(self, aligner: GrowingAligner) -> None:
+        if self._unlooked:
+            aligner.push(evidence_of(concatenate_analyses(self._unlooked)))
+        self._unlooked, self.n_unlooked = [], 0
 
 
 def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list[HeardPiece | EngineError]:
     """Return what is known of several sounds since the next piece of each came, or why one cannot be heard.
 
-    Many at once cost far less than one after the other, see `push_together`.
+    Words are left out: `IncomingSpeech.look` finds them, whenever there is time. Many sounds at once cost far less
+    than one after the other, see `push_together`.
     """
     together = [(speech, piece) for speech, piece in pieces if not speech.is_foreign]
     analyses = iter(push_together([(speech.analyser, piece) for speech, piece in together]))
@@ -152,7 +168,7 @@ def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list
 def _heard_alone(speech: IncomingSpeech, piece: Float32Array) -> HeardPiece | EngineError:
     """Return what is known by a recogniser of another package, which may fail."""
     try:
-        return speech.hear(piece)
+        return speech.known_of(speech.analyser.push(piece))
     except EngineError as error:
         return error
 

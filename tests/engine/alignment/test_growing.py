@@ -5,6 +5,7 @@ import pytest
 from phonemeengine.alignment import growing as room
 from phonemeengine.alignment.evidence import Evidence
 from phonemeengine.alignment.growing import GrowingAligner
+from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Word
 from tests.engine.alignment.speaking import heard, words
 
@@ -78,6 +79,17 @@ def test_sound_without_words_is_forgotten() -> None:
         aligner.look()
     assert sum(map(len, aligner._waiting)) <= room.LONGEST
     assert aligner.finish(30 * 0.88).settled == ()
+
+
+def test_a_word_without_end_is_refused() -> None:
+    with pytest.raises(TextError, match=r"the word 'aaaaaaaaaaaaaaaaaaaa'\.\.\. has more than 1000 sounds"):
+        GrowingAligner().add_words(words("a" * 1001))
+
+
+def test_only_words_that_can_be_said_in_time_are_looked_for() -> None:
+    aligner = GrowingAligner()
+    aligner.add_words(words(" ".join(1000 * ["sima"])))
+    assert len(aligner._next_words()) == room.MOST_SOUNDS // 4
 
 
 def test_another_text_is_noticed() -> None:
