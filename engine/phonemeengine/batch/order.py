@@ -12,7 +12,7 @@ from pathlib import Path
 from types import MappingProxyType
 
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.batch.fingerprint import state_of
+from phonemeengine.batch.remote import fetched, is_remote
 from phonemeengine.batch.work import Act, Job, JobState, Made, Outcome, Work
 from phonemeengine.errors import EngineError
 from phonemeengine.files import printable_name
@@ -95,8 +95,10 @@ def worked_on(act: Act, job: Job, progress: Progress, *, recorded: bool) -> Outc
     """
     notes: list[tuple[str, str]] = []
     try:
-        made = act(job, lambda name, note: notes.append((name, note)), progress)
-        states = (state_of(job.source), None if job.target is None else state_of(job.target)) if recorded else ()
+        with fetched(job) as here:
+            made = act(here.job, lambda name, note: notes.append((name, note)), progress)
+            here.send()
+            states = here.states() if recorded else ()
         return Outcome(job, JobState.DONE, made, tuple(notes), "", False, *states)
     except Cancelled:
         raise
@@ -118,6 +120,8 @@ def failed(job: Job, words: str, notes: tuple[tuple[str, str], ...] = (), *, is_
 
 def _duration_of(path: Path) -> float:
     """Return the length of a sound, seconds; 0 where it cannot be read."""
+    if is_remote(path):
+        return 0.0
     with suppress(EngineError), SoundReader(path) as reader:
         return reader.duration
     return 0.0
