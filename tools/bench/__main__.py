@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from tools.bench import (
     alignment,
+    batch,
     card,
     dragging,
     ear_in_c,
@@ -51,6 +52,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "long-speech": long_speech.figures,
     "performance": performance.figures,
     "performance-table": performance_table.figures,
+    "batch": batch.figures,
 }
 
 
