@@ -41,6 +41,7 @@ fuzz: setup
 	$(BIN)/python -m tools.fuzz
 
 soak: setup
+	@$(BIN)/python -c 'import moto, s3fs' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[soak]'
 	$(BIN)/python -m pytest -q -m long
 	$(BIN)/python -m tools.soak
 	$(BIN)/python -m tools.soak.serving

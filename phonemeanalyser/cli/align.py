@@ -73,7 +73,7 @@ class AlignmentWork:
 
     def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(job.source)
+        return self.texts.known_of(job.sound)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:
@@ -84,8 +84,8 @@ class AlignmentWork:
         """Return how well a sound says its line; nothing where it has none."""
         with open_sound(job.source, self.channel, say) as reader:
             analyses = analyse_file(reader, self.preset, progress=progress)
-            found = self.texts.aligned(reader, job.source, analyses, say)
-            takes = [] if found is None else [scored_take(job.source, self.texts.texts[job.source], found[0])]
+            found = self.texts.aligned(reader, job.sound, analyses, say)
+            takes = [] if found is None else [scored_take(job.source, self.texts.texts[job.sound], found[0])]
             return replace(made_of(reader, found and found[0]), value=takes)
 
 

@@ -185,7 +185,7 @@ class AnalysisWork:
 
     def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(job.source)
+        return self.texts.known_of(job.sound)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:
@@ -201,7 +201,7 @@ class AnalysisWork:
             def write(file: TextIO) -> None:
                 nonlocal made
                 analyses = analyse_file(reader, self.preset, pitch=self.table.features, progress=progress)
-                found = self.texts.aligned(reader, job.source, analyses, say)
+                found = self.texts.aligned(reader, job.sound, analyses, say)
                 if found is None:
                     self.table.write(file, analyses, reader, self.preset)
                 else:

@@ -108,7 +108,7 @@ class ExportWork:
 
     def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(job.source)
+        return self.texts.known_of(job.sound)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:
@@ -123,7 +123,7 @@ class ExportWork:
         with open_sound(job.source, self.channel, say) as reader:
             pitch = moved.performer is not None or (exporter.format.moves_head and exporter.idle.head)
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
-            name, found = printable_name(job.source), self.texts.aligned(reader, job.source, analyses, say)
+            name, found = printable_name(job.source), self.texts.aligned(reader, job.sound, analyses, say)
             utterance = None if found is None else found[0]
             driver = moved.chosen(utterance, name, exporter.takes)
             speech = transcript_of(analyses, name, reader.duration, job.source) if found is None else found[1]

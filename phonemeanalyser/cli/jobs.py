@@ -51,7 +51,7 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
             raise EngineError("several files need a folder for what is written of them; name one with -o")
         return [Job(file, None) for file, _ in found]
     single = is_single(inputs, out)
-    return [Job(file, out if single else out / relative.with_suffix(ending)) for file, relative in found]
+    return [Job(file, out if single else (out / relative).with_suffix(ending)) for file, relative in found]
 
 
 def is_single(inputs: list[Path], out: Path) -> bool:
@@ -174,13 +174,13 @@ def _say_outcome(outcome: Outcome) -> None:
         tqdm.write(f"phonemeanalyser: {outcome.words}", file=sys.stderr)
 
 
-def _files_under(path: Path) -> Iterator[tuple[Path, Path]]:
+def _files_under(path: Path) -> Iterator[tuple[Path, str]]:
     inside = sorted(path.rglob("*")) if _is_folder(path) else []
     found = [file for file in inside if file.suffix.lower() in SUFFIXES and file.is_file()]
     if found:
-        yield from ((file, file.relative_to(path)) for file in found)
+        yield from ((file, str(file.relative_to(path))) for file in found)
     else:
-        yield path, Path(path.name or "folder")
+        yield path, path.name or "folder"
 
 
 def _is_folder(path: Path) -> bool:

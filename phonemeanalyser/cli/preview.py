@@ -164,7 +164,7 @@ class PreviewWork:
 
     def known_of(self, job: Job) -> str:
         """Return what is said in a sound."""
-        return self.texts.known_of(job.source)
+        return self.texts.known_of(job.sound)
 
     @contextmanager
     def opened(self) -> Iterator[Act]:
@@ -179,7 +179,7 @@ class PreviewWork:
             heard, shown = subrange(progress, 0, ANALYSED), subrange(progress, ANALYSED, 1)
             pitch = self.by_rules.idle.head or moved.performer is not None
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
-            found = self.texts.aligned(reader, job.source, analyses, say)
+            found = self.texts.aligned(reader, job.sound, analyses, say)
             name = printable_name(job.source)
             utterance, speech = found or (None, transcript_of(analyses, name, reader.duration, job.source))
             animations, captions = self._faces_of(utterance, speech, name, moved, say)

@@ -10,6 +10,7 @@ from pathlib import Path
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.reports.report import clock, counted
 from phonemeanalyser.reports.templates import rendered
+from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import JobState, Outcome
 from phonemeengine.errors import BatchError
 from phonemeengine.files import printable, write_file
@@ -58,8 +59,11 @@ def write_batch_report(outcomes: Sequence[Outcome], folder: Path) -> None:
         "batch.html.j2", {"light": LIGHT, "dark": DARK}, {"clock": clock}, rows=rows, folder=folder.name,
         words=_summary_of(outcomes),
     )  # fmt: skip
-    write_file(folder / TABLE, _table_of(rows).encode(), BatchError)
-    write_file(folder / PAGE, page.encode(), BatchError)
+    for name, text in ((TABLE, _table_of(rows)), (PAGE, page)):
+        if is_remote(folder):
+            write_place(folder / name, text.encode())
+        else:
+            write_file(folder / name, text.encode(), BatchError)
 
 
 def _rows_of(outcomes: Sequence[Outcome]) -> Iterator[ReportedFile]:

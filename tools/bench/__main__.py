@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 from tools.bench import (
     alignment,
+    batch,
     bundle,
     card,
     dragging,
@@ -57,6 +58,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "long-speech": long_speech.figures,
     "performance": performance.figures,
     "performance-table": performance_table.figures,
+    "batch": batch.figures,
 }
 
 

@@ -19,7 +19,7 @@ from phonemeengine import __version__
 from phonemeengine.batch.folder_lock import holder_of
 from phonemeengine.batch.order import Order, act_of, failed, worked_through
 from phonemeengine.batch.work import Job, Outcome
-from phonemeengine.errors import BatchError
+from phonemeengine.errors import BatchError, EngineError
 from phonemeengine.files import printable_name
 
 PACKAGES = ("numpy", "scipy", "soundfile", "soxr")
@@ -207,7 +207,7 @@ def _told(address: str) -> Iterator[None]:
     """Tell in one sentence that a cluster is not there, or has gone."""
     try:
         yield
-    except BatchError:
+    except EngineError:
         raise
     except CancelledError as error:
         raise BatchError(

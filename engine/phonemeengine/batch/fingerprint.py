@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from phonemeengine import __version__
-from phonemeengine.batch.work import FileState
 
 LENGTH = 16
 """Bytes of a digest."""
@@ -29,21 +28,16 @@ def fingerprint_of(*values: object) -> str:
     return digest.hexdigest()
 
 
-def state_of(path: Path, digest: str | None = None) -> FileState:
-    """Return what tells a file from what it was or will be; reads it, unless its digest is known.
-
-    Raises
-    ------
-    OSError : it cannot be read.
-    """
-    size, changed = size_and_time(path)
-    return FileState(size, changed, digest_of(path) if digest is None else digest)
-
-
 def size_and_time(path: Path) -> tuple[int, int]:
-    """Return the bytes of a file, and when it was last written, nanoseconds; OSError where it cannot be asked."""
+    """Return the bytes of a file, and when it was last written, nanoseconds; OSError where it cannot be asked.
+
+    What is at an address has a number in place of the time, which is another one whenever it is written.
+    """
     about = path.stat()
-    return about.st_size, getattr(about, "st_mtime_ns", 0) or int(1e9 * about.st_mtime)
+    if isinstance(path, Path):
+        return about.st_size, about.st_mtime_ns
+    key: str = path.fs.ukey(path.path)
+    return about.st_size, int.from_bytes(blake2b(key.encode(), digest_size=7).digest())
 
 
 def digest_of(path: Path) -> str:

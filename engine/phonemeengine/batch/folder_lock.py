@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.audio.locking import lock_at
+from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.errors import BatchError
 from phonemeengine.files import printable_name, reason_of
 from phonemeengine.lifetime import Closing
@@ -36,6 +37,9 @@ class FolderLock(Closing):
         self.token = f"{os.getpid()} {socket.gethostname()} {uuid.uuid4().hex}"
         self._lock: Any = None
         name = printable_name(folder)
+        if is_remote(folder):  # which knows no locks
+            write_place(self._path, self.token.encode())
+            return
         try:
             folder.mkdir(parents=True, exist_ok=True)
             self._lock = lock_at(self._path)
@@ -55,8 +59,9 @@ class FolderLock(Closing):
         """Let others in."""
         with suppress(OSError):
             self._path.unlink(missing_ok=True)  # before the release: nobody locks a file that has gone
-        with suppress(OSError):
-            self._lock.release()
+        if self._lock is not None:
+            with suppress(OSError):
+                self._lock.release()
 
 
 def holder_of(folder: Path) -> str:
@@ -69,7 +74,7 @@ def holder_of(folder: Path) -> str:
 
 def sweep(targets: set[Path]) -> None:
     """Remove what processes that died have left of these files when they wrote them."""
-    for folder in {target.parent for target in targets}:
+    for folder in {target.parent for target in targets if not is_remote(target)}:
         with suppress(OSError):
             for part in [*folder.iterdir()]:
                 found = PART.fullmatch(part.name)

@@ -12,10 +12,10 @@ from pathlib import Path
 from types import MappingProxyType
 
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.batch.fingerprint import state_of
+from phonemeengine.batch.remote import fetched, is_remote
 from phonemeengine.batch.work import Act, Job, JobState, Made, Outcome, Work
 from phonemeengine.errors import EngineError
-from phonemeengine.files import printable_name
+from phonemeengine.files import is_portable, printable_name, reason_of
 from phonemeengine.progress import Cancelled, Progress
 
 FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
@@ -94,14 +94,22 @@ def worked_on(act: Act, job: Job, progress: Progress, *, recorded: bool) -> Outc
     Cancelled : `progress` did not want to go on.
     """
     notes: list[tuple[str, str]] = []
+    if recorded and not is_portable((job.target or job.source).name):
+        words = "not every system can write this name; rename the sound before its files go to others"
+        notes.append((printable_name(job.source), words))
     try:
-        made = act(job, lambda name, note: notes.append((name, note)), progress)
-        states = (state_of(job.source), None if job.target is None else state_of(job.target)) if recorded else ()
+        with fetched(job) as here:
+            made = act(here.job, lambda name, note: notes.append((name, note)), progress)
+            here.send()
+            states = here.states() if recorded else ()
         return Outcome(job, JobState.DONE, made, tuple(notes), "", False, *states)
     except Cancelled:
         raise
     except EngineError as error:
         return failed(job, str(error), tuple(notes), is_fatal=_is_full(error))
+    except OSError as error:  # of a name that this system cannot even ask for, such as one that is too long
+        words = f"its file cannot be written ({reason_of(error)}); rename the sound, or choose another folder"
+        return failed(job, f"{printable_name(job.source)}: {words}", tuple(notes), is_fatal=_is_full(error))
     except Exception as error:
         if not recorded:
             raise
@@ -118,6 +126,8 @@ def failed(job: Job, words: str, notes: tuple[tuple[str, str], ...] = (), *, is_
 
 def _duration_of(path: Path) -> float:
     """Return the length of a sound, seconds; 0 where it cannot be read."""
+    if is_remote(path):
+        return 0.0
     with suppress(EngineError), SoundReader(path) as reader:
         return reader.duration
     return 0.0

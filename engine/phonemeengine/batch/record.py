@@ -6,6 +6,7 @@ the same. Size and time of writing are looked at first; where only the time diff
 
 import json
 import os
+import time
 from collections.abc import Iterable
 from contextlib import suppress
 from dataclasses import asdict, replace
@@ -13,15 +14,19 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.batch.fingerprint import digest_of, size_and_time
+from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import FileState, Job, JobState, Made, Outcome
 from phonemeengine.errors import BatchError
 from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.lifetime import Closing
 
 RECORD = ".phonemeanalyser-batch"
 """Its name."""
+INTERVAL = 30.0
+"""Seconds after which a record at an address is written anew."""
 
 
-class BatchRecord:
+class BatchRecord(Closing):
     """The record of a folder; one that cannot be read is begun anew.
 
     Parameters
@@ -33,6 +38,7 @@ class BatchRecord:
         self._folder = folder
         self._path = folder / RECORD
         self._lines: dict[str, dict[str, Any]] = {}
+        self._written, self._is_late = time.monotonic(), False
         content = self._content()
         lines = content.splitlines()
         for line in lines:
@@ -78,16 +84,24 @@ class BatchRecord:
         self._lines |= {entry["target"]: entry for entry in entries}
         if not entries:
             return
+        if is_remote(self._path):
+            self._is_late = True
+            if time.monotonic() - self._written > INTERVAL:
+                self.close()
+            return
         try:
-            if isinstance(self._path, Path):
-                _append(self._path, _lines_of(entries))
-            else:
-                self._rewrite()
+            _append(self._path, _lines_of(entries))
         except OSError as error:
             raise BatchError(
                 f"{printable_name(self._folder)}: what was done cannot be noted there ({reason_of(error)}); make "
                 "room, or choose another folder"
             ) from error
+
+    def close(self) -> None:
+        """Write what was not written yet: nothing can be added to what is at an address."""
+        if self._is_late:
+            self._rewrite()
+            self._written, self._is_late = time.monotonic(), False
 
     def _entry_of(self, outcome: Outcome, key: str) -> dict[str, Any]:
         assert outcome.job.target is not None
@@ -104,7 +118,7 @@ class BatchRecord:
         }
 
     def _name_of(self, target: Path) -> str:
-        return target.relative_to(self._folder).as_posix()
+        return str(target).removeprefix(str(self._folder)).replace("\\", "/").lstrip("/")
 
     def _content(self) -> bytes:
         try:
@@ -113,6 +127,9 @@ class BatchRecord:
             return b""
 
     def _rewrite(self) -> None:
+        if is_remote(self._path):
+            write_place(self._path, _lines_of(self._lines.values()))
+            return
         with atomic_write(self._path) as file:
             file.write(_lines_of(self._lines.values()))
 

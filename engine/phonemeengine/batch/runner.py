@@ -128,7 +128,8 @@ def run_batch(
     options = options or BatchOptions()
     with ExitStack() as stack:
         lock = None if options.folder is None else stack.enter_context(FolderLock(options.folder))
-        batch = _Batch([*jobs], work, options, on_outcome, on_progress)
+        record = None if options.folder is None else stack.enter_context(BatchRecord(options.folder))
+        batch = _Batch([*jobs], work, options, on_outcome, on_progress, record)
         batch.plan()
         batch.work_through("" if lock is None else lock.token)
     return [batch.outcomes[k] for k in sorted(batch.outcomes)]
@@ -143,13 +144,13 @@ class _Batch:
     options: BatchOptions
     on_outcome: Callable[[Outcome], object]
     on_progress: Callable[[BatchProgress], bool]
+    record: BatchRecord | None
     outcomes: dict[int, Outcome] = field(default_factory=dict)
     progress: BatchProgress = field(default_factory=BatchProgress)
 
     def __post_init__(self) -> None:
         self._began = time.monotonic()
-        self._record = None if self.options.folder is None else BatchRecord(self.options.folder)
-        self._fingerprint = "" if self._record is None else self.work.fingerprint()
+        self._fingerprint = "" if self.record is None else self.work.fingerprint()
         self._numbers = {job: number for number, job in reversed([*enumerate(self.jobs)])}
         self._sizes: dict[Job, int] = {}
         self._todo: list[Job] = []
@@ -160,7 +161,7 @@ class _Batch:
         """Find what is to be done, and tell what need not be, or cannot."""
         taken: dict[Path, Path] = {}
         for number, job in enumerate(self.jobs):
-            outcome = _collision(job, taken) or (self._record and self._record.found(job, self._key_of(job)))
+            outcome = _collision(job, taken) or (self.record and self.record.found(job, self._key_of(job)))
             if outcome:
                 self._take(number, outcome)
             else:
@@ -171,7 +172,7 @@ class _Batch:
 
     def _sweep(self) -> None:
         """Remove what was left half by who died."""
-        if self._record is not None:
+        if self.record is not None:
             sweep({job.target for job in self.jobs if job.target is not None})
 
     def _key_of(self, job: Job) -> str:
@@ -190,7 +191,7 @@ class _Batch:
             self._work_alone()
             return
         if self.options.cluster is None:
-            crew: Crew = Pool(n_processes, order_of(self.work), recorded=self._record is not None)
+            crew: Crew = Pool(n_processes, order_of(self.work), recorded=self.record is not None)
         else:
             from phonemeengine.batch.cluster import Cluster  # noqa: PLC0415 - an extra of its own
 
@@ -206,7 +207,7 @@ class _Batch:
         return max(1, min(asked, len(self._todo)))
 
     def _work_alone(self) -> None:
-        recorded = self._record is not None
+        recorded = self.record is not None
         with self.work.opened() as act:
             for job in self._todo:
                 before = self.progress.done_bytes
@@ -254,9 +255,9 @@ class _Batch:
 
     def note(self, outcomes: Sequence[Outcome]) -> None:
         """Note what became of files."""
-        if self._record is not None:
+        if self.record is not None:
             done = [o for o in outcomes if o.state is JobState.DONE and o.job.target is not None]
-            self._record.add((outcome, self._key_of(outcome.job)) for outcome in done)
+            self.record.add((outcome, self._key_of(outcome.job)) for outcome in done)
         for outcome in outcomes:
             self.progress.done_bytes += self._sizes[outcome.job]
             self._take(self._numbers[outcome.job], outcome)

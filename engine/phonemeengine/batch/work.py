@@ -21,11 +21,18 @@ class Job:
     ----------
     source, target : the files.
     number : tells jobs apart that have the same files.
+    origin : where the source was before it was fetched from elsewhere; None where it was not.
     """
 
     source: Path
     target: Path | None
     number: int = 0
+    origin: Path | None = None
+
+    @property
+    def sound(self) -> Path:
+        """The sound that was asked for, wherever it is now."""
+        return self.origin or self.source
 
 
 @dataclass(frozen=True)

@@ -137,6 +137,7 @@ def test_a_batch_that_is_cancelled_leaves_whole_files(tmp_path: Path) -> None:
     assert all(s in JobState for s in states(run_batch(rest, CopyWork(), options)).values())
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no process groups that a signal reaches")
 def test_ctrl_c_leaves_whole_files(tmp_path: Path) -> None:
     jobs_in(tmp_path, "a", "waits")
     code = (
@@ -198,3 +199,13 @@ def test_two_files_that_would_be_one_are_told_apart(tmp_path: Path) -> None:
     outcomes = run_batch([jobs[0], Job(jobs[1].source, jobs[0].target)], CopyWork())
     assert [outcome.state for outcome in outcomes] == [JobState.DONE, JobState.FAILED]
     assert outcomes[1].words == "b.wav: its file a.txt is already that of a.wav; rename one of them"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot write the name of the sound")
+def test_a_name_that_cannot_be_written_is_told_and_the_others_go_on(tmp_path: Path) -> None:
+    jobs = jobs_in(tmp_path, "a", "why?", "z" * 245)
+    jobs[2] = Job(jobs[2].source, tmp_path / "out" / ("z" * 300))
+    why, long = run_batch(jobs, CopyWork(), BatchOptions(1, tmp_path / "out"))[1:]
+    assert (why.state, long.state) == (JobState.DONE, JobState.FAILED)
+    assert why.notes[0][1].startswith("not every system can write this name; rename the sound before")
+    assert "its file cannot be written (" in long.words

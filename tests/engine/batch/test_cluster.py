@@ -14,6 +14,7 @@ from phonemeengine.errors import BatchError
 from tests.engine.batch.test_batch import jobs_in, made_in, states
 from tests.fakes.batch_works import CopyWork
 from tests.fakes.dask_cluster import NO_RETRY, DaskCluster
+from tests.tables import contents
 
 pytestmark = pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
 
