@@ -23,7 +23,8 @@ from phonemeanalyser.licences import licences_text
 
 PAGES = (
     "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
-    "expression", "blender", "formats", "command-line", "cluster", "engine", "ship", "server", "program", "training", "glossary",
+    "expression", "blender", "formats", "command-line", "cluster", "engine", "ship", "server",
+    "program", "training", "glossary",
 )  # fmt: skip
 """Those that users read, in this order."""
 SIZE = 980, 640
