@@ -15,7 +15,7 @@ from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
-from phonemeanalyser.rendering.renderer import HeadRenderer, colour_of
+from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
@@ -77,6 +77,15 @@ def test_from_the_other_side_the_head_is_its_mirror_image(head: MorphMesh, offsc
     right, left = shown[0], shown[1][:, ::-1]
     assert (right & left).sum() > 0.985 * (right | left).sum()
     assert (right & left[:, ::-1]).sum() < 0.9 * (right | left[:, ::-1]).sum()
+
+
+@pytest.mark.parametrize("yaw", [-2.0, -4.5, 2.0, 5.5])
+def test_no_speck_of_the_inside_shows_along_an_outline(yaw: float, head: MorphMesh, offscreen: Hire):
+    hired, camera = offscreen(head, (536, 446)), Camera.facing(head.mesh)
+    for nod in (-1, 0, 1, 2):
+        pose = HeadPose(yaw=yaw, pitch=nod * yaw / 3)
+        picture = hired.picture(camera, head.mesh.positions, pose, background=LIGHT, fine=False)
+        assert np.abs(picture - np.multiply(255, INSIDE)).max(axis=2).min() > 6
 
 
 def test_nobody_looks_through_an_open_mouth(head: MorphMesh, offscreen: Hire):
