@@ -49,8 +49,8 @@ def web_module(out: Path) -> None:
     """Make the package for npm, with the preset *Learned*."""
     with tempfile.TemporaryDirectory() as folder:
         shipped = Path(folder) / "web"
-        command = [sys.executable, "-m", "phonemeanalyser", "ship", "learned", "--target", "web-module", "-o", shipped]
-        subprocess.run(command, cwd=ROOT, check=True)
+        command = [sys.executable, "-m", "phonemeanalyser", "ship", "learned", "--target", "web-module"]
+        subprocess.run([*command, "-o", shipped], cwd=ROOT, check=True)
         subprocess.run([_npm(), "pack", "--silent", "--pack-destination", out], cwd=shipped, check=True)
 
 
