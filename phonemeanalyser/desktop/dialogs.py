@@ -50,6 +50,7 @@ class Dialogs(QObject):
     rejected : a sentence for the user; an empty one after something went well.
     info : a sentence for the user about something to know.
     sound_opened : a sound file is in hand, and first among the recent ones.
+    sound_changed : what became of the file in hand on the disk, in two words and in a sentence; empty for nothing.
     variable_added : name of the user's new variable.
     action_offered : a sentence, what can be done about it, and the function that does it.
     """
@@ -57,6 +58,7 @@ class Dialogs(QObject):
     rejected = Signal(str)
     info = Signal(str)
     sound_opened = Signal()
+    sound_changed = Signal(str, str)
     variable_added = Signal(str)
     action_offered = Signal(str, str, object)
 
@@ -109,6 +111,7 @@ class Dialogs(QObject):
         """Watch the file in hand, as other programs may write it."""
         if self._watcher.files():
             self._watcher.removePaths(self._watcher.files())
+        self.sound_changed.emit("", "")
         if self._session.path is not None:
             self._watcher.addPath(str(self._session.path))
 
@@ -116,10 +119,17 @@ class Dialogs(QObject):
         """Say that the file in hand is another one, or none, by now."""
         path = Path(name)
         if path.is_file():
-            sentence = f"{path.name} has changed on the disk since it was opened; what is seen is what it was."
-            self.action_offered.emit(sentence, "Open It Again", lambda: self.open_sound(path))
+            tip = f"{path.name} has changed on the disk since it was opened; click to open it again"
+            self.sound_changed.emit("changed on disk", tip)
         else:
-            self.rejected.emit(f"{path.name} is no longer where it was; what is seen of it stays.")
+            self.sound_changed.emit(
+                "gone from disk", f"{path.name} is no longer where it was; what is seen of it stays"
+            )
+
+    def open_again(self) -> None:
+        """Open the file in hand as it is now."""
+        if self._session.path is not None:
+            self.open_sound(self._session.path)
 
     def ask_sound(self) -> bool:
         """Let the user choose a sound file; says whether one was opened."""

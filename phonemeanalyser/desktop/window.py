@@ -198,6 +198,7 @@ class MainWindow(QMainWindow):
             self.calibration.workbench.compare.offer(path)
 
     def _lay_out(self) -> None:
+        self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
         bar = QToolBar(tr("Transport"))
         bar.setObjectName("Transport")
         bar.setMovable(False)
@@ -205,8 +206,8 @@ class MainWindow(QMainWindow):
         for view in (self.transport, self.status.chips, self.preset_box):
             bar.addWidget(view)
         self.addToolBar(bar)
-        self.setCentralWidget(self.pages)
-        self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
+        self._filters = self._docks.add(tr_noop("Filters"), Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
+        self.setCentralWidget(self.pages)  # after what stands left of it, as Tab goes
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         analysis = self.analysis
         self.state = WindowState(self, analysis.splitters, analysis.switches, analysis.choices, self._settings)
@@ -219,7 +220,6 @@ class MainWindow(QMainWindow):
 
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        self._filters = docks.add(tr_noop("Filters"), left, self.filters)
         phoneme = docks.add(tr_noop("Phoneme"), right, self.recogniser, self.analysis.phoneme)
         self._thresholds = docks.add(tr_noop("Thresholds"), right, self.analysis.thresholds)
         docks.add(tr_noop("Head"), left, self.head).hide()
@@ -325,6 +325,8 @@ class MainWindow(QMainWindow):
         dialogs.info.connect(self.banner.show_info)
         preset.rejected.connect(self.banner.show_error)
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
+        dialogs.sound_changed.connect(self.status.chips.show_changed)
+        self.status.chips.open_again_asked.connect(dialogs.open_again)
         self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
         self.switch.chosen.connect(self.show_page)
         self.selection.info.connect(self.banner.show_info)

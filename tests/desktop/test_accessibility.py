@@ -54,6 +54,22 @@ def test_tab_reaches_every_control_from_the_top_down(desktop, qtbot, page):
     assert backwards == []
 
 
+def test_tab_goes_from_the_bar_to_the_left_the_middle_and_the_right(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    window.activateWindow()
+    window.switch.buttons[0].setFocus()
+    parts = (window.transport, window.filters, window.analysis, window.recogniser, window.analysis.thresholds)
+    met = []
+    for _ in range(400):
+        QTest.keyClick(window.focusWidget(), Qt.Key.Key_Tab)
+        now = next((k for k, part in enumerate(parts) if part.isAncestorOf(window.focusWidget())), None)
+        if now == 0 and len(met) > 1:
+            break
+        if now is not None and met[-1:] != [now]:
+            met.append(now)
+    assert met == [0, 1, 2, 3, 4]
+
+
 def lies_before(one: QWidget, other: QWidget) -> bool:
     """Say whether somebody who reads a column from the top down, and then the next one, comes to one first."""
     first, second = one.geometry(), other.geometry()

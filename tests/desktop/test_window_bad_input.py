@@ -84,16 +84,18 @@ def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     assert (session.whole.tracks.states == FrameState.KNOWN).all()
 
 
-def test_a_file_that_another_program_writes_is_offered_again(desktop, qtbot, sound):
-    window, banner = shown(desktop, qtbot, sound), desktop.window.banner
+def test_a_chip_says_that_another_program_changed_the_file_and_opens_it_again(desktop, qtbot, sound):
+    chips = shown(desktop, qtbot, sound).status.chips
     qtbot.waitUntil(lambda: not desktop.session.busy)
+    assert chips.words() == ""
     made_longer(sound)
-    qtbot.waitUntil(lambda: "has changed on the disk" in banner.label.text())
-    QTest.mouseClick(banner.action, LEFT)
+    qtbot.waitUntil(lambda: chips.words() == "changed on disk")
+    assert "sound.wav" in chips.changed.toolTip()
+    QTest.mouseClick(chips.changed, LEFT)
     assert desktop.session.duration == 9.0
+    assert chips.words() == ""
     sound.unlink()
-    qtbot.waitUntil(lambda: "no longer where it was" in banner.label.text())
-    assert window.isVisible()
+    qtbot.waitUntil(lambda: chips.words() == "gone from disk")
     assert desktop.session.duration == 9.0
 
 

@@ -4,6 +4,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
@@ -54,6 +55,7 @@ def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, monk
     assert [path.name for path in saved if not path.is_file() or not path.stat().st_size] == []
 
 
+@pytest.mark.qt_log_ignore("This plugin does not support")  # menus without a display
 def test_a_right_click_on_the_head_opens_its_menu_and_a_right_drag_does_not(desktop, qtbot):
     window = shown(desktop, qtbot)
     press(window, Qt.Key.Key_3, CONTROL)

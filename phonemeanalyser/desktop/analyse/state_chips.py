@@ -1,4 +1,4 @@
-"""Facts of the moment as small chips in the tool bar: views that stand still, sound that was lost, how late it is."""
+"""Facts of the moment as chips in the tool bar: views that stand still, a changed file, lost sound, lateness."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
@@ -8,18 +8,20 @@ from phonemeanalyser.desktop.theme import Theme
 
 
 class StateChips(QWidget):
-    """Chips that are there while there is something to say; a click on *frozen* lets the views go on.
+    """Chips that are there while there is something to say; two of them can be clicked.
 
     Signals
     -------
     go_on_asked : the views are to go on.
+    open_again_asked : the file in hand is to be opened again.
 
     Attributes
     ----------
-    frozen, unseen, lost, late : the chips.
+    frozen, changed, unseen, lost, late : the chips.
     """
 
     go_on_asked = Signal()
+    open_again_asked = Signal()
 
     def __init__(self, theme: Theme) -> None:
         super().__init__()
@@ -30,23 +32,32 @@ class StateChips(QWidget):
         self.frozen.setToolTip(tr("The views stand still while sound goes on; click, or press F, and they go on"))
         self.frozen.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.frozen.clicked.connect(self.go_on_asked)
+        self.changed = QToolButton()
+        self.changed.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.changed.clicked.connect(self.open_again_asked)
         self.unseen, self.lost, self.late = QLabel(), QLabel(), QLabel()
         self.unseen.setToolTip(tr("Frames that were analysed but never drawn: the machine has too much to do"))
         self.lost.setToolTip(tr("Sound that never came from the microphone, since listening began"))
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 6, 0)
         row.setSpacing(4)
-        for chip in (self.frozen, self.unseen, self.lost, self.late):
+        for chip in self._chips:
             chip.hide()
             row.addWidget(chip, 0, Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self._dress(self.frozen, theme.accent)
+        self._dress(self.changed, theme.bad)
         self._dress(self.unseen, theme.bad)
         self._dress(self.lost, theme.bad)
 
     def show_frozen(self, on: bool) -> None:
         """Say that the views stand still, or that they do not."""
         self.frozen.setVisible(on)
+
+    def show_changed(self, words: str, tip: str) -> None:
+        """Say that the file in hand is another one by now, or none; an empty text for neither."""
+        self.changed.setToolTip(tip)
+        _say(self.changed, words)
 
     def show_unseen(self, n_frames: int) -> None:
         """Say how many frames were never drawn; 0 for none."""
@@ -65,7 +76,11 @@ class StateChips(QWidget):
 
     def words(self) -> str:
         """Return what the chips say."""
-        return "   ".join(c.text() for c in (self.frozen, self.unseen, self.lost, self.late) if not c.isHidden())
+        return "   ".join(chip.text() for chip in self._chips if not chip.isHidden())
+
+    @property
+    def _chips(self) -> tuple[QToolButton | QLabel, ...]:
+        return self.frozen, self.changed, self.unseen, self.lost, self.late
 
     def _dress(self, chip: QWidget, colour: str) -> None:
         sheet = (
@@ -76,7 +91,7 @@ class StateChips(QWidget):
             chip.setStyleSheet(sheet)
 
 
-def _say(chip: QLabel, words: str) -> None:
+def _say(chip: QLabel | QToolButton, words: str) -> None:
     if words != chip.text():
         chip.setText(words)
     chip.setVisible(bool(words))

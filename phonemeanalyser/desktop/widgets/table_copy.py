@@ -1,7 +1,7 @@
 """Tables that copy: Ctrl+C, or a right click, puts all of one on the clipboard for a spreadsheet."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.language import tr
@@ -10,9 +10,9 @@ from phonemeanalyser.desktop.language import tr
 def let_copy(table: QTableWidget) -> None:
     """Have a table copy itself, headings and all."""
     copy = QAction(tr("Copy Table"), table)
-    copy.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
-    copy.setShortcutContext(Qt.ShortcutContext.WidgetShortcut)
     copy.triggered.connect(lambda: QGuiApplication.clipboard().setText(text_of(table)))
+    key = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), table, copy.trigger)
+    key.setContext(Qt.ShortcutContext.WidgetShortcut)
     table.addAction(copy)
     table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
 
