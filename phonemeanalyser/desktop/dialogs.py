@@ -119,12 +119,11 @@ class Dialogs(QObject):
         """Say that the file in hand is another one, or none, by now."""
         path = Path(name)
         if path.is_file():
-            tip = f"{path.name} has changed on the disk since it was opened; click to open it again"
-            self.sound_changed.emit("changed on disk", tip)
+            tip = tr("{file} has changed on the disk since it was opened; click to open it again")
+            self.sound_changed.emit(tr("changed on disk"), tip.format(file=path.name))
         else:
-            self.sound_changed.emit(
-                "gone from disk", f"{path.name} is no longer where it was; what is seen of it stays"
-            )
+            tip = tr("{file} is no longer where it was; what is seen of it stays")
+            self.sound_changed.emit(tr("gone from disk"), tip.format(file=path.name))
 
     def open_again(self) -> None:
         """Open the file in hand as it is now."""

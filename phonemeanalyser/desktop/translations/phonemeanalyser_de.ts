@@ -849,6 +849,11 @@
             <translation>geändert</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>changed on disk</source>
+            <translation>auf der Platte geändert</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/preset_box.py" />
             <source>changed since it was saved</source>
             <translation>seit dem Speichern geändert</translation>
@@ -1853,6 +1858,11 @@
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Goes</source>
             <translation>Ziel</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>gone from disk</source>
+            <translation>von der Platte verschwunden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
@@ -6314,6 +6324,16 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
             <source>{changes:.1f} changes/s</source>
             <translation>{changes:.1f} Wechsel/s</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>{file} has changed on the disk since it was opened; click to open it again</source>
+            <translation>{file} hat sich auf der Platte geändert, seit sie geöffnet wurde; ein Klick öffnet sie neu</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>{file} is no longer where it was; what is seen of it stays</source>
+            <translation>{file} ist nicht mehr, wo sie war; was davon zu sehen ist, bleibt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
