@@ -26,7 +26,7 @@ SOUND = "sound"
 FIELDS = ("format", "table", "fps", "text", "language")
 """What may stand beside the sound, each as the option of ``export`` of that name."""
 NICE = 10
-LONGEST_WORD = 64
+LONGEST_FIELD = 64
 """Characters of a field other than the text."""
 KINDS = {
     ".json": "application/json", ".xml": "application/xml", ".csv": "text/csv", ".glb": "model/gltf-binary",
@@ -140,18 +140,19 @@ class FileExporter:
                 file.write(chunk)
 
     async def _text_of(self, part: BodyPartReader) -> str:
-        most = self._limits.most_text if part.name == "text" else LONGEST_WORD
+        most = self._limits.most_text if part.name == "text" else LONGEST_FIELD
+        too_long = RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
         content = bytearray()
         while chunk := await part.read_chunk(CHUNK):
             content += chunk
             if len(content) > 4 * most:
-                break
+                raise too_long
         try:
             words = content.decode()
         except UnicodeDecodeError:
             raise RefusedError(f"the field {part.name} is no text in UTF-8; send it as such") from None
         if len(words) > most:
-            raise RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
+            raise too_long
         return words
 
 

@@ -54,9 +54,9 @@ async def _lie(session: aiohttp.ClientSession, address: str) -> None:
 
 
 async def _stall(session: aiohttp.ClientSession, address: str) -> None:
-    """Send sound, and take no answers until the server has had enough."""
+    """Send sound as it is spoken, and take no answers, for a while."""
     with suppress(aiohttp.ClientError, ConnectionError, TimeoutError):
-        async with session.ws_connect(f"{address}/stream") as socket, asyncio.timeout(60):
+        async with session.ws_connect(f"{address}/stream") as socket, asyncio.timeout(10):
             socket._response.connection.transport.pause_reading()
             await socket.send_json({"rate": 8000, "table": "arkit"})
             while True:

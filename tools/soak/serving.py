@@ -8,7 +8,10 @@ from collections.abc import Iterator
 import numpy as np
 
 from tools.bench.stream_load import MOST_LATE, Load, loaded
-from tools.soak.__main__ import GROWTH, Row, print_rows
+from tools.soak.__main__ import Row, print_rows
+
+GROWTH = 8.0
+"""MB that the memory may grow: clients come and go, each with buffers."""
 
 
 def main() -> None:

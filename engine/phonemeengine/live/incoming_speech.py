@@ -11,6 +11,7 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, pus
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
+from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.presets.preset import Preset
@@ -180,10 +181,9 @@ def in_time(preset: Preset, delay: float) -> Preset:
     ----------
     delay : seconds that are held back before the sound is analysed.
     """
-    settings = preset.settings
+    settings = for_live_use(preset).settings
     left = max(0.0, MOST_LATE - WORK - BEYOND - delay)
-    look_ahead = min(settings.look_ahead, settings.live_look_ahead, left)
-    return replace(preset, settings=replace(settings, look_ahead=look_ahead))
+    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, left)))
 
 
 def _weights(morpher: Morpher, analysis: Analysis) -> Float32Array:
