@@ -3,7 +3,7 @@
 import argparse
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -98,12 +98,21 @@ def work_through(
     """
     options = options or BatchOptions(jobs=1)
 
+    seen: list[Outcome] = []
+
     def take(outcome: Outcome) -> None:
+        seen.append(outcome)
         _say_outcome(outcome)
         then(outcome)
 
-    with batch_bar(len(jobs)) as show:
-        outcomes = run_batch(jobs, work, options, on_outcome=take, on_progress=show)
+    try:
+        with batch_bar(len(jobs)) as show:
+            outcomes = run_batch(jobs, work, options, on_outcome=take, on_progress=show)
+    except BaseException:
+        if options.folder is not None and seen:
+            with suppress(EngineError):  # such as a full disk, which is told already
+                write_batch_report(seen, options.folder)
+        raise
     if options.folder is not None:
         write_batch_report(outcomes, options.folder)
     n_skipped = sum(outcome.state is JobState.SKIPPED for outcome in outcomes)

@@ -21,6 +21,7 @@ from phonemeengine.batch.order import Order, act_of, failed, worked_through
 from phonemeengine.batch.work import Job, Outcome
 from phonemeengine.errors import BatchError, EngineError
 from phonemeengine.files import printable_name
+from phonemeengine.processes import keep_memory
 
 PACKAGES = ("numpy", "scipy", "soundfile", "soxr")
 """What decides with the program what outputs are, to the last bit."""
@@ -164,6 +165,7 @@ def work_through_chunk(
             "same path, or name an address such as s3://bucket/folder"
         )
     with _working:
+        keep_memory()
         act = act_of(order)
         found = []
         for job in jobs:

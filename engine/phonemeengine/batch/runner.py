@@ -14,7 +14,7 @@ from phonemeengine.batch.folder_lock import FolderLock, sweep
 from phonemeengine.batch.order import failed, order_of, worked_through
 from phonemeengine.batch.pool import Pool, n_cores
 from phonemeengine.batch.record import BatchRecord
-from phonemeengine.batch.work import Job, JobState, Outcome, Work
+from phonemeengine.batch.work import Act, Job, JobState, Outcome, Work
 from phonemeengine.errors import BatchError
 from phonemeengine.files import printable, printable_name
 from phonemeengine.progress import Cancelled
@@ -207,18 +207,20 @@ class _Batch:
         return max(1, min(asked, len(self._todo)))
 
     def _work_alone(self) -> None:
-        recorded = self.record is not None
         with self.work.opened() as act:
             for job in self._todo:
-                before = self.progress.done_bytes
+                self._work_on(act, job)
 
-                def tell(share: float, before: float = before, job: Job = job) -> bool:
-                    return self._tell(before + share * self._sizes[job], job)
+    def _work_on(self, act: Act, job: Job) -> None:
+        before = self.progress.done_bytes
 
-                found = worked_through(act, [job], lambda _, tell=tell: tell, recorded=recorded)  # type: ignore[misc]
-                if not found:
-                    raise Cancelled
-                self.take(found)
+        def tell(share: float) -> bool:
+            return self._tell(before + share * self._sizes[job], job)
+
+        found = worked_through(act, [job], lambda _number: tell, recorded=self.record is not None)
+        if not found:
+            raise Cancelled
+        self.take(found)
 
     def _chunks(self, most_given: int) -> Iterator[tuple[Job, ...]]:
         """Give files as processes are given them: the largest first, small ones together."""
