@@ -30,6 +30,7 @@ def pytest_xdist_auto_num_workers() -> int:
     return (os.cpu_count() or 1) + 1
 
 
+collect_ignore = ["blender"]  # those run in Blender, by `make test-blender`
 ROOT = Path(__file__).resolve().parents[1]
 CORPUS = ROOT / "tests" / "data" / "corpus"
 SCORER = ROOT / "tests" / "reference" / "score.py"

@@ -2,18 +2,32 @@
 
 import csv
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
 
 from phonemeanalyser.cli.main import main
 from phonemeengine.phonemes import Phoneme
 
+NOTES = (".phonemeanalyser-batch", "phonemeanalyser-report.")
+"""How the files begin in which a batch notes what it did, and what was wrong."""
 LABELS = {phoneme.label for phoneme in Phoneme}
 HEADER = "start_s,end_s,phoneme,intensity,confidence"
 
 
 def rows_of(text: str) -> list[dict[str, str]]:
     return list(csv.DictReader(text.splitlines()))
+
+
+def outputs_in(folder: Path) -> list[str]:
+    """Give what was made in a folder, but for the notes about that."""
+    files = [path for path in folder.rglob("*") if path.is_file() and not path.name.startswith(NOTES)]
+    return sorted(path.relative_to(folder).as_posix() for path in files)
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Give what was made in a folder, by name."""
+    return {name: (folder / name).read_bytes() for name in outputs_in(folder)}
 
 
 def gapless(rows: list[dict[str, str]], duration: float) -> None:

@@ -16,6 +16,12 @@ A program with samples of its own pushes them, cut as they come, or asks about a
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
     phoneme, intensity, confidence = recognise_window(samples[:2048], preset)
 
+Bytes of any rate that come over a network are heard within 60 ms, with their text, if it comes along, aligned::
+
+    speech = IncomingSpeech(preset, StreamFormat(Encoding.S16, 24_000))
+    for piece in speech.pieces(data):        # bytes, cut as they come
+        speech.hear(piece).analysis.phonemes
+
 A face follows what was heard, and may be looked at whenever a picture is drawn::
 
     morpher = Morpher(load_table("arkit"), seed=1)
@@ -29,6 +35,10 @@ Files become mouth cues, or whatever another program reads::
 
     cues("line.wav", preset)                 # which shape from when to when
     export("line.wav", "line.json", "rhubarb-json", preset)
+
+A thousand hours of them, on all cores or a cluster, none twice::
+
+    convert_all(sounds, "out", "rhubarb-json", preset)
 
 A Chinese text moves a mouth by pinyin, with a voice's times or by a rate::
 
@@ -86,10 +96,12 @@ _PAGE = {
     "audio.devices": "Device InputChoice",
     "audio.files": "SOUND_SUFFIXES SoundReader",
     "audio.level": "Level",
+    "audio.incoming": "Encoding StreamFormat",
+    "live.incoming_speech": "HeardPiece IncomingSpeech",
     "live.status": "Status",
     "live.microphone_analyser": "Latency",
     # What is said in it
-    "analyser": "Analyser Analysis Reading analyse_blocks recognise_window",
+    "analyser": "Analyser Analysis Reading analyse_blocks push_together recognise_window",
     "visemes": "NO_VISEME Viseme viseme_of",
     "phonemes": "MOUTH_SHAPES MouthShape Phoneme",
     "features.measure": "Features",
@@ -99,6 +111,7 @@ _PAGE = {
     "labels.utterance_files": "format_utterance read_utterance",
     "preset_difference": "PresetDifference DifferentStretch difference",
     "conversion": "CONVERSIONS Conversion convert",
+    "batch.conversion_work": "convert_all",
     "measurement": "StretchMeasurement Statistics average_spectrum measure save_stretch",
     "averaged_spectrum": "AveragedSpectrum",
     "mouth.transcript": "Transcript transcript_of_utterance",
@@ -107,6 +120,7 @@ _PAGE = {
     "mouth.exports.exporter": "ExportOptions",
     "mouth.exports.formats": "FORMATS",
     "mouth.animation": "Animation animation_of",
+    "mouth.curves_file": "ExportedCurves read_curves",
     "shipping.folder": "format_ear ship",
     # A mouth that says it
     "mouth.morpher": "Detail Morpher",
@@ -117,6 +131,7 @@ _PAGE = {
     "mouth.performer": "FaceState IdleMotion MouthTrack Performer TimedFrame timed_frames",
     "mouth.viseme_override": "VisemeOverride",
     "mouth.table": "MouthTable load_table",
+    "mouth.table_writing": "table_to_toml",
     "mouth.motion_settings": "MotionSettings TransitionTimes",
     "mouth.blinks": "Blinker",
     "mouth.head_motion": "HeadMotion HeadPose",
@@ -161,6 +176,7 @@ _PAGE = {
     "recognition.trace": "RuleComparison Trace",
     # What is said in a sound, by its script
     "alignment.align": "align",
+    "alignment.growing": "GrownWords",
     "text.lexicon": "Lexicon load_lexicon",
     "text.pronunciation": "Pronunciation ScriptWord notes_on words_of",
     "text.syllables": "SpokenSyllable",
@@ -202,7 +218,7 @@ _PAGE = {
     "progress": "Cancelled Progress",
     # What is refused
     "errors": (
-        "AudioError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
+        "AudioError BatchError CorpusError CurveError DeviceError EngineError ExportError MeshError ModelError "
         "MouthError PerformanceError PresetError RecogniserError RecordingError SettingsError TakeError TextError "
         "UnknownPhonemeError VoiceError"
     ),

@@ -1,13 +1,16 @@
 """The types of the page in ``__init__.py``, for type checkers and editors."""
 
 from phonemeengine.alignment.align import align
-from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, recognise_window
+from phonemeengine.alignment.growing import GrownWords
+from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, push_together, recognise_window
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.averaged_spectrum import AveragedSpectrum
+from phonemeengine.batch.conversion_work import convert_all
 from phonemeengine.calibration.alignment import aligned, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
@@ -29,6 +32,7 @@ from phonemeengine.encoder.model_folder import (
 from phonemeengine.encoder.whisper import WHISPER_LICENCE
 from phonemeengine.errors import (
     AudioError,
+    BatchError,
     CorpusError,
     CurveError,
     DeviceError,
@@ -55,6 +59,7 @@ from phonemeengine.labels.phone_sets import PhoneClass
 from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
@@ -64,6 +69,7 @@ from phonemeengine.measurement import Statistics, StretchMeasurement, average_sp
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.cues import Cue, cues_of
+from phonemeengine.mouth.curves_file import ExportedCurves, read_curves
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.channels import ExpressionChannels, load_channels
@@ -91,6 +97,7 @@ from phonemeengine.mouth.osc_expression import OscExpression
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
 from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.mouth.table_writing import table_to_toml
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.building import BuiltTable, build_table
@@ -173,6 +180,7 @@ __all__ = [
     "Animation",
     "AudioError",
     "AveragedSpectrum",
+    "BatchError",
     "Blinker",
     "BuiltTable",
     "CalibrationResult",
@@ -193,11 +201,13 @@ __all__ = [
     "DifferentStretch",
     "Ear",
     "EncoderHead",
+    "Encoding",
     "EngineError",
     "Example",
     "ExampleChoice",
     "ExportError",
     "ExportOptions",
+    "ExportedCurves",
     "Expression",
     "ExpressionChannels",
     "ExpressionStream",
@@ -209,10 +219,13 @@ __all__ = [
     "FrameLabels",
     "Gesture",
     "GroupScores",
+    "GrownWords",
     "HeadDriver",
     "HeadMotion",
     "HeadPose",
+    "HeardPiece",
     "IdleMotion",
+    "IncomingSpeech",
     "InhibitionTimes",
     "InputChoice",
     "Keywords",
@@ -310,6 +323,7 @@ __all__ = [
     "Spring",
     "Statistics",
     "Status",
+    "StreamFormat",
     "StretchMeasurement",
     "Syllable",
     "TableAbout",
@@ -343,6 +357,7 @@ __all__ = [
     "calibrate",
     "choose_whisper",
     "convert",
+    "convert_all",
     "cues",
     "cues_of",
     "denoise",
@@ -389,6 +404,8 @@ __all__ = [
     "phones_of",
     "phrases_of",
     "pinyin_track",
+    "push_together",
+    "read_curves",
     "read_expression",
     "read_recordings",
     "read_sentence",
@@ -404,6 +421,7 @@ __all__ = [
     "speak",
     "speak_by_program",
     "spoken_text",
+    "table_to_toml",
     "timed_frames",
     "transcribe",
     "transcript_of_utterance",

@@ -12,6 +12,7 @@ EngineError
 ├── MeshError       a mesh, or movestates, that cannot be used
 ├── MouthError      a mouth table that cannot be used
 │   └── ExportError     speech that cannot be written in the form that was asked for
+├── BatchError      files that cannot be worked through together
 ├── PerformanceError recorded performances, or a table of them, that cannot be used
 ├── TextError       a text, or a lexicon, that cannot be spoken
 │   └── VoiceError      a voice that cannot be used
@@ -71,6 +72,10 @@ class ExportError(MouthError):
 
 class MeshError(EngineError, ValueError):
     """A mesh, or movestates, cannot be used, or their file."""
+
+
+class BatchError(EngineError):
+    """Files cannot be worked through together: a folder that is taken, a cluster that is not there."""
 
 
 class PerformanceError(EngineError, ValueError):

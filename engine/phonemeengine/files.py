@@ -20,6 +20,11 @@ MEGABYTE = 1 << 20
 LARGEST = 1 << 30
 """Bytes of a file that are looked at."""
 
+LONGEST_NAME = 255
+"""Bytes of a name."""
+_UNPORTABLE = re.compile(r'[<>:"/\\|?*]')
+_DEVICES = {"CON", "PRN", "AUX", "NUL", *(f"{port}{k}" for port in ("COM", "LPT") for k in range(1, 10))}
+
 JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
 """A text in JSON, as a regular expression."""
 
@@ -123,6 +128,13 @@ def printable(words: str) -> str:
 def printable_name(path: Path) -> str:
     """Return the file's name, without characters that would break the sentence it stands in."""
     return printable(path.name or str(path))
+
+
+def is_portable(name: str) -> bool:
+    """Return whether all systems can write a file of this name: Windows knows fewer names than others."""
+    if _UNPORTABLE.search(name) or name.partition(".")[0].upper() in _DEVICES or name[-1:] in {" ", "."}:
+        return False
+    return name.isprintable() and len(name.encode(errors="replace")) <= LONGEST_NAME
 
 
 def reason_of(error: OSError | ValueError) -> str:

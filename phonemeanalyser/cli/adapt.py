@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset, add_script
-from phonemeanalyser.cli.jobs import say_cut_off
+from phonemeanalyser.cli.jobs import say_cut_off, say_note
 from phonemeanalyser.cli.scripts import NO_TEXTS, spoken_texts
 from phonemeengine import (
     CalibrationResult,
@@ -128,7 +128,7 @@ def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
     found = []
     for sound in options.folders:
         with SoundReader(sound, options.channel) as reader:
-            said = texts.script_of(sound, reader.duration)
+            said = texts.script_of(sound, reader.duration, say_note)
         if said is None:
             raise TakeError(f"{sound.name}: nothing says what is read in it; name it in the script")
         if isinstance(said, Utterance):

@@ -2,17 +2,23 @@
 
 import argparse
 import csv
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TextIO
 
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, open_sound, work_through
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
-from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
+from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.alignment.best_takes import ScoredTake, best_marked, scored_take
+from phonemeengine.analyser import analyse_file
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import begins_like
+from phonemeengine.progress import Progress
 
 COLUMNS = ("file", "text", "score", "skipped", "unknown", "best")
 OTHER_TEXT = "another text"
@@ -40,18 +46,47 @@ def run(options: argparse.Namespace) -> int:
     texts = spoken_texts(options, [job.source for job in jobs])
     if texts.labels is not None:
         raise EngineError(f"{texts.labels.name}: its words are aligned already; name a script of text")
-    takes: list[ScoredTake] = []
-    failures = run_all(jobs, lambda job: takes.extend(_take_of(job, options.channel, preset, texts)))
+    outcomes = work_through(jobs, AlignmentWork(preset, options.channel, texts))
+    takes = [take for outcome in outcomes for take in outcome.made.value or ()]
     if takes:
         _write(best_marked(takes), options.out, guard)
-    return 1 if failures or not takes else 0
+    return 1 if n_failed(outcomes) or not takes else 0
 
 
-def _take_of(job: Job, channel: Channel, preset: Preset, texts: SpokenTexts) -> list[ScoredTake]:
-    """Return how well a sound says its line; nothing where it has none."""
-    with open_sound(job, channel) as reader:
-        found = texts.aligned(reader, job.source, analyse_with_progress(reader, preset, pitch=False))
-    return [] if found is None else [scored_take(job.source, texts.texts[job.source], found[0])]
+@dataclass(frozen=True)
+class AlignmentWork:
+    """Finds how well sounds say their lines.
+
+    Attributes
+    ----------
+    preset, channel : what is recognised with, and of what.
+    texts : what is said in the sounds.
+    """
+
+    preset: Preset
+    channel: Channel
+    texts: SpokenTexts
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        return fingerprint_of("align", self.preset, self.channel)
+
+    def known_of(self, job: Job) -> str:
+        """Return what is said in a sound."""
+        return self.texts.known_of(job.sound)
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Give what aligns one file."""
+        yield self._align
+
+    def _align(self, job: Job, say: Say, progress: Progress) -> Made:
+        """Return how well a sound says its line; nothing where it has none."""
+        with open_sound(job.source, self.channel, say) as reader:
+            analyses = analyse_file(reader, self.preset, progress=progress)
+            found = self.texts.aligned(reader, job.sound, analyses, say)
+            takes = [] if found is None else [scored_take(job.source, self.texts.texts[job.sound], found[0])]
+            return replace(made_of(reader, found and found[0]), value=takes)
 
 
 def _write(takes: Sequence[ScoredTake], out: Path | None, guard: Guard) -> None:

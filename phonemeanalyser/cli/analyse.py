@@ -1,27 +1,41 @@
 """Analyse files without a window: each sound file becomes a table of its phonemes, or of every frame's variables."""
 
 import argparse
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
 
-from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
+from phonemeanalyser.cli.arguments import (
+    add_batch,
+    add_channel,
+    add_ear,
+    add_overwrite,
+    add_preset,
+    add_script,
+    add_sounds,
+)
 from phonemeanalyser.cli.jobs import (
-    Job,
-    analyse_with_progress,
+    batch_options,
     file_preset,
     is_single,
     jobs_of,
+    n_failed,
     open_sound,
-    run_all,
-    say_note,
+    share_paths,
+    work_through,
 )
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
-from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
+from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, made_of, spoken_texts
 from phonemeengine import Channel, EngineError, Preset, difference
+from phonemeengine.analyser import analyse_file
 from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import begins_like, printable_name
 from phonemeengine.preset_difference import DIFFERENCE_COLUMNS, format_difference
+from phonemeengine.progress import Progress
 
 
 @dataclass(frozen=True)
@@ -71,20 +85,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
     add_channel(parser)
     add_overwrite(parser)
+    add_batch(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Analyse sound files as the command line asks; 1 where one could not be."""
+    share_paths(options)
     if options.against is not None:
         return _compare(options)
     table = AnalysisTable(options.kind or kind_for(options.inputs, options.out), options.features)
     preset = file_preset(options.preset, options.ear)
     jobs = jobs_of(options.inputs, options.out, table.format.ending)
-    guard = Guard(table.format.owns, options.overwrite)
     texts = spoken_texts(options, [job.source for job in jobs])
     if texts is not NO_TEXTS and table.features:
         options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
-    return 1 if run_all(jobs, lambda job: _analyse(job, options.channel, preset, texts, table, guard)) else 0
+    work = AnalysisWork(table, preset, options.channel, texts, options.overwrite)
+    return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
 
 
 def _compare(options: argparse.Namespace) -> int:
@@ -92,20 +108,50 @@ def _compare(options: argparse.Namespace) -> int:
     if options.kind not in {None, "csv"} or options.features or options.text or options.script:
         options.parser.error("--against writes a table of its own; leave --format, --features and texts out")
     first, second = (file_preset(path, options.ear) for path in (options.preset, options.against))
-    guard = Guard(begins_like(",".join(DIFFERENCE_COLUMNS).encode()), options.overwrite)
+    work = DifferenceWork(first, second, options.channel, options.overwrite)
+    jobs = jobs_of(options.inputs, options.out, ".csv")
+    return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
 
-    def act(job: Job) -> None:
-        guard.check(job.target)
-        with open_sound(job, options.channel):  # says what is odd about it
-            found = difference(job.source, first, second, channel=options.channel)
-        text = format_difference(found)
-        say_note(printable_name(job.source), f"the presets differ in {100 * found.share:.1f} % of the frames")
-        if job.target is None:
-            print_whole(lambda file: file.writelines([text]))
-        else:
-            write_whole(job.target, lambda file: file.writelines([text]), guard)
 
-    return 1 if run_all(jobs_of(options.inputs, options.out, ".csv"), act) else 0
+@dataclass(frozen=True)
+class DifferenceWork:
+    """Writes where two presets hear two things.
+
+    Attributes
+    ----------
+    first, second : the presets.
+    channel : what is heard.
+    overwrite : whether files are replaced that may be somebody else's.
+    """
+
+    first: Preset
+    second: Preset
+    channel: Channel
+    overwrite: bool
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        return fingerprint_of("difference", self.first, self.second, self.channel)
+
+    def known_of(self, _job: Job) -> str:
+        """Return nothing: nothing is known of a file besides."""
+        return ""
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Give what compares one file."""
+        guard = Guard(begins_like(",".join(DIFFERENCE_COLUMNS).encode()), self.overwrite)
+
+        def act(job: Job, say: Say, progress: Progress) -> Made:
+            guard.check(job.target)
+            with open_sound(job.source, self.channel, say) as reader:
+                duration = reader.duration
+            found = difference(job.source, self.first, self.second, channel=self.channel, progress=progress)
+            say(printable_name(job.source), f"the presets differ in {100 * found.share:.1f} % of the frames")
+            write_table(job.target, lambda file: file.writelines([format_difference(found)]), guard)
+            return Made(duration)
+
+        yield act
 
 
 def kind_for(inputs: list[Path], out: Path | None) -> str:
@@ -115,21 +161,60 @@ def kind_for(inputs: list[Path], out: Path | None) -> str:
     return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")
 
 
-def _analyse(
-    job: Job, channel: Channel, preset: Preset, texts: SpokenTexts, table: AnalysisTable, guard: Guard
-) -> None:
-    guard.check(job.target)
-    with open_sound(job, channel) as reader:
+@dataclass(frozen=True)
+class AnalysisWork:
+    """Writes tables of phonemes.
 
-        def write(file: TextIO) -> None:
-            analyses = analyse_with_progress(reader, preset, pitch=table.features)
-            found = texts.aligned(reader, job.source, analyses)
-            if found is None:
-                table.write(file, analyses, reader, preset)
-            else:
-                table.format.write_words(file, *found, preset)
+    Attributes
+    ----------
+    table : what is written.
+    preset, channel : what is recognised with, and of what.
+    texts : what is said in the sounds.
+    overwrite : whether files are replaced that may be somebody else's.
+    """
 
-        if job.target is None:
-            print_whole(write)
-        else:
-            write_whole(job.target, write, guard)
+    table: AnalysisTable
+    preset: Preset
+    channel: Channel
+    texts: SpokenTexts
+    overwrite: bool
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        return fingerprint_of("analyse", self.table, self.preset, self.channel)
+
+    def known_of(self, job: Job) -> str:
+        """Return what is said in a sound."""
+        return self.texts.known_of(job.sound)
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Give what analyses one file."""
+        yield self._analyse
+
+    def _analyse(self, job: Job, say: Say, progress: Progress) -> Made:
+        guard = Guard(self.table.format.owns, self.overwrite)
+        guard.check(job.target)
+        with open_sound(job.source, self.channel, say) as reader:
+            made = made_of(reader, None)
+
+            def write(file: TextIO) -> None:
+                nonlocal made
+                analyses = analyse_file(reader, self.preset, pitch=self.table.features, progress=progress)
+                found = self.texts.aligned(reader, job.sound, analyses, say)
+                if found is None:
+                    self.table.write(file, analyses, reader, self.preset)
+                else:
+                    self.table.format.write_words(file, *found, self.preset)
+                    made = made_of(reader, found[0], self.texts.language)
+
+            write_table(job.target, write, guard)
+        return made
+
+
+def write_table(target: Path | None, write: Callable[[TextIO], None], guard: Guard) -> None:
+    """Write a table into a file, or print it where there is none."""
+    if target is None:
+        print_whole(write)
+    else:
+        write_whole(target, write, guard)

@@ -7,12 +7,14 @@ from pathlib import Path
 
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, USUAL_CLIP_SIZE
 from phonemeengine import Channel, Detail, Ear
+from phonemeengine.batch.remote import place_of
 from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.presets.ears import WITHOUT_ENCODER
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import MOST_CHANNELS
 
 PRESET = "preset (.toml) or PhonemeData file"
+MOST_JOBS = 1024
 SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
 """Pixels along an edge of its pictures."""
 
@@ -35,8 +37,16 @@ def add_ear(parser: argparse.ArgumentParser, default: Ear | None = None) -> None
 
 def add_sounds(parser: argparse.ArgumentParser) -> None:
     """Have the user name sound files, and where to write what comes of them."""
-    parser.add_argument("inputs", type=Path, nargs="+", metavar="INPUT", help="sound files, or folders of them")
-    parser.add_argument("-o", "--out", type=Path, help="folder, or a file for one sound (default: print)")
+    parser.add_argument("inputs", type=place, nargs="+", metavar="INPUT", help="sound files, or folders of them")
+    parser.add_argument("-o", "--out", type=place, help="folder, or a file for one sound (default: print)")
+
+
+def add_batch(parser: argparse.ArgumentParser) -> None:
+    """Let the user say who works through many files."""
+    words = "files at a time (default: as many as there are cores, where that is worth it)"
+    parser.add_argument("--jobs", type=whole_in(1, MOST_JOBS), metavar="N", help=words)
+    dask = "have an existing Dask cluster work, such as tcp://host:8786"
+    parser.add_argument("--dask", metavar="ADDRESS", help=dask)
 
 
 def add_map(parser: argparse.ArgumentParser) -> None:
@@ -97,6 +107,11 @@ def add_log(parser: argparse.ArgumentParser) -> None:
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
     """Let the user give up files that are in the way."""
     parser.add_argument("--overwrite", action="store_true", help="replace files that are not this program's, too")
+
+
+def place(text: str) -> Path:
+    """Read a path, or an address such as ``s3://bucket/folder``."""
+    return place_of(text)
 
 
 def number(text: str) -> float:

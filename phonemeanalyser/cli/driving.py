@@ -24,6 +24,7 @@ from phonemeengine import (
     usual_driver,
 )
 from phonemeengine.alignment.align import is_other_text
+from phonemeengine.batch.work import Say
 from phonemeengine.mouth.exports.exporter import Exporter
 
 DRIVERS = [driver.value for driver in FaceDriver]
@@ -99,7 +100,7 @@ class Driving:
         return driver
 
     def track(
-        self, driver: FaceDriver, utterance: Utterance | None, speech: Transcript, text: str = ""
+        self, driver: FaceDriver, utterance: Utterance | None, speech: Transcript, text: str = "", say: Say = say_note
     ) -> FaceTrack | None:  # fmt: skip
         """Return how a chosen driver moves a face; None by rules.
 
@@ -109,14 +110,17 @@ class Driving:
         ----------
         utterance, speech : what is said, and how loud and high.
         text : the same as it is written, for the marks of its pauses.
+        say : told what the table lacks.
         """
         if utterance is not None and driver is FaceDriver.PINYIN:
             return pinyin_track(utterance, self.table, text=text, seed=self.seed)
         if utterance is not None and driver is FaceDriver.TABLE and self.performer is not None:
-            return self.performer.track(utterance, speech)
+            return self.performer.track(utterance, speech, say)
         return None
 
-    def movement(self, track: FaceTrack | None, speech: Transcript, exporter: Exporter) -> Animation | None:
+    def movement(
+        self, track: FaceTrack | None, speech: Transcript, exporter: Exporter, say: Say = say_note
+    ) -> Animation | None:
         """Return the movement of a face for an export; None by rules, and where the format has its own shapes.
 
         The latter is said, unless nobody asked for the letters.
@@ -126,7 +130,7 @@ class Driving:
         if exporter.takes(track.mouth().movestates):
             return track.animation(speech, exporter.rate, exporter.idle)
         if self.driver is not FaceDriver.AUTO or self.performer is not None:
-            say_note(exporter.name, "it has shapes of its own, which follow the phones")
+            say(exporter.name, "it has shapes of its own, which follow the phones")
         return None
 
     def caption(self, driver: FaceDriver) -> str:
@@ -141,13 +145,28 @@ class Driving:
         return usual_driver(has_table=self.performer is not None, has_letters=letters and moves)
 
 
+def driving_options(options: argparse.Namespace) -> argparse.Namespace:
+    """Return the arguments of a command line by which `driving` opens the same again, in another process."""
+    names = (
+        "text_driver", "pinyin_table", "spring", "seed", "performance", "use", "choice", "without", "keywords",
+        "units", "overwrite", "beside",
+    )  # fmt: skip
+    return argparse.Namespace(**{name: getattr(options, name) for name in names if name in options})
+
+
+def driving_key(options: argparse.Namespace) -> dict[str, object]:
+    """Return those of `driving_options` by which a face moves otherwise."""
+    return {name: value for name, value in vars(options).items() if name != "overwrite"}
+
+
 @contextmanager
-def driving(options: argparse.Namespace, beside: FaceDriver | None = None) -> Iterator[Driving]:
+def driving(options: argparse.Namespace, beside: FaceDriver | None = None, say: Say = say_note) -> Iterator[Driving]:
     """Open what moves faces, of a command line with the arguments of `add_driver`.
 
     Parameters
     ----------
     beside : another driver that moves a face, too.
+    say : told that no person moved in a table.
 
     Raises
     ------
@@ -160,5 +179,5 @@ def driving(options: argparse.Namespace, beside: FaceDriver | None = None) -> It
     if options.performance is not None and not {driver, beside} & {FaceDriver.AUTO, FaceDriver.TABLE}:
         raise EngineError(f"--text-driver {driver} leaves the table of --performance unused; leave one of them out")
     table = pinyin_table_of(options)
-    with performing(options) as performer:
+    with performing(options, say) as performer:
         yield Driving(driver, performer, table, options.seed)

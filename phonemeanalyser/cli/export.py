@@ -1,9 +1,13 @@
 """``phonemeanalyser export``: what sound files say, as mouth cues and movements for other programs."""
 
 import argparse
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import (
+    add_batch,
     add_channel,
     add_ear,
     add_mouth,
@@ -13,16 +17,28 @@ from phonemeanalyser.cli.arguments import (
     add_sounds,
     number,
 )
-from phonemeanalyser.cli.driving import Driving, add_driver, driving
+from phonemeanalyser.cli.driving import Driving, add_driver, driving, driving_key, driving_options
 from phonemeanalyser.cli.expression import add_expression, idle_of
-from phonemeanalyser.cli.jobs import Job, analyse_with_progress, file_preset, jobs_of, open_sound, run_all
+from phonemeanalyser.cli.jobs import (
+    batch_options,
+    file_preset,
+    jobs_of,
+    n_failed,
+    open_sound,
+    share_paths,
+    work_through,
+)
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
-from phonemeanalyser.cli.scripts import SpokenTexts, spoken_texts
+from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset
+from phonemeengine.analyser import analyse_file
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import printable_name
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
+from phonemeengine.progress import Progress
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -42,10 +58,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
     add_channel(parser)
     add_overwrite(parser)
+    add_batch(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
+    share_paths(options)
     idle = idle_of(options)
     written = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, idle)
     exporter = Exporter(options.kind, written)
@@ -53,42 +71,72 @@ def run(options: argparse.Namespace) -> int:
         raise EngineError(f"{options.kind} is no text to be printed; name a file or a folder with -o")
     preset = file_preset(options.preset, options.ear)
     jobs = jobs_of(options.inputs, options.out, exporter.format.full_ending)
-    guard = Guard(exporter.format.owns, options.overwrite)
     if options.units is not None and len(jobs) > 1:
         raise EngineError("--units tells of one sound, and there are several; leave it out, or name one alone")
     texts = spoken_texts(options, [job.source for job in jobs])
-    with driving(options) as moved:
-
-        def act(job: Job) -> None:
-            _export(job, options.channel, preset, texts, exporter, guard, moved)
-
-        return 1 if run_all(jobs, act) else 0
+    with driving(options):  # says what it has to say, and refuses what it must, before any sound is heard
+        work = ExportWork(options.kind, written, preset, options.channel, texts, driving_options(options))
+        return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
 
 
-def _export(
-    job: Job,
-    channel: Channel,
-    preset: Preset,
-    texts: SpokenTexts,
-    exporter: Exporter,
-    guard: Guard,
-    moved: Driving,
-) -> None:
-    guard.check(job.target)
-    with open_sound(job, channel) as reader:
-        pitch = moved.performer is not None or (exporter.format.moves_head and exporter.idle.head)
-        analyses = analyse_with_progress(reader, preset, pitch=pitch)
-        name, found = printable_name(job.source), texts.aligned(reader, job.source, analyses)
-        utterance = None if found is None else found[0]
-        driver = moved.chosen(utterance, name, exporter.takes)
-        speech = transcript_of(analyses, name, reader.duration, job.source) if found is None else found[1]
-        movement = moved.movement(moved.track(driver, utterance, speech), speech, exporter)
-    parts = exporter.chunks_of(speech, movement)
-    if job.target is None:
-        text = b"".join(parts).decode()
-        print_whole(lambda file: file.writelines([text]))
-    else:
-        write_whole_bytes(job.target, parts, guard)
+@dataclass(frozen=True)
+class ExportWork:
+    """Writes what sounds say for other programs.
+
+    Attributes
+    ----------
+    kind, written : the format, and how it is written.
+    preset, channel : what is recognised with, and of what.
+    texts : what is said in the sounds.
+    driving : arguments of what moves a face, and whether files are replaced that may be somebody else's.
+    """
+
+    kind: str
+    written: ExportOptions
+    preset: Preset
+    channel: Channel
+    texts: SpokenTexts
+    driving: argparse.Namespace
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        table = load_table(self.written.table or FORMATS[self.kind].table)
+        options = replace(self.written, table=None)
+        return fingerprint_of(
+            "export", self.kind, table, options, self.preset, self.channel, driving_key(self.driving)
+        )
+
+    def known_of(self, job: Job) -> str:
+        """Return what is said in a sound."""
+        return self.texts.known_of(job.sound)
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Open what moves a face, and give what exports one file."""
+        exporter = Exporter(self.kind, self.written)
+        with driving(self.driving, say=lambda _name, _note: None) as moved:
+            yield lambda job, say, progress: self._export(job, exporter, moved, say, progress)
+
+    def _export(self, job: Job, exporter: Exporter, moved: Driving, say: Say, progress: Progress) -> Made:
+        guard = Guard(exporter.format.owns, self.driving.overwrite)
+        guard.check(job.target)
+        with open_sound(job.source, self.channel, say) as reader:
+            pitch = moved.performer is not None or (exporter.format.moves_head and exporter.idle.head)
+            analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
+            name, found = printable_name(job.source), self.texts.aligned(reader, job.sound, analyses, say)
+            utterance = None if found is None else found[0]
+            driver = moved.chosen(utterance, name, exporter.takes)
+            speech = transcript_of(analyses, name, reader.duration, job.source) if found is None else found[1]
+            track = moved.track(driver, utterance, speech, say=say)
+            movement = moved.movement(track, speech, exporter, say)
+            made = made_of(reader, utterance, self.texts.language)
+        parts = exporter.chunks_of(speech, movement)
+        if job.target is None:
+            text = b"".join(parts).decode()
+            print_whole(lambda file: file.writelines([text]))
+        else:
+            write_whole_bytes(job.target, parts, guard)
+        return made
 
 
 def _formats() -> str:

@@ -1,17 +1,17 @@
-"""Files that a command works through, one after the other: where each goes, and what is said of those that fail."""
+"""Files that a command works through: where each goes, how far it is, and what is said of those that fail."""
 
-import logging
+import argparse
 import sys
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import Any
 
 from tqdm import tqdm
 
+from phonemeanalyser.cli.progress_bar import batch_bar
+from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine import (
-    FRAME_PERIOD,
-    Analysis,
     AudioError,
     Channel,
     Ear,
@@ -23,19 +23,13 @@ from phonemeengine import (
     for_files,
     load_preset,
 )
-from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SUFFIXES
+from phonemeengine.batch.runner import BatchOptions, run_batch
+from phonemeengine.batch.work import Job, JobState, Outcome, Say, Work
 from phonemeengine.files import printable, printable_name
 
-_log = logging.getLogger(__name__)
-
-
-@dataclass(frozen=True)
-class Job:
-    """A sound file (or a folder without any), and the file that is written of it; None means standard output."""
-
-    source: Path
-    target: Path | None
+SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
+"""Arguments that name files which are opened where the work is done."""
 
 
 def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
@@ -57,7 +51,7 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
             raise EngineError("several files need a folder for what is written of them; name one with -o")
         return [Job(file, None) for file, _ in found]
     single = is_single(inputs, out)
-    return [Job(file, out if single else out / relative.with_suffix(ending)) for file, relative in found]
+    return [Job(file, out if single else (out / relative).with_suffix(ending)) for file, relative in found]
 
 
 def is_single(inputs: list[Path], out: Path) -> bool:
@@ -65,22 +59,71 @@ def is_single(inputs: list[Path], out: Path) -> bool:
     return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)
 
 
-def run_all(jobs: Iterable[Job], act: Callable[[Job], None]) -> int:
-    """Do something with every file; report those that fail on standard error and go on. Returns how many failed."""
-    jobs = list(jobs)
-    failures = 0
-    taken: dict[Path, Path] = {}
-    with tqdm(total=len(jobs), unit="file", disable=None if len(jobs) > 1 else True, file=sys.stderr) as progress:
-        for job in jobs:
-            try:
-                _refuse_collision(job, taken)
-                act(job)
-            except EngineError as error:
-                progress.write(f"phonemeanalyser: {error}", file=sys.stderr)
-                _log.warning("%s", error)
-                failures += 1
-            progress.update()
-    return failures
+def is_batch(inputs: list[Path]) -> bool:
+    """Return whether there may be so many files that it is noted what was done of them."""
+    return len(inputs) > 1 or _is_folder(inputs[0])
+
+
+def share_paths(options: argparse.Namespace) -> None:
+    """Name the files of a command line from the root, where a cluster works: its workers stand elsewhere."""
+    if options.dask is not None:
+        for name in SHARED & vars(options).keys():
+            value = getattr(options, name)
+            setattr(options, name, [*map(_from_root, value)] if isinstance(value, list) else _from_root(value))
+
+
+def _from_root(value: Any) -> Any:
+    return value.absolute() if isinstance(value, Path) else value
+
+
+def batch_options(options: argparse.Namespace, jobs: int | None = None) -> BatchOptions:
+    """Return how the files of a command line with the arguments of `add_sounds` and `add_batch` are worked through.
+
+    Parameters
+    ----------
+    jobs : processes at a time, unless the user says how many.
+    """
+    folder = options.out if options.out is not None and is_batch(options.inputs) else None
+    return BatchOptions(options.jobs or jobs, folder, options.dask)
+
+
+def work_through(
+    jobs: Sequence[Job], work: Work, options: BatchOptions | None = None,
+    then: Callable[[Outcome], object] = lambda _: None,
+) -> list[Outcome]:  # fmt: skip
+    """Do something with every file; say what is odd, report those that fail on standard error and go on.
+
+    Where it is noted what is done, what was wrong is told by two files in the folder as well. `then` is told what
+    became of each file.
+    """
+    options = options or BatchOptions(jobs=1)
+
+    seen: list[Outcome] = []
+
+    def take(outcome: Outcome) -> None:
+        seen.append(outcome)
+        _say_outcome(outcome)
+        then(outcome)
+
+    try:
+        with batch_bar(len(jobs)) as show:
+            outcomes = run_batch(jobs, work, options, on_outcome=take, on_progress=show)
+    except BaseException:
+        if options.folder is not None and seen:
+            with suppress(EngineError):  # such as a full disk, which is told already
+                write_batch_report(seen, options.folder)
+        raise
+    if options.folder is not None:
+        write_batch_report(outcomes, options.folder)
+    n_skipped = sum(outcome.state is JobState.SKIPPED for outcome in outcomes)
+    if n_skipped and sys.stderr.isatty():
+        tqdm.write(f"phonemeanalyser: {n_skipped} of {len(jobs)} files were done before", file=sys.stderr)
+    return outcomes
+
+
+def n_failed(outcomes: Iterable[Outcome]) -> int:
+    """Return how many files could not be worked on."""
+    return sum(outcome.state is JobState.FAILED for outcome in outcomes)
 
 
 def file_preset(path: Path, ear: str | None) -> Preset:
@@ -104,19 +147,19 @@ def file_preset(path: Path, ear: str | None) -> Preset:
 
 
 @contextmanager
-def open_sound(job: Job, channel: Channel) -> Iterator[SoundReader]:
-    """Open the sound of a job to analyse one of its channels, and say what is odd about it.
+def open_sound(path: Path, channel: Channel, say: Say) -> Iterator[SoundReader]:
+    """Open a sound to analyse one of its channels, and say what is odd about it.
 
     Raises
     ------
     AudioError : it cannot be read, or lacks the channel, or there is none.
     """
-    name = printable_name(job.source)
-    if _is_folder(job.source):
+    name = printable_name(path)
+    if _is_folder(path):
         raise AudioError(f"{name}: there is no sound file in this folder; name another")
-    with SoundReader(job.source, channel) as reader:
+    with SoundReader(path, channel) as reader:
         for note in reader.notes:
-            say_note(name, note)
+            say(name, note)
         yield reader
 
 
@@ -132,24 +175,21 @@ def say_note(name: str, note: str) -> None:
     tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
 
-def analyse_with_progress(reader: SoundReader, preset: Preset, *, pitch: bool) -> Iterator[Analysis]:
-    """Analyse with a progress bar, which appears only where the work is long."""
-    total, name = round(reader.duration), printable_name(reader.path)
-    with tqdm(
-        total=total, unit="s", desc=name, delay=1, leave=False, disable=None, file=sys.stderr
-    ) as progress:  # fmt: skip
-        for analysis in analyse_file(reader, preset, pitch=pitch):
-            progress.update(len(analysis) * FRAME_PERIOD)
-            yield analysis
+def _say_outcome(outcome: Outcome) -> None:
+    if outcome.state is not JobState.SKIPPED:
+        for name, note in outcome.notes:
+            say_note(name, note)
+    if outcome.words:
+        tqdm.write(f"phonemeanalyser: {outcome.words}", file=sys.stderr)
 
 
-def _files_under(path: Path) -> Iterator[tuple[Path, Path]]:
+def _files_under(path: Path) -> Iterator[tuple[Path, str]]:
     inside = sorted(path.rglob("*")) if _is_folder(path) else []
-    found = [file for file in inside if file.is_file() and file.suffix.lower() in SUFFIXES]
+    found = [file for file in inside if file.suffix.lower() in SUFFIXES and file.is_file()]
     if found:
-        yield from ((file, file.relative_to(path)) for file in found)
+        yield from ((file, str(file.relative_to(path))) for file in found)
     else:
-        yield path, Path(path.name or "folder")
+        yield path, path.name or "folder"
 
 
 def _is_folder(path: Path) -> bool:
@@ -157,14 +197,3 @@ def _is_folder(path: Path) -> bool:
         return path.is_dir()
     except OSError:  # a name too long, or a folder that may not be entered: whoever opens it says so
         return False
-
-
-def _refuse_collision(job: Job, taken: dict[Path, Path]) -> None:
-    if job.target is None:
-        return
-    if job.target in taken:
-        raise AudioError(
-            f"{job.source.name}: its file {job.target.name} is already that of {taken[job.target].name}; "
-            "rename one of them"
-        )
-    taken[job.target] = job.source

@@ -145,7 +145,7 @@ def listen(
     """
     chosen_input(choice, devices())
     changes = _Changes(_as_json if kind == "json" else _as_text)
-    with _sending(osc) as performer, _quiet_libraries(), _ended_by_signals():
+    with _sending(osc) as performer, _quiet_libraries(), ended_by_signals():
 
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
@@ -179,7 +179,7 @@ def record(
     chosen_input(choice, devices())
     limit = math.inf if seconds is None else seconds
     recorder = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
-    with _quiet_libraries(), _ended_by_signals():
+    with _quiet_libraries(), ended_by_signals():
         listener = Listener(preset, choice, phonemes_only=True, recorder=recorder)
         try:
             _attend(listener, seconds, lambda: _check(recorder))
@@ -290,7 +290,7 @@ def _report(recorder: Recorder, listener: Listener) -> None:
 
 
 @contextmanager
-def _ended_by_signals() -> Iterator[None]:
+def ended_by_signals() -> Iterator[None]:
     """Have Ctrl-C, and what asks a process to end, be the ordinary end."""
 
     def end(_number: int, _frame: FrameType | None) -> None:

@@ -25,6 +25,7 @@ COMMANDS = {
     "record": "Record a microphone to a file; Ctrl-C ends it.",
     "score": "Recognise labelled recordings with one or two presets, and tell how right the answers are.",
     "screenshot": "Take a picture of the window, without a display.",
+    "serve": "Serve streams of speech and sound files to other programs, over WebSocket and HTTP; Ctrl-C ends it.",
     "ship": "Write a preset and the ear that hears with it, as sources for programs without Python.",
     "speak": "Have a voice say a text, aloud or into a sound, labels and a mouth's movement.",
     "takes": "Say what a folder of takes holds, and remove deleted takes for ever.",

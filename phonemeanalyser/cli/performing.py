@@ -6,7 +6,6 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import Guard, write_whole
 from phonemeengine import (
     EngineError,
@@ -23,6 +22,7 @@ from phonemeengine import (
     load_preset,
     transcribe,
 )
+from phonemeengine.batch.work import Say
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.performance.track import owns
 
@@ -59,23 +59,24 @@ class Performing:
     units: Path | None
     guard: Guard
 
-    def track(self, utterance: Utterance, speech: Transcript) -> PerformanceTrack:
+    def track(self, utterance: Utterance, speech: Transcript, say: Say) -> PerformanceTrack:
         """Return what the performer says; say what the table lacks for it, and write its units.
 
         Parameters
         ----------
         utterance, speech : what is said, and how loud and high.
+        say : told what the table lacks.
         """
         track = PerformanceTrack(utterance, speech, self.table, self.options)
         for note in track.notes:
-            say_note(self.table.about.name, note)
+            say(self.table.about.name, note)
         if self.units is not None:
             write_whole(self.units, lambda file: file.writelines([format_units(track.units())]), self.guard)
         return track
 
 
 @contextmanager
-def performing(options: argparse.Namespace) -> Iterator[Performing | None]:
+def performing(options: argparse.Namespace, say: Say) -> Iterator[Performing | None]:
     """Open the table that a command line asks for, and say if no person, but a model of one, moved in it.
 
     Where none is named, there is None.
@@ -95,7 +96,7 @@ def performing(options: argparse.Namespace) -> Iterator[Performing | None]:
     looked_up = PerformanceOptions(choice, options.seed or 0, without, keywords=keywords)
     with ExitStack() as stack:
         tables = [stack.enter_context(PerformanceTable.open(path)) for path in options.performance]
-        yield Performing(_chosen(tables, options.use), looked_up, options.units, guard)
+        yield Performing(_chosen(tables, options.use, say), looked_up, options.units, guard)
 
 
 def _check_unused(options: argparse.Namespace) -> None:
@@ -104,13 +105,13 @@ def _check_unused(options: argparse.Namespace) -> None:
             raise EngineError(f"--{name} goes with --performance; name a table of recorded faces")
 
 
-def _chosen(tables: list[PerformanceTable], name: str | None) -> PerformanceTable:
+def _chosen(tables: list[PerformanceTable], name: str | None, say: Say) -> PerformanceTable:
     named = [table for table in tables if name in {None, table.about.name}]
     if len(named) != 1:
         names = ", ".join(repr(table.about.name) for table in tables)
         raise EngineError(f"one table moves a face, and there are {names}; name one of them with --use")
     if named[0].about.synthetic:
-        say_note(named[0].about.name, "the performer is synthetic: no person moved, but a model of one")
+        say(named[0].about.name, "the performer is synthetic: no person moved, but a model of one")
     return named[0]
 
 

@@ -4,7 +4,7 @@ import argparse
 from contextlib import ExitStack
 
 from phonemeanalyser.cli.clips import clip_options, frames_bar
-from phonemeanalyser.cli.jobs import Job, open_sound, say_note
+from phonemeanalyser.cli.jobs import open_sound, say_note
 from phonemeanalyser.rendering.clip import check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
@@ -77,4 +77,4 @@ def _sound_of(
     if path is None:
         say_note(table.about.name, f"the sound of {printable(options.recording)} is not where it was; there is none")
         return None
-    return sound_track(stack.enter_context(open_sound(Job(path, options.out), Channel.MIX)), start, end)
+    return sound_track(stack.enter_context(open_sound(path, Channel.MIX, say_note)), start, end)

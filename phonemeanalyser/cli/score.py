@@ -10,9 +10,10 @@ from typing import TextIO
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_ear, add_map, add_preset, number_in, whole_in
-from phonemeanalyser.cli.jobs import file_preset, say_cut_off
+from phonemeanalyser.cli.arguments import add_batch, add_channel, add_ear, add_map, add_preset, number_in, whole_in
+from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeanalyser.cli.prediction_work import PredictionWork
 from phonemeanalyser.cli.scripts import words_to_score
 from phonemeanalyser.reports.numbers import json_of
 from phonemeanalyser.reports.page import page_of
@@ -25,19 +26,20 @@ from phonemeengine import (
     CorpusError,
     CorpusScores,
     Ear,
+    EngineError,
     LabelledUtterance,
-    NoiseAdder,
     NoiseKind,
     PhonemeMap,
     Preset,
     PresetError,
     load_phoneme_map,
     read_recordings,
-    score,
 )
+from phonemeengine.batch.runner import BatchOptions
+from phonemeengine.batch.work import JobState, Outcome
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
-from phonemeengine.calibration.scores.evaluation import WordsOf
+from phonemeengine.calibration.scores.evaluation import corpus_scores_of
 from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
 from phonemeengine.files import begins_like, printable, printable_name
 
@@ -82,30 +84,34 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
     parser.add_argument("--snr", type=snr, metavar="DB", help="how far the noise is below the speech")
     parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="of the noise (default: 0)")
+    add_batch(parser)
+    keep = "keep what is recognised, so that nothing is recognised twice, and a score that was stopped goes on"
+    parser.add_argument("--keep", type=Path, metavar="FOLDER", help=keep)
 
 
 def run(options: argparse.Namespace) -> int:
     """Score presets as the command line asks; 1 where a sound could not be read."""
+    share_paths(options)
     if (options.noise is None) != (options.snr is None):
         options.parser.error("--noise and --snr go together: say what noise, and how far below the speech")
     presets = _presets_of(options.preset, options.against, options.ear)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_phoneme_map(options.map)
-    troubles = _Troubles()
+    troubles: list[str] = []
     utterances = _recordings_in(options.corpus, mapping, options.channel, troubles)
     words = words_to_score(options, utterances)
     scored: list[ScoredPreset] = []
-    for named in presets:
-        adder = None if noise is None else NoiseAdder(noise, utterances)
-        found = _scored(utterances, named, options.lag / 1000, adder, words, troubles)
+    for letter, named in zip("ab", presets, strict=False):
+        work = PredictionWork(named.preset, utterances, options.lag / 1000, noise, words)
+        found = _scored(work, options.keep and options.keep / letter, options, troubles)
         scored.append(ScoredPreset(f"{named.title} with texts" if words else named.title, found))
         utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
     if options.errors is not None:
         _write_errors(scored, options.errors)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
-    report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles.sentences))
+    report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles))
     _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
-    return 1 if troubles.sentences else 0
+    return 1 if troubles else 0
 
 
 def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
@@ -123,39 +129,36 @@ def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
     write_whole(path, write, Guard(begins_like(b"preset,sound,start_s"), overwrite=False))
 
 
-class _Troubles:
-    """Collects what could not be read, and says it at once."""
-
-    def __init__(self) -> None:
-        self.sentences: list[str] = []
-
-    def push(self, error: AudioError) -> None:
-        self.sentences.append(str(error))
-        tqdm.write(f"phonemeanalyser: {error}", file=sys.stderr)
-
-
 def _recordings_in(
-    folder: Path, mapping: PhonemeMap | None, channel: Channel, troubles: _Troubles
+    folder: Path, mapping: PhonemeMap | None, channel: Channel, troubles: list[str]
 ) -> tuple[LabelledUtterance, ...]:
     if not folder.exists():
         raise CorpusError(f"{printable(str(folder))}: there is no such folder; name one with labelled recordings")
-    utterances = read_recordings(folder, mapping, channel=channel, on_skipped=troubles.push)
+
+    def refuse(error: AudioError) -> None:
+        troubles.append(str(error))
+        tqdm.write(f"phonemeanalyser: {error}", file=sys.stderr)
+
+    utterances = read_recordings(folder, mapping, channel=channel, on_skipped=refuse)
     say_cut_off(utterances)
     return utterances
 
 
 def _scored(
-    utterances: Sequence[LabelledUtterance],
-    named: Named,
-    delay: float,
-    adder: NoiseAdder | None,
-    words: WordsOf | None,
-    troubles: _Troubles,
+    work: PredictionWork, keep: Path | None, options: argparse.Namespace, troubles: list[str]
 ) -> CorpusScores:
-    with tqdm(
-        utterances, desc=named.title, unit="recording", leave=False, delay=1, disable=None, file=sys.stderr
-    ) as progress:
-        return score(named.preset, progress, delay=delay, noise=adder, on_skipped=troubles.push, words=words)
+    """Recognise all recordings, and compare the answers with the labels."""
+
+    def take(outcome: Outcome) -> None:
+        if outcome.state is JobState.FAILED:
+            troubles.append(outcome.words)
+        elif isinstance(outcome.made.value, EngineError):
+            raise outcome.made.value
+
+    how = BatchOptions(options.jobs, keep, options.dask)
+    outcomes = work_through(work.jobs(keep), work, how, take)
+    predictions = [work.predictions_of(outcome) for outcome in outcomes if outcome.state is not JobState.FAILED]
+    return corpus_scores_of(work.preset, predictions, work.delay)
 
 
 def _presets_of(first: Path, against: Path | None, ear: str) -> list[Named]:

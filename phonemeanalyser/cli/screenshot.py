@@ -17,6 +17,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", type=seconds, metavar="SECONDS", help="analysed up to here (default: the end)")
     parser.add_argument("--size", type=size_in((640, 480), (7680, 4320)), default=(1280, 800), metavar="WxH")
     add_theme(parser)
+    parser.add_argument("--language", choices=["en", "de"], default="en", help="of the window")
     add_preset(parser, None)
     add_channel(parser)
 
@@ -25,7 +26,7 @@ def run(options: argparse.Namespace) -> int:
     """Take the picture."""
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     load_desktop().screenshot(
-        options.file, options.out, at=options.at, size=options.size, theme=options.theme, preset=options.preset,
-        channel=options.channel,
+        options.file, options.out, at=options.at, size=options.size, theme=options.theme, language=options.language,
+        preset=options.preset, channel=options.channel,
     )  # fmt: skip
     return 0

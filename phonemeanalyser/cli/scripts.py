@@ -23,7 +23,9 @@ from phonemeengine import (
     words_of,
 )
 from phonemeengine.alignment.align import is_other_text
-from phonemeengine.calibration.scores.evaluation import WordsOf
+from phonemeengine.alignment.best_takes import scored_take
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Made, Say
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.text.espeak import languages
@@ -51,7 +53,13 @@ class SpokenTexts:
     language: str | None
     lexicon: Lexicon | None
 
-    def script_of(self, sound: Path, duration: float) -> Script | None:
+    def known_of(self, sound: Path) -> str:
+        """Return what tells whether something else is said in a sound than before."""
+        if self.labels is not None:
+            return fingerprint_of(self.labels, self.language)
+        return fingerprint_of(self.texts.get(sound), self.language, self.lexicon)
+
+    def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
         """Return what is said in a sound of `duration` seconds, and say what of it is not; None where nobody knows.
 
         Raises
@@ -65,13 +73,13 @@ class SpokenTexts:
             return None
         words = words_of(text, self.language, self.lexicon)
         for note in notes_on(text, self.language):
-            say_note(printable_name(sound), note)
+            say(printable_name(sound), note)
         return words
 
     def aligned(
-        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis]
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say
     ) -> tuple[Utterance, Transcript] | None:
-        """Return what is said in an open sound, and say on standard error what does not fit its text.
+        """Return what is said in an open sound, and say what does not fit its text.
 
         Where nothing is known of it, the answer is None, and no analysis is taken.
 
@@ -79,11 +87,11 @@ class SpokenTexts:
         ------
         EngineError : its text cannot be spoken, or its labels cannot be read.
         """
-        script = self.script_of(sound, reader.duration)
+        script = self.script_of(sound, reader.duration, say)
         if script is None:
             return None
         found = scripted_transcript_of(analyses, script, printable_name(sound), reader.duration, sound)
-        say_misfits(printable_name(sound), found[0])
+        say_misfits(printable_name(sound), found[0], say)
         return found
 
 
@@ -108,7 +116,48 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
     return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
 
 
-def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsOf | None:
+@dataclass(frozen=True)
+class WordsToScore:
+    """The words of labelled recordings.
+
+    Attributes
+    ----------
+    texts : what is said, by the sound's file.
+    language : of the texts; None for the manifest's.
+    lexicon : goes before the language's voice.
+    tags : the languages that there are.
+    """
+
+    texts: Mapping[Path, str]
+    language: str | None
+    lexicon: Lexicon | None
+    tags: frozenset[str]
+
+    def __call__(self, utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
+        """Return the words of a recording, and say at once what cannot be used; None where they are not known."""
+        return self.of(utterance, say_note)
+
+    def of(self, utterance: LabelledUtterance, say: Say) -> Sequence[ScriptWord] | None:
+        """Return the words of a recording, and say what cannot be used; None where they are not known."""
+        if utterance.path not in self.texts:
+            return None
+        try:
+            return words_of(self.texts[utterance.path], self._tag_of(utterance), self.lexicon)
+        except VoiceError:
+            raise
+        except TextError as error:
+            say(printable_name(utterance.path), f"recognised without its text: {error}")
+            return None
+
+    def known_of(self, utterance: LabelledUtterance) -> str:
+        """Return what tells whether something else is said in a recording than before."""
+        return fingerprint_of(self.texts.get(utterance.path), self._tag_of(utterance), self.lexicon)
+
+    def _tag_of(self, utterance: LabelledUtterance) -> str:
+        return self.language or _tag_of(utterance.language, self.tags)
+
+
+def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsToScore | None:
     """Return what gives the words of labelled recordings; None where the command line asks for none.
 
     Raises
@@ -123,21 +172,7 @@ def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtt
     if not texts:
         raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
-    known = {language.tag for language in languages()}
-
-    def words_for(utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
-        if utterance.path not in texts:
-            return None
-        tag = options.language or _tag_of(utterance.language, known)
-        try:
-            return words_of(texts[utterance.path], tag, lexicon)
-        except VoiceError:
-            raise
-        except TextError as error:
-            say_note(printable_name(utterance.path), f"recognised without its text: {error}")
-            return None
-
-    return words_for
+    return WordsToScore(texts, options.language, lexicon, frozenset(language.tag for language in languages()))
 
 
 def _tag_of(language: str, known: Collection[str]) -> str:
@@ -146,16 +181,21 @@ def _tag_of(language: str, known: Collection[str]) -> str:
     return next((tag for tag in (whole, whole.partition("-")[0]) if tag in known), whole)
 
 
-def say_misfits(name: str, utterance: Utterance) -> None:
-    """Say on standard error what of a text nobody says, or that another one is said."""
+def say_misfits(name: str, utterance: Utterance, say: Say) -> None:
+    """Say what of a text nobody says, or that another one is said."""
     if is_other_text(utterance):
-        say_note(
-            name, "another text is said in it, so it is recognised without the text; check the text and its language"
-        )
+        say(name, "another text is said in it, so it is recognised without the text; check the text and its language")
     elif utterance.skipped:
         words = " ".join(printable(word) for word in utterance.skipped[:SHOWN_WORDS])
         more = len(utterance.skipped) - SHOWN_WORDS
-        say_note(name, f"nobody says: {words}" + (f" and {more} more words" if more > 0 else ""))
+        say(name, f"nobody says: {words}" + (f" and {more} more words" if more > 0 else ""))
+
+
+def made_of(reader: SoundReader, utterance: Utterance | None, language: str | None = None) -> Made:
+    """Return what a batch tells of a sound, and of the words that are said in it."""
+    if utterance is None:
+        return Made(reader.duration)
+    return Made(reader.duration, language or utterance.language, scored_take(reader.path, "", utterance).score)
 
 
 def _texts_of(options: argparse.Namespace, sounds: Sequence[Path]) -> Mapping[Path, str]:

@@ -122,7 +122,7 @@ def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
     else:
         sentence = speak_by_program(options.program, text, language=language, lexicon=lexicon)
         said = Utterance(sentence.words, sentence.duration, language, sentence.skipped)
-        say_misfits("the sound of the program", said)
+        say_misfits("the sound of the program", said, say_note)
         sentences = iter([sentence])
     for note in notes_on(text, language):
         say_note("the text", note)

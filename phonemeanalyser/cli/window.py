@@ -8,6 +8,7 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_preset
 from phonemeanalyser.cli.display import load_desktop, why_no_window
+from phonemeanalyser.licences import licences_text
 from phonemeengine import __version__
 
 DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
@@ -17,14 +18,20 @@ NO_DISPLAY = 3
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the window is opened with."""
-    parser.add_argument("file", type=Path, nargs="?", help="sound file to open (default: the last, or a demo)")
+    parser.add_argument(
+        "file", type=Path, nargs="?", help="sound, preset or face to open (default: the last sound, or a demo)"
+    )
     add_preset(parser, None, "preset (.toml) or PhonemeData file to begin with")
     add_channel(parser, None)
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
+    parser.add_argument("--licences", action="store_true", help="print the licences of all parts, and end")
 
 
 def run(options: argparse.Namespace) -> int:
     """Open the window; returns when it is closed."""
+    if options.licences:
+        print(licences_text())
+        return 0
     if reason := why_no_window(os.environ):
         print(f"phonemeanalyser: {reason}", file=sys.stderr)
         return NO_DISPLAY

@@ -22,11 +22,12 @@ from PySide6.QtCore import (
     Signal,
     qInstallMessageHandler,
 )
-from PySide6.QtGui import QSurfaceFormat
+from PySide6.QtGui import QFileOpenEvent, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from phonemeanalyser.desktop import calibrate
 from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.language import SYSTEM, language_of, tr, use_language
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -44,12 +45,13 @@ AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""
 PATIENCE_MS = 50
 """Milliseconds for which a picture waits at a time for what is measured for it."""
+ICON = Path(__file__).parent / "icon" / "phonemeanalyser.svg"
 _log = logging.getLogger(__name__)
 THEMES = {"light": LIGHT, "dark": DARK}
 
 
 class Desktop:
-    """The window with its models; makes the window anew when the theme changes.
+    """The window with its models; makes the window anew when theme or language change.
 
     Parameters
     ----------
@@ -71,6 +73,7 @@ class Desktop:
         QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
         self._app = app
         self._settings = settings
+        self._use_language()
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
         self.demo: Path | None = None
@@ -114,6 +117,18 @@ class Desktop:
     def set_theme(self, name: str) -> None:
         """Choose ``light``, ``dark`` or ``system``."""
         self._settings.setValue("theme", name)
+        self._remake_window()
+
+    def set_language(self, name: str) -> None:
+        """Choose ``en``, ``de`` or ``system``."""
+        self._settings.setValue("language", name)
+        self._use_language()
+        self._remake_window()
+
+    def _use_language(self) -> None:
+        use_language(self._app, language_of(str(self._settings.value("language", SYSTEM))))
+
+    def _remake_window(self) -> None:
         old = self.window
         old.save_state()
         self.window = self._make_window()
@@ -126,6 +141,7 @@ class Desktop:
         session, preset = self.session, self.preset
         window = MainWindow(session, preset, self.theme, self._settings, lambda: self.calibration, self.talking)
         window.theme_asked.connect(self.set_theme)
+        window.language_asked.connect(self.set_language)
         window.demo_asked.connect(self._show_demo)
         if self._calibration is not None:
             window.join_calibration(self._calibration)
@@ -163,6 +179,28 @@ class FirstPaint(QObject):
         return False
 
 
+class FileRequests(QObject):
+    """Takes the files that macOS asks a running program to open, which come as events and not as arguments.
+
+    Signals
+    -------
+    asked : the file to open.
+    """
+
+    asked = Signal(Path)
+
+    def __init__(self, app: QApplication) -> None:
+        super().__init__(app)
+        app.installEventFilter(self)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Look for files, and take them."""
+        if isinstance(event, QFileOpenEvent) and event.file():
+            self.asked.emit(Path(event.file()))
+            return True
+        return False
+
+
 def make_application() -> QApplication:
     """Make Qt's application, or give the one that is there."""
     app = QApplication.instance()
@@ -175,6 +213,8 @@ def make_application() -> QApplication:
     app = QApplication(sys.argv[:1])
     app.setApplicationName("PhonemeAnalyser")
     app.setOrganizationName("PhonemeAnalyser")
+    app.setDesktopFileName("phonemeanalyser")  # by which Wayland finds the icon
+    app.setWindowIcon(QIcon(str(ICON)))
     return app
 
 
@@ -196,8 +236,9 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
     if preset is not None:
         dialogs.load_preset(preset)
     desktop.demo = demo
-    begin = partial(_begin, desktop, file or dialogs.last_sound() or demo, channel)
+    begin = partial(_begin, desktop, file, dialogs.last_sound() or demo, channel)
     FirstPaint(desktop.window).painted.connect(begin)
+    FileRequests(app).asked.connect(lambda path: desktop.window.open_files([path]))
     desktop.window.show()  # which lays the docks out, before a page without them is shown
     desktop.window.show_last_page()
     code = app.exec()
@@ -216,10 +257,13 @@ def _data_folder() -> Path:
     return Path(QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppDataLocation))
 
 
-def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
+def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Channel | None) -> None:
     """Go on with what the window need not wait for."""
     _ = desktop.calibration  # which takes up the takes of the last start
-    desktop.window.dialogs.open_sound(file)
+    if file is None or not desktop.window.opens_as_sound(file):
+        desktop.window.dialogs.open_sound(last_sound)
+    if file is not None:
+        desktop.window.open_files([file])
     if channel is not None:
         desktop.session.set_channel(channel)
     desktop.window.dialogs.offer_unfinished()
@@ -227,8 +271,8 @@ def _begin(desktop: Desktop, file: Path, channel: Channel | None) -> None:
 
 
 def screenshot(
-    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, preset: Path | None,
-    channel: Channel,
+    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, language: str,
+    preset: Path | None, channel: Channel,
 ) -> None:  # fmt: skip
     """Save a picture of the window, with a file analysed up to a time (seconds; None means its end).
 
@@ -241,6 +285,7 @@ def screenshot(
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
+        settings.setValue("language", language)
         desktop = Desktop(app, settings, lambda _n: ClockOutput())
         try:
             if preset is not None:
@@ -257,7 +302,7 @@ def screenshot(
         finally:
             desktop.close()
     if not saved:
-        raise EngineError(f"{out}: the picture cannot be written; choose another place with -o")
+        raise EngineError(tr("{out}: the picture cannot be written; choose another place with -o").format(out=out))
 
 
 def _follow(session: Session, file: Path, at: float | None, channel: Channel) -> None:
@@ -281,5 +326,7 @@ def _report_bug(log: Path, kind: type[BaseException], error: BaseException, trac
     _log.error("the program crashed", exc_info=(kind, error, trace))
     if QApplication.activeModalWidget() is None:
         QMessageBox.critical(
-            None, "PhonemeAnalyser", f"Something went wrong in the program itself; the details are in {log}."
+            None,
+            "PhonemeAnalyser",
+            tr("Something went wrong in the program itself; the details are in {log}.").format(log=log),
         )

@@ -8,99 +8,108 @@ from phonemeanalyser.desktop.analyse.output_button import SPEEDS, next_speed
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.dialogs import Dialogs
+from phonemeanalyser.desktop.language import tr_noop
 from phonemeanalyser.desktop.menus import Command
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 
 Commands = tuple[Command, ...]
-PRESET_COMMANDS = ("Load Preset…", "Save Preset", "Save Preset As…", "Preset Notes…")
-PAGES = ("Analyse", "Calibrate", "Talk")
+PRESET_COMMANDS = (
+    tr_noop("Load Preset…"),
+    tr_noop("Save Preset"),
+    tr_noop("Save Preset As…"),
+    tr_noop("Preset Notes…"),
+)
+PAGES = (tr_noop("Analyse"), tr_noop("Calibrate"), tr_noop("Talk"))
 
 
 def file_commands(dialogs: Dialogs) -> Commands:
     """Return what opens and saves files."""
     return (
-        Command("Open Sound…", "Ctrl+O", dialogs.ask_sound),
-        Command("Save the Phonemes…", "Ctrl+E", dialogs.ask_save_phonemes),
-        Command("Export…", "Ctrl+Shift+E", dialogs.show_export),
-        Command("Load Preset…", "Ctrl+Shift+O", dialogs.ask_preset),
-        Command("Save Preset", "Ctrl+S", dialogs.save),
-        Command("Save Preset As…", "Ctrl+Shift+S", dialogs.save_as),
-        Command("Preset Notes…", "Ctrl+N", dialogs.ask_notes),
-        Command("Speech Encoder…", "", dialogs.show_encoder),
-        Command("Load Curve…", "Ctrl+L", dialogs.ask_curves),
-        Command("Save Curve…", "Ctrl+Shift+L", dialogs.ask_save_curve),
+        Command(tr_noop("Open Sound…"), "Ctrl+O", dialogs.ask_sound),
+        Command(tr_noop("Save the Phonemes…"), "Ctrl+E", dialogs.ask_save_phonemes),
+        Command(tr_noop("Export…"), "Ctrl+Shift+E", dialogs.show_export),
+        Command(tr_noop("Load Preset…"), "Ctrl+Shift+O", dialogs.ask_preset),
+        Command(tr_noop("Save Preset"), "Ctrl+S", dialogs.save),
+        Command(tr_noop("Save Preset As…"), "Ctrl+Shift+S", dialogs.save_as),
+        Command(tr_noop("Preset Notes…"), "Ctrl+N", dialogs.ask_notes),
+        Command(tr_noop("Ship Preset…"), "", dialogs.show_ship),
+        Command(tr_noop("Speech Encoder…"), "", dialogs.show_encoder),
+        Command(tr_noop("Load Curve…"), "Ctrl+L", dialogs.ask_curves),
+        Command(tr_noop("Save Curve…"), "Ctrl+Shift+L", dialogs.ask_save_curve),
     )
 
 
 def play_commands(session: Session) -> Commands:
     """Return what moves the sound in hand."""
     return (
-        Command("Play or Pause", "Space", session.toggle),
-        Command("Stop", "Escape", session.stop),
-        Command("Loop", "L", session.set_loop, checkable=True),
-        Command("Back 1 s", "Ctrl+Left", lambda: session.seek(session.position - 1)),
-        Command("Forward 1 s", "Ctrl+Right", lambda: session.seek(session.position + 1)),
-        Command("To the Beginning", "Home", lambda: session.seek(0)),
-        Command("To the End", "End", lambda: session.seek(session.duration)),
-        Command("Louder", "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
-        Command("Slower", "Ctrl+Shift+Left", lambda: session.set_speed(next_speed(session.speed, SPEEDS))),
-        Command("Faster", "Ctrl+Shift+Right", lambda: session.set_speed(next_speed(session.speed, SPEEDS[::-1]))),
-        Command("Quieter", "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
+        Command(tr_noop("Play or Pause"), "Space", session.toggle),
+        Command(tr_noop("Stop"), "Escape", session.stop),
+        Command(tr_noop("Loop"), "L", session.set_loop, checkable=True),
+        Command(tr_noop("Back 1 s"), "Ctrl+Left", lambda: session.seek(session.position - 1)),
+        Command(tr_noop("Forward 1 s"), "Ctrl+Right", lambda: session.seek(session.position + 1)),
+        Command(tr_noop("To the Beginning"), "Home", lambda: session.seek(0)),
+        Command(tr_noop("To the End"), "End", lambda: session.seek(session.duration)),
+        Command(tr_noop("Louder"), "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
+        Command(tr_noop("Slower"), "Ctrl+Shift+Left", lambda: session.set_speed(next_speed(session.speed, SPEEDS))),
+        Command(
+            tr_noop("Faster"), "Ctrl+Shift+Right", lambda: session.set_speed(next_speed(session.speed, SPEEDS[::-1]))
+        ),
+        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
     )
 
 
 def selection_commands(selection: Selection, dialogs: SelectionDialogs) -> Commands:
     """Return what is done with the selected part of a file."""
     return (
-        Command("Select All", "Ctrl+A", selection.select_all),
-        Command("Zoom to the Whole File", "Shift+A", selection.show_all),
-        Command("Play Selection", "Shift+Space", selection.play),
-        Command("Loop Selection", "Shift+L", lambda: selection.play(loop=True)),
-        Command("Zoom to Selection", "Shift+Z", selection.zoom),
-        Command("Measure Selection", "Shift+M", selection.measure),
-        Command("Average Its Spectrum", "", selection.average),
-        Command("Copy Its Frames as a Table", "Ctrl+Shift+C", dialogs.copy_frames),
-        Command("Save Selection as Sound…", "", dialogs.ask_save),
+        Command(tr_noop("Select All"), "Ctrl+A", selection.select_all),
+        Command(tr_noop("Zoom to the Whole File"), "Shift+A", selection.show_all),
+        Command(tr_noop("Play Selection"), "Shift+Space", selection.play),
+        Command(tr_noop("Loop Selection"), "Shift+L", lambda: selection.play(loop=True)),
+        Command(tr_noop("Zoom to Selection"), "Shift+Z", selection.zoom),
+        Command(tr_noop("Measure Selection"), "Shift+M", selection.measure),
+        Command(tr_noop("Average Its Spectrum"), "", selection.average),
+        Command(tr_noop("Copy Its Frames as a Table"), "Ctrl+Shift+C", dialogs.copy_frames),
+        Command(tr_noop("Save Selection as Sound…"), "", dialogs.ask_save),
     )
 
 
 def label_commands(labels: LabelDialogs) -> Commands:
     """Return what is done with the labels of a file."""
     return (
-        Command("Next Error", "N", labels.next_error),
-        Command("Previous Error", "Shift+N", partial(labels.next_error, back=True)),
-        Command("Insert Label…", "Ctrl+I", labels.ask_insert),
-        Command("Rename Label…", "F2", labels.ask_rename),
-        Command("Delete Label", "Delete", labels.delete),
-        Command("Tiers…", "", labels.ask_tiers),
-        Command("Load Labels…", "", labels.ask_load),
-        Command("Save Labels", "Ctrl+Alt+S", labels.save),
-        Command("Save Labels As…", "", labels.ask_save_as),
+        Command(tr_noop("Next Error"), "N", labels.next_error),
+        Command(tr_noop("Previous Error"), "Shift+N", partial(labels.next_error, back=True)),
+        Command(tr_noop("Insert Label…"), "Ctrl+I", labels.ask_insert),
+        Command(tr_noop("Rename Label…"), "F2", labels.ask_rename),
+        Command(tr_noop("Delete Label"), "Delete", labels.delete),
+        Command(tr_noop("Tiers…"), "", labels.ask_tiers),
+        Command(tr_noop("Load Labels…"), "", labels.ask_load),
+        Command(tr_noop("Save Labels"), "Ctrl+Alt+S", labels.save),
+        Command(tr_noop("Save Labels As…"), "", labels.ask_save_as),
     )
 
 
 def record_commands(session: Session, dialogs: Dialogs) -> Commands:
     """Return what belongs to the microphone."""
     return (
-        Command("Record", "R", session.toggle_recording),
-        Command("Look Back", "Ctrl+B", session.look_back, checkable=True),
-        Command("Recordings Folder…", "", dialogs.ask_recordings_folder),
-        Command("Look for Microphones", "F5", session.microphone.refresh_devices),
+        Command(tr_noop("Record"), "R", session.toggle_recording),
+        Command(tr_noop("Look Back"), "Ctrl+B", session.look_back, checkable=True),
+        Command(tr_noop("Recordings Folder…"), "", dialogs.ask_recordings_folder),
+        Command(tr_noop("Look for Microphones"), "F5", session.microphone.refresh_devices),
     )
 
 
 def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -> Commands:
     """Return what belongs to filters and results."""
     return (
-        Command("Bypass All Filters", "B", preset.set_bypassed, checkable=True),
-        Command("Second Preset…", "", dialogs.ask_second_preset),
-        Command("Keep This One as the Second", "", lambda: session.second.take(preset.preset)),
-        Command("Hear with the Second", "X", session.second.switch, checkable=True),
-        Command("Forget the Second", "", lambda: session.second.take(None)),
-        Command("Clear", "C", session.clear),
-        Command("Remove Variable…", "", dialogs.ask_remove_variable),
+        Command(tr_noop("Bypass All Filters"), "B", preset.set_bypassed, checkable=True),
+        Command(tr_noop("Second Preset…"), "", dialogs.ask_second_preset),
+        Command(tr_noop("Keep This One as the Second"), "", lambda: session.second.take(preset.preset)),
+        Command(tr_noop("Hear with the Second"), "X", session.second.switch, checkable=True),
+        Command(tr_noop("Forget the Second"), "", lambda: session.second.take(None)),
+        Command(tr_noop("Clear"), "C", session.clear),
+        Command(tr_noop("Remove Variable…"), "", dialogs.ask_remove_variable),
     )
 
 
@@ -108,6 +117,6 @@ def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage) -> C
     """Return what chooses what is seen, and how."""
     return (
         *(Command(name, f"Ctrl+{k + 1}", partial(show_page, k)) for k, name in enumerate(PAGES)),
-        Command("Coarse Display", "Shift+C", analysis.set_coarse, checkable=True),
-        Command("Spectra in dB", "D", analysis.set_decibels, checkable=True),
+        Command(tr_noop("Coarse Display"), "Shift+C", analysis.set_coarse, checkable=True),
+        Command(tr_noop("Spectra in dB"), "D", analysis.set_decibels, checkable=True),
     )

@@ -7,17 +7,21 @@ from html import escape
 from itertools import chain
 from pathlib import Path
 
-from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, Signal
-from PySide6.QtGui import QPainter
+from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
+from PySide6.QtGui import QDesktopServices, QPainter
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import QFileDialog, QGraphicsItem, QGraphicsView, QInputDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.export_dialog import ExportDialog
-from phonemeanalyser.desktop.session.preset import PRESET_FILTER, PresetModel
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.ship_dialog import ShipDialog, ShipOrder
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine import __version__
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
 from phonemeengine.files import free_path
@@ -28,13 +32,14 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_pr
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
-PICTURE_FILTER = "Pixels (*.png);;Lines (*.svg)"
 NO_CACHE = QGraphicsItem.CacheMode.NoCache
-CURVE_FILTER = "Curves (*.csv)"
+CURVE_SUFFIX = ".csv"
+PICTURE_FILTER = tr_noop("Pixels (*.png);;Lines (*.svg)")
+CURVE_FILTER = tr_noop("Curves (*.csv)")
 LABEL_FILTERS = {
-    "Praat TextGrid (*.TextGrid)": ".TextGrid",
-    "Audacity labels (*.txt)": ".txt",
-    "Corpus labels (*.csv)": ".csv",
+    tr_noop("Praat TextGrid (*.TextGrid)"): ".TextGrid",
+    tr_noop("Audacity labels (*.txt)"): ".txt",
+    tr_noop("Corpus labels (*.csv)"): ".csv",
 }
 
 
@@ -64,16 +69,26 @@ class Dialogs(QObject):
         self._session = session
         self._preset = preset
         self._settings = settings
+        self._shipping = TaskQueue(self.rejected.emit)
         self._watcher = QFileSystemWatcher(self)
         self._watcher.fileChanged.connect(self._tell_change)
         session.opened.connect(self._watch)
+
+    def close(self) -> None:
+        """Tell no more of a preset that is being shipped."""
+        self._shipping.close(CLOSE_TIMEOUT)
+
+    @staticmethod
+    def opens_as_sound(path: Path) -> bool:
+        """Return whether a file is taken for a sound, which is what all are that are no preset and no curve."""
+        return path.suffix.lower() not in {*PRESET_SUFFIXES, CURVE_SUFFIX}
 
     def open_any(self, path: Path) -> None:
         """Load a preset, a curve or a sound, by the suffix of its name."""
         kind = path.suffix.lower()
         if kind in PRESET_SUFFIXES:
             self.load_preset(path)
-        elif kind == ".csv":
+        elif kind == CURVE_SUFFIX:
             self.load_curve(path)
         else:
             self.open_sound(path)
@@ -105,12 +120,11 @@ class Dialogs(QObject):
         """Say that the file in hand is another one, or none, by now."""
         path = Path(name)
         if path.is_file():
-            tip = f"{path.name} has changed on the disk since it was opened; click to open it again"
-            self.sound_changed.emit("changed on disk", tip)
+            tip = tr("{file} has changed on the disk since it was opened; click to open it again")
+            self.sound_changed.emit(tr("changed on disk"), tip.format(file=path.name))
         else:
-            self.sound_changed.emit(
-                "gone from disk", f"{path.name} is no longer where it was; what is seen of it stays"
-            )
+            tip = tr("{file} is no longer where it was; what is seen of it stays")
+            self.sound_changed.emit(tr("gone from disk"), tip.format(file=path.name))
 
     def open_again(self) -> None:
         """Open the file in hand as it is now."""
@@ -120,7 +134,7 @@ class Dialogs(QObject):
     def ask_sound(self) -> bool:
         """Let the user choose a sound file; says whether one was opened."""
         name, _ = QFileDialog.getOpenFileName(
-            self._window, "Open a sound file", self._folder("sound"), "All files (*)"
+            self._window, tr("Open a sound file"), self._folder("sound"), tr("All files (*)")
         )
         if not name:
             return False
@@ -147,17 +161,18 @@ class Dialogs(QObject):
         """Let the user choose a file to save the phonemes of a whole sound to; its ending says in which format."""
         session = self._session
         if session.source.live or not session.duration:
-            self.rejected.emit("There is no sound file in hand; open the one whose phonemes are to be saved.")
+            self.rejected.emit(tr("There is no sound file in hand; open the one whose phonemes are to be saved."))
             return
         sound = (session.path if session.source is SoundSource.FILE else None) or Path.home() / session.name
         suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
-        filters = ";;".join(LABEL_FILTERS)
-        name, chosen = QFileDialog.getSaveFileName(self._window, "Save the phonemes", str(suggested), filters)
+        endings = {tr(words): ending for words, ending in LABEL_FILTERS.items()}
+        filters = ";;".join(endings)
+        name, chosen = QFileDialog.getSaveFileName(self._window, tr("Save the phonemes"), str(suggested), filters)
         if not name:
             return
         path = Path(name)
         if path.suffix.lower() not in LABEL_SUFFIXES:
-            path = free_path(path.with_name(path.name + LABEL_FILTERS.get(chosen, ".TextGrid")))
+            path = free_path(path.with_name(path.name + endings.get(chosen, ".TextGrid")))
         self._settings.setValue("folder/phonemes", str(path.parent))
         self._session.write_phonemes(path)
 
@@ -174,19 +189,20 @@ class Dialogs(QObject):
     def ask_recordings_folder(self) -> None:
         """Let the user choose where recordings go."""
         microphone = self._session.microphone
-        name = QFileDialog.getExistingDirectory(self._window, "Where recordings go", str(microphone.folder))
+        name = QFileDialog.getExistingDirectory(self._window, tr("Where recordings go"), str(microphone.folder))
         if name:
             microphone.folder = Path(name)
 
     def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
         """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
-        sentence = f"Recorded {seconds:.1f} s into {path}{', ' if gaps else ''}{gaps}"
-        self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
+        sentence = tr("Recorded {seconds:.1f} s into {path}").format(seconds=seconds, path=path)
+        sentence += f", {gaps}" if gaps else ""
+        self.action_offered.emit(sentence, tr("Open It"), lambda: self.open_sound(Path(path)))
 
     def offer_speech(self, path: str) -> None:
         """Offer to open a sound file to which a text was spoken."""
-        sentence = f"Saved the spoken text as {path}, with words and phones beside it"
-        self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(Path(path)))
+        sentence = tr("Saved the spoken text as {path}, with words and phones beside it").format(path=path)
+        self.action_offered.emit(sentence, tr("Open It"), lambda: self.open_sound(Path(path)))
 
     def offer_unfinished(self) -> None:
         """Offer to open a recording that was cut off when the program ended; the newest, if there are several."""
@@ -194,12 +210,16 @@ class Dialogs(QObject):
         if not found:
             return
         newest = found[-1]
-        others = f" ({len(found) - 1} more are in {newest.path.parent})" if len(found) > 1 else ""
-        sentence = (
-            f"The program ended while it recorded; {newest.seconds:.1f} s of {newest.begun:%d %B, %H:%M} are safe in "
-            f"{newest.path}{others}"
+        others = (
+            " " + tr("({n} more are in {folder})").format(n=len(found) - 1, folder=newest.path.parent)
+            if len(found) > 1
+            else ""
         )
-        self.action_offered.emit(sentence, "Open It", lambda: self.open_sound(newest.path))
+        sentence = tr(
+            "The program ended while it recorded; {seconds:.1f} s of {begun:%Y-%m-%d, %H:%M} are safe in "
+            "{path}{others}"
+        ).format(seconds=newest.seconds, begun=newest.begun, path=newest.path, others=others)
+        self.action_offered.emit(sentence, tr("Open It"), lambda: self.open_sound(newest.path))
         for recording in found:
             recording.forget()
 
@@ -239,17 +259,25 @@ class Dialogs(QObject):
         try:
             found = unsaved.restore()
         except EngineError as error:
-            self.rejected.emit(f"The changes that were not saved when the program ended cannot be read: {error}")
+            self.rejected.emit(
+                tr("The changes that were not saved when the program ended cannot be read: {error}").format(
+                    error=error
+                )
+            )
             return
         if found:
             name = self._preset.preset.name
-            sentence = f"The changes of the preset {name} that were not saved when the program ended are here again."
-            self.action_offered.emit(sentence, "Undo Them", self._preset.revert)
+            sentence = tr(
+                "The changes of the preset {name} that were not saved when the program ended are here again."
+            ).format(name=name)
+            self.action_offered.emit(sentence, tr("Undo Them"), self._preset.revert)
 
     def ask_preset(self) -> None:
         """Let the user choose a preset file."""
         folder = self._folder("preset", self._preset.path.parent)
-        name, _ = QFileDialog.getOpenFileName(self._window, "Load a preset or PhonemeData", folder, PRESET_FILTER)
+        name, _ = QFileDialog.getOpenFileName(
+            self._window, tr("Load a preset or PhonemeData"), folder, preset_filter()
+        )
         if name:
             self._settings.setValue("folder/preset", str(Path(name).parent))
             self.load_preset(Path(name))
@@ -257,7 +285,7 @@ class Dialogs(QObject):
     def ask_second_preset(self) -> None:
         """Let the user choose a preset file that is compared with the one in use."""
         folder = self._folder("preset", self._preset.path.parent)
-        name, _ = QFileDialog.getOpenFileName(self._window, "Load a second preset", folder, PRESET_FILTER)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("Load a second preset"), folder, preset_filter())
         if name:
             self._session.second.load(Path(name))
 
@@ -271,7 +299,7 @@ class Dialogs(QObject):
         """Let the user choose a file to save the preset to; says whether it was saved."""
         suggested = suggested or self._own_presets_folder() / f"{self._preset.path.stem}-mine.toml"
         filters = "Preset (*.toml);;PhonemeData (*.phonemedata)"
-        name, chosen = QFileDialog.getSaveFileName(self._window, "Save the preset", str(suggested), filters)
+        name, chosen = QFileDialog.getSaveFileName(self._window, tr("Save the preset"), str(suggested), filters)
         if not name:
             return False
         path = Path(name)
@@ -294,11 +322,17 @@ class Dialogs(QObject):
 
     def _ask_what_becomes_of(self, lost: tuple[str, ...], path: Path) -> QMessageBox.ButtonRole:
         """Return what a PhonemeData file cannot hold; Yes is a TOML file, Accept the numbers only, Reject neither."""
-        box = QMessageBox(QMessageBox.Icon.Question, "A PhonemeData file holds 21 numbers", "", parent=self._window)
-        box.setText(f"{path.name} cannot hold {_listed(lost)} of this preset. Save all of it as a TOML file?")
+        box = QMessageBox(
+            QMessageBox.Icon.Question, tr("A PhonemeData file holds 21 numbers"), "", parent=self._window
+        )
+        box.setText(
+            tr("{path} cannot hold {listed} of this preset. Save all of it as a TOML file?").format(
+                path=path.name, listed=_listed(lost)
+            )
+        )
         roles = QMessageBox.ButtonRole
-        toml = box.addButton("Save as TOML…", roles.YesRole)
-        box.addButton("Save the 21 Numbers Only", roles.AcceptRole)
+        toml = box.addButton(tr("Save as TOML…"), roles.YesRole)
+        box.addButton(tr("Save the 21 Numbers Only"), roles.AcceptRole)
         box.addButton(QMessageBox.StandardButton.Cancel)
         box.setDefaultButton(toml)
         box.exec()
@@ -323,30 +357,52 @@ class Dialogs(QObject):
         listed = {*FACTORY_PRESETS, *mine}
         recent = [Path(kept) for kept in self._kept("recent presets")]
         return {
-            "Factory": preset_entries(FACTORY_PRESETS),
-            "Mine": preset_entries(mine),
-            "Recent": preset_entries(path for path in recent if path not in listed),
+            tr("Factory"): preset_entries(FACTORY_PRESETS),
+            tr("Mine"): preset_entries(mine),
+            tr("Recent"): preset_entries(path for path in recent if path not in listed),
         }
+
+    def show_ship(self) -> None:
+        """Ask which preset is shipped, for what and where to."""
+        dialog = ShipDialog(self._preset.preset, self.preset_sections(), self._settings, self._window)
+        dialog.ordered.connect(self._ship)
+        dialog.open()
+
+    def _ship(self, order: ShipOrder) -> None:
+        """Ship in the background; zig takes seconds, and minutes when it is asked for the first time."""
+        words = tr("Shipping for {target} into {folder} …").format(target=order.target, folder=order.folder)
+        self.info.emit(words)
+
+        def tell(written: tuple[Path, ...]) -> None:
+            sentence = tr("Shipped {n} files into {folder}; README.md there says how to go on")
+            url = QUrl.fromLocalFile(order.folder)
+            self.action_offered.emit(
+                sentence.format(n=len(written), folder=order.folder), tr("Open Folder"),
+                lambda: QDesktopServices.openUrl(url),
+            )  # fmt: skip
+
+        self._shipping.submit(lambda _progress: order.write(), tell)
 
     def ask_notes(self) -> None:
         """Let the user read and change the preset's notes."""
         notes, changed = QInputDialog.getMultiLineText(
             self._window,
-            "Preset notes",
-            f"Notes of the preset {self._preset.preset.name}:",
+            tr("Preset notes"),
+            tr("Notes of the preset {preset}:").format(preset=self._preset.preset.name),
             self._preset.preset.notes,
         )
         if changed:
-            self._preset.edit(replace(self._preset.preset, notes=notes), "change of notes")
+            self._preset.edit(replace(self._preset.preset, notes=notes), tr("change of notes"))
 
     def show_about(self) -> None:
         """Show what the program is; the notes of the preset with which it begins say how well it does."""
         notes = escape(load_preset(DEFAULT_PRESET).notes.strip()).replace("\n", " ")
         QMessageBox.about(
             self._window, "PhonemeAnalyser",
-            "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
-            "was recognised.<p>MIT licence. The demo is a synthetic voice of the Festival project (CMU slt). "
-            f"The head is in the public domain (CC0).<p><b>The preset Learned.</b> {notes}",
+            tr("<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a "
+            "phoneme was recognised.<p>Version {version}, MIT licence; <i>Help &gt; Licences</i> lists all parts. "
+            "The demo is a synthetic voice of the Festival project (CMU slt). The head is in the public domain (CC0)."
+            "<p><b>The preset Learned.</b> {notes}").format(notes=notes, version=__version__),
         )  # fmt: skip
 
     def may_go_on(self) -> bool:
@@ -355,7 +411,8 @@ class Dialogs(QObject):
             return True
         buttons = QMessageBox.StandardButton
         answer = QMessageBox.question(
-            self._window, "Unsaved changes", f"Save the changes to the preset {self._preset.preset.name}?",
+            self._window, tr("Unsaved changes"),
+            tr("Save the changes to the preset {preset}?").format(preset=self._preset.preset.name),
             buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
         )  # fmt: skip
         return self.save() if answer == buttons.Save else answer == buttons.Discard
@@ -377,15 +434,21 @@ class Dialogs(QObject):
         """Let the user choose a variable of his own to remove."""
         names = [v.name for v in self._preset.preset.variables]
         if not names:
-            self.rejected.emit("There are no variables of your own yet; mark a range on the averaged spectrum first.")
+            self.rejected.emit(
+                tr("There are no variables of your own yet; mark a range on the averaged spectrum first.")
+            )
             return
-        name, chosen = QInputDialog.getItem(self._window, "Remove a variable", "Variable:", names, editable=False)
+        name, chosen = QInputDialog.getItem(
+            self._window, tr("Remove a variable"), tr("Variable:"), names, editable=False
+        )
         if chosen:
             self._preset.remove_variable(name)
 
     def ask_curves(self) -> None:
         """Let the user choose curves to compare with."""
-        names, _ = QFileDialog.getOpenFileNames(self._window, "Load curves", self._folder("curve"), CURVE_FILTER)
+        names, _ = QFileDialog.getOpenFileNames(
+            self._window, tr("Load curves"), self._folder("curve"), tr(CURVE_FILTER)
+        )
         for name in names:
             self._settings.setValue("folder/curve", str(Path(name).parent))
             self.load_curve(Path(name))
@@ -397,10 +460,10 @@ class Dialogs(QObject):
     def ask_save_curve(self) -> None:
         """Let the user choose a file to save the averaged spectrum to."""
         if not self._session.averages.n_frames:
-            self.rejected.emit("There is no averaged spectrum yet; play a sound first.")
+            self.rejected.emit(tr("There is no averaged spectrum yet; play a sound first."))
             return
         name, _ = QFileDialog.getSaveFileName(
-            self._window, "Save the averaged spectrum", self._folder("curve"), CURVE_FILTER
+            self._window, tr("Save the averaged spectrum"), self._folder("curve"), tr(CURVE_FILTER)
         )
         if name:
             path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
@@ -409,7 +472,7 @@ class Dialogs(QObject):
     def ask_save_picture(self, plot: QWidget, name: str) -> None:
         """Let the user choose a file to save the picture of a plot to: pixels, or lines that scale."""
         suggested = str(Path(self._folder("picture")) / f"{name}.png")
-        chosen, _ = QFileDialog.getSaveFileName(self._window, "Save the picture", suggested, PICTURE_FILTER)
+        chosen, _ = QFileDialog.getSaveFileName(self._window, tr("Save the picture"), suggested, tr(PICTURE_FILTER))
         if chosen:
             known = chosen.lower().endswith((".png", ".svg"))
             path = Path(chosen) if known else free_path(Path(f"{chosen}.png"))
@@ -430,14 +493,20 @@ class Dialogs(QObject):
 
 
 def _listed(words: tuple[str, ...]) -> str:
-    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"
+    return (
+        words[0] if len(words) == 1 else tr("{first} and {last}").format(first=", ".join(words[:-1]), last=words[-1])
+    )
 
 
 def _write_picture(plot: QWidget, path: Path) -> None:
     file = QSaveFile(str(path))
     write = _draw_svg if path.suffix.lower() == ".svg" else _draw_png
     if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and write(plot, file) and file.commit()):
-        raise EngineError(f"{path.name}: cannot be written ({file.errorString()}); choose another folder")
+        raise EngineError(
+            tr("{path}: cannot be written ({fault}); choose another folder").format(
+                path=path.name, fault=file.errorString()
+            )
+        )
 
 
 def _draw_png(plot: QWidget, file: QIODevice) -> bool:

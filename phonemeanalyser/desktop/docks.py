@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
 
@@ -19,8 +20,8 @@ class Docks:
         self._in_front: list[QDockWidget] = []
 
     def add(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> QDockWidget:
-        """Add a dock with views one below the other."""
-        dock = self._docks[title] = QDockWidget(title, self._window)
+        """Add a dock of a title, in English, with views one below the other."""
+        dock = self._docks[title] = QDockWidget(tr(title), self._window)
         dock.setObjectName(title)
         body = QWidget()
         column = QVBoxLayout(body)

@@ -26,9 +26,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
 from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
+from phonemeanalyser.desktop.talk.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.conversion import targets_of
@@ -46,9 +48,9 @@ from phonemeengine.settings import Channel
 
 SIZE = 900, 560
 """Of the dialog at first, pixels."""
-USUAL = "as the format has it"
-BESIDE = "beside each sound"
-COLUMNS = ("Sound", "Length", "State", "Becomes")
+USUAL = tr_noop("as the format has it")
+BESIDE = tr_noop("beside each sound")
+COLUMNS = (tr_noop("Sound"), tr_noop("Length"), tr_noop("State"), tr_noop("Becomes"))
 MOST_SECONDS = 2.0
 """Of the shortest cue."""
 
@@ -81,8 +83,9 @@ class ExportDialog(QDialog):
         self._preset, self._channel, self._settings = preset, channel, settings
         self._sounds: list[Path] = []
         self._folder: Path | None = None
+        self._shown: dict[int, tuple[str, ...]] = {}
         self.queue = ExportQueue()
-        self.setWindowTitle("Export")
+        self.setWindowTitle(tr("Export"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setAcceptDrops(True)
         self.resize(*SIZE)
@@ -114,8 +117,8 @@ class ExportDialog(QDialog):
         """
         path = self.heard.currentData()
         preset = self._preset if path is None else load_preset(path)
-        table = None if self.table.currentText() == USUAL else self.table.currentText()
-        detail = Detail(self.detail.currentText())
+        table = self.table.currentData()
+        detail = Detail(self.detail.currentData())
         idle = IdleMotion(self.blinks.isChecked(), self.head.isChecked(), self.seed.value(), detail)
         anticipation = self.anticipation.value()
         ahead = None if anticipation < 0 else anticipation
@@ -129,15 +132,18 @@ class ExportDialog(QDialog):
     def _make_choices(self) -> None:
         self.kind, self.heard, self.table, self.detail = (QComboBox() for _ in range(4))
         for name, kind in EXPORT_KINDS.items():
-            self.kind.addItem(f"{kind.words} ({name})", name)
+            self.kind.addItem(f"{tr(kind.words)} ({name})", name)
         kept = self.kind.findData(str(self._settings.value("export/kind", "rhubarb-json")))
         self.kind.setCurrentIndex(max(0, kept))
-        self.table.addItems([USUAL, *shipped_tables()])
-        self.detail.addItems([detail.value for detail in Detail])
+        self.table.addItem(tr(USUAL), None)
+        for name in shipped_tables():
+            self.table.addItem(name, name)
+        for detail, words in DETAILS.items():
+            self.detail.addItem(tr(words), detail.value)
         self.rate, self.minimum, self.anticipation = QDoubleSpinBox(), QDoubleSpinBox(), QDoubleSpinBox()
         self.rate.setRange(0, HIGHEST_RATE)
-        self.rate.setSpecialValueText(USUAL)
-        self.rate.setSuffix(" frames/s")
+        self.rate.setSpecialValueText(tr(USUAL))
+        self.rate.setSuffix(" " + tr("frames/s"))
         self.minimum.setRange(0, MOST_SECONDS)
         self.minimum.setDecimals(3)
         self.minimum.setSingleStep(0.01)
@@ -147,23 +153,24 @@ class ExportDialog(QDialog):
         self.anticipation.setDecimals(2)
         self.anticipation.setSingleStep(0.01)
         self.anticipation.setValue(-0.01)
-        self.anticipation.setSpecialValueText(USUAL)
+        self.anticipation.setSpecialValueText(tr(USUAL))
         self.anticipation.setSuffix(" s")
         self.seed = QSpinBox()
         self.seed.setRange(0, 999_999)
         self.blinks, self.head, self.overwrite = (
-            QCheckBox(words) for words in ("the eyes blink", "the head moves", "replace files of others, too")
+            QCheckBox(words)
+            for words in (tr("the eyes blink"), tr("the head moves"), tr("replace files of others, too"))
         )
         self.blinks.setChecked(True)
         self.head.setChecked(True)
 
     def _make_files(self) -> None:
         self.files = QTableWidget(0, len(COLUMNS))
-        self.files.setHorizontalHeaderLabels(list(COLUMNS))
+        self.files.setHorizontalHeaderLabels(list(map(tr, COLUMNS)))
         self.files.verticalHeader().hide()
         self.files.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.files.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.files.setAccessibleName("sounds that are exported")
+        self.files.setAccessibleName(tr("sounds that are exported"))
         let_copy(self.files)
         header = self.files.horizontalHeader()
         header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
@@ -172,20 +179,20 @@ class ExportDialog(QDialog):
         self.preview.setReadOnly(True)
         self.preview.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
         self.preview.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-        self.preview.setPlaceholderText("Preview shows what the first, or the chosen, sound becomes.")
-        self.preview.setAccessibleName("what a sound becomes")
+        self.preview.setPlaceholderText(tr("Preview shows what the first, or the chosen, sound becomes."))
+        self.preview.setAccessibleName(tr("what a sound becomes"))
 
     def _make_buttons(self) -> None:
         self.add_files, self.add_folder, self.remove, self.folder = (
-            QPushButton(words) for words in ("Add Files…", "Add Folder…", "Remove", BESIDE)
+            QPushButton(words) for words in (tr("Add Files…"), tr("Add Folder…"), tr("Remove"), tr(BESIDE))
         )
         self.look, self.start, self.cancel, self.shut = (
-            QPushButton(words) for words in ("Preview", "Export", "Cancel", "Close")
+            QPushButton(words) for words in (tr("Preview"), tr("Export"), tr("Cancel"), tr("Close"))
         )
         for button in (self.add_files, self.add_folder, self.remove, self.folder, self.look, self.cancel, self.shut):
             button.setAutoDefault(False)
         self.start.setDefault(True)
-        self.folder.setToolTip("Where the new files go")
+        self.folder.setToolTip(tr("Where the new files go"))
         self.told = QLabel()
         self.told.setWordWrap(True)
         self.bar = QProgressBar()
@@ -195,9 +202,10 @@ class ExportDialog(QDialog):
     def _lay_out(self) -> None:
         form = QFormLayout()
         rows: tuple[tuple[str, QWidget], ...] = (
-            ("Becomes", self.kind), ("Heard with", self.heard), ("Mouth table", self.table), ("Rate", self.rate),
-            ("Shortest cue", self.minimum), ("Mouth ahead", self.anticipation), ("Follows", self.detail),
-            ("Seed", self.seed), ("", self.blinks), ("", self.head), ("Goes", self.folder), ("", self.overwrite),
+            (tr("Becomes"), self.kind), (tr("Heard with"), self.heard), (tr("Mouth table"), self.table),
+            (tr("Rate"), self.rate), (tr("Shortest cue"), self.minimum), (tr("Mouth ahead"), self.anticipation),
+            (tr("Follows"), self.detail), (tr("Seed"), self.seed), ("", self.blinks), ("", self.head),
+            (tr("Goes"), self.folder), ("", self.overwrite),
         )  # fmt: skip
         for words, widget in rows:
             form.addRow(words, widget)
@@ -257,6 +265,7 @@ class ExportDialog(QDialog):
     def _show_files(self) -> None:
         self.queue.jobs = []
         targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[self.kind.currentData()].ending)
+        self._shown.clear()
         self.files.setRowCount(len(self._sounds))
         for row, sound in enumerate(self._sounds):
             self._show_row(row, (sound.name, "", "", str(targets[sound])))
@@ -265,7 +274,7 @@ class ExportDialog(QDialog):
     def _show_progress(self) -> None:
         for row, job in enumerate(self.queue.jobs):
             length = format_clock(job.duration, fine=True) if job.duration else ""
-            self._show_row(row, (job.source.name, length, job.state.value, job.words or str(job.target)))
+            self._show_row(row, (job.source.name, length, tr(job.state.value), job.words or str(job.target)))
         busy = self.queue.busy
         self.bar.setValue(round(1000 * self.queue.progress) if self.queue.jobs else 0)
         self.start.setEnabled(bool(self._sounds) and not busy)
@@ -275,6 +284,9 @@ class ExportDialog(QDialog):
             widget.setEnabled(not busy)
 
     def _show_row(self, row: int, cells: tuple[str, ...]) -> None:
+        if self._shown.get(row) == cells:
+            return
+        self._shown[row] = cells
         for column, words in enumerate(cells):
             item = QTableWidgetItem(words)
             item.setToolTip(words)
@@ -282,25 +294,27 @@ class ExportDialog(QDialog):
 
     def _show_end(self) -> None:
         states = [job.state for job in self.queue.jobs]
-        parts = [f"{states.count(state)} {state.value}" for state in ExportState if state in states]
+        parts = [f"{states.count(state)} {tr(state.value)}" for state in ExportState if state in states]
         self.told.setText(", ".join(parts))
         self._show_progress()
 
     # -- what the user asks for ---------------------------------------------------------------------------
 
     def _ask_files(self) -> None:
-        names, _ = QFileDialog.getOpenFileNames(self, "Sounds to export", self._kept("sound"), "All files (*)")
+        names, _ = QFileDialog.getOpenFileNames(
+            self, tr("Sounds to export"), self._kept("sound"), tr("All files (*)")
+        )
         self.add([Path(name) for name in names])
 
     def _ask_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(self, "A folder of sounds", self._kept("sound"))
+        name = QFileDialog.getExistingDirectory(self, tr("A folder of sounds"), self._kept("sound"))
         if name:
             self.add([Path(name)])
 
     def _ask_target(self) -> None:
-        name = QFileDialog.getExistingDirectory(self, "Where the new files go", self._kept("export"))
+        name = QFileDialog.getExistingDirectory(self, tr("Where the new files go"), self._kept("export"))
         self._folder = Path(name) if name else None
-        self.folder.setText(name or BESIDE)
+        self.folder.setText(name or tr(BESIDE))
         if name:
             self._settings.setValue("folder/export", name)
         self._show_files()
@@ -321,7 +335,8 @@ class ExportDialog(QDialog):
         if order is not None:
             self._settings.setValue("export/kind", order.kind)
             self.told.clear()
-            self.queue.start(targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending), order)
+            targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending)
+            self.queue.start(targets, order, self._folder)
 
     def _checked_order(self) -> ExportOrder | None:
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""

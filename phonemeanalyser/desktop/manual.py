@@ -18,9 +18,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.licences import licences_text
+
 PAGES = (
     "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
-    "expression", "formats", "command-line", "engine", "glossary",
+    "expression", "blender", "formats", "command-line", "cluster", "engine", "ship", "server",
+    "program", "training", "glossary",
 )  # fmt: skip
 """Those that users read, in this order."""
 SIZE = 980, 640
@@ -42,16 +46,16 @@ class ManualDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Manual")
+        self.setWindowTitle(tr("Manual"))
         self.resize(*SIZE)
         self.pages, self.text, self.field = QListWidget(), QTextBrowser(), QLineEdit()
         self.pages.addItems([title_of(page) for page in PAGES])
         self.pages.setFixedWidth(LIST_WIDTH)
-        self.pages.setAccessibleName("pages of the manual")
-        self.text.setAccessibleName("the page")
+        self.pages.setAccessibleName(tr("pages of the manual"))
+        self.text.setAccessibleName(tr("the page"))
         self.text.setOpenLinks(False)
-        self.field.setPlaceholderText("search")
-        self.field.setAccessibleName("search the manual")
+        self.field.setPlaceholderText(tr("search"))
+        self.field.setAccessibleName(tr("search the manual"))
         self.field.setClearButtonEnabled(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
@@ -113,6 +117,23 @@ class ManualDialog(QDialog):
                 self.text.verticalScrollBar().setValue(round(top))
                 return
             block = block.next()
+
+
+class LicencesDialog(QDialog):
+    """Shows the parts of the program with their licences, whole."""
+
+    def __init__(self, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Licences"))
+        self.resize(*SIZE)
+        text = QTextBrowser()
+        text.setAccessibleName(tr("licences of all parts"))
+        text.setMarkdown(licences_text())
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.addWidget(text)
+        layout.addWidget(buttons)
 
 
 @cache

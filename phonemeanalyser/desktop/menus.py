@@ -1,6 +1,6 @@
 """The menu bar, made from tables of commands."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -9,10 +9,14 @@ from PySide6.QtCore import QSignalBlocker
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu
 
+from phonemeanalyser.desktop.language import tr
+
+NATIVE = QKeySequence.SequenceFormat.NativeText
+
 
 @dataclass(frozen=True)
 class Command:
-    """An entry of a menu: its text, its key, and what it does; a checkable one is given its state."""
+    """An entry of a menu: its text in English, its key, and what it does; a checkable one is given its state."""
 
     text: str
     key: str
@@ -25,7 +29,7 @@ class Menus:
 
     Attributes
     ----------
-    actions : every action by its text.
+    actions : every action by its text in English.
     """
 
     def __init__(self, window: QMainWindow) -> None:
@@ -38,7 +42,7 @@ class Menus:
         """Add a menu."""
         menu = self._menus[title] = self._window.menuBar().addMenu(title)
         for command in commands:
-            action = QAction(command.text, self._window, checkable=command.checkable)
+            action = QAction(tr(command.text), self._window, checkable=command.checkable)
             action.setShortcut(QKeySequence(command.key))
             signal = action.toggled if command.checkable else action.triggered
             signal.connect(command.act if command.checkable else partial(_call, command.act))
@@ -49,21 +53,21 @@ class Menus:
 
     def add_edit(self, stack: QUndoStack) -> None:
         """Add the menu of undo and redo."""
-        menu = self.add("&Edit")
+        menu = self.add(tr("&Edit"))
         for action, key in (
-            (stack.createUndoAction(self._window, "Undo"), QKeySequence.StandardKey.Undo),
-            (stack.createRedoAction(self._window, "Redo"), QKeySequence.StandardKey.Redo),
+            (stack.createUndoAction(self._window), QKeySequence.StandardKey.Undo),
+            (stack.createRedoAction(self._window), QKeySequence.StandardKey.Redo),
         ):
             action.setShortcuts(QKeySequence.keyBindings(key))  # Ctrl+Y and Ctrl+Shift+Z
             menu.addAction(action)
 
     def add_choice(
-        self, menu: QMenu, label: str, names: tuple[str, ...], chosen: str, act: Callable[[str], Any]
+        self, menu: QMenu, label: str, names: Mapping[str, str], chosen: str, act: Callable[[str], Any]
     ) -> None:
-        """Add entries of which one at a time is chosen; `act` is given the chosen name."""
+        """Add entries of which one at a time is chosen; `act` is given the chosen name, the key of its text."""
         group = QActionGroup(self._window)
-        for name in names:
-            action = QAction(f"{label}: {name}", self._window, checkable=True, checked=name == chosen)
+        for name, text in names.items():
+            action = QAction(f"{label}: {text}", self._window, checkable=True, checked=name == chosen)
             action.triggered.connect(partial(act, name))
             group.addAction(action)
             menu.addAction(action)
@@ -80,10 +84,10 @@ class Menus:
     def keys(self) -> dict[str, list[tuple[str, str]]]:
         """Return text and key of every entry, by menu."""
         return {
-            title.replace("&", ""): [
-                (a.text().replace("&", ""), a.shortcut().toString()) for a in menu.actions() if a.isVisible()
+            menu.title().replace("&", ""): [
+                (a.text().replace("&", ""), a.shortcut().toString(NATIVE)) for a in menu.actions() if a.isVisible()
             ]
-            for title, menu in self._menus.items()
+            for menu in self._menus.values()
         }
 
 

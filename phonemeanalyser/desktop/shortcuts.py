@@ -2,22 +2,36 @@
 
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
+
 HEAD = [
-    ("Go round; with Shift move it", "Arrows"), ("Nearer, farther", "+, −"), ("The whole of it", "Home"),
-    ("Wireframe", "W"), ("Move the light", "Comma, full stop"), ("Hold a mouth shape", "Q S H M P I A E U O"),
-]  # fmt: skip
+    (tr_noop("Go round; with Shift move it"), tr_noop("Arrows")),
+    (tr_noop("Nearer, farther"), "+, −"),
+    (tr_noop("The whole of it"), tr_noop("Home")),
+    (tr_noop("Wireframe"), "W"),
+    (tr_noop("Move the light"), tr_noop("Comma, full stop")),
+    (tr_noop("Hold a mouth shape"), "Q S H M P I A E U O"),
+]
 TEXT = [
-    ("Say the text", "Ctrl+Return"), ("Stop saying it", "Esc"), ("Align it with the sound", "Ctrl+Shift+Return"),
-]  # fmt: skip
+    (tr_noop("Say the text"), tr_noop("Ctrl+Return")),
+    (tr_noop("Stop saying it"), tr_noop("Esc")),
+    (tr_noop("Align it with the sound"), tr_noop("Ctrl+Shift+Return")),
+]
 CALIBRATE = [
-    ("Guided calibration", "G"), ("Record a take while held", "Q S H M P I A E U O"),
-    ("Mark where a stretch begins, ends", "[, ]"), ("Play the take", "Return"), ("Exclude the take, or not", "X"),
-    ("Delete the take", "Delete"),
-]  # fmt: skip
+    (tr_noop("Guided calibration"), "G"),
+    (tr_noop("Record a take while held"), "Q S H M P I A E U O"),
+    (tr_noop("Mark where a stretch begins, ends"), "[, ]"),
+    (tr_noop("Play the take"), tr_noop("Return")),
+    (tr_noop("Exclude the take, or not"), "X"),
+    (tr_noop("Delete the take"), tr_noop("Delete")),
+]
 GUIDE = [
-    ("Say the sound before once more", "Backspace"), ("Say this sound once more", "R"), ("Go on without it", "Right"),
-    ("Use the new preset", "Return"), ("End the guide", "Esc"),
-]  # fmt: skip
+    (tr_noop("Say the sound before once more"), tr_noop("Backspace")),
+    (tr_noop("Say this sound once more"), "R"),
+    (tr_noop("Go on without it"), tr_noop("Right")),
+    (tr_noop("Use the new preset"), tr_noop("Return")),
+    (tr_noop("End the guide"), tr_noop("Esc")),
+]
 N_COLUMNS = 3
 
 
@@ -31,14 +45,14 @@ class ShortcutsDialog(QDialog):
 
     def __init__(self, menus: dict[str, list[tuple[str, str]]], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Keyboard shortcuts")
+        self.setWindowTitle(tr("Keyboard shortcuts"))
         blocks = [_block(title, [(text, key) for text, key in entries if key]) for title, entries in menus.items()]
-        blocks.append(_block("Sliders and time line", [("A step; with Shift a tenth", "Left, Right")]))
-        blocks.append(_block("A variable of your own", [("Drop the range that is marked", "Esc")]))
-        blocks.append(_block("The page Calibrate", CALIBRATE))
-        blocks.append(_block("Guided calibration", GUIDE))
-        blocks.append(_block("The head, when it has the focus", HEAD))
-        blocks.append(_block("The text below the head", TEXT))
+        blocks.append(_block(tr("Sliders and time line"), [(tr("A step; with Shift a tenth"), tr("Left, Right"))]))
+        blocks.append(_block(tr("A variable of your own"), [(tr("Drop the range that is marked"), tr("Esc"))]))
+        blocks.append(_block(tr("The page Calibrate"), CALIBRATE))
+        blocks.append(_block(tr("Guided calibration"), GUIDE))
+        blocks.append(_block(tr("The head, when it has the focus"), HEAD))
+        blocks.append(_block(tr("The text below the head"), TEXT))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
@@ -49,7 +63,7 @@ class ShortcutsDialog(QDialog):
 
 def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
     """Return the rows of a menu; none where it has no key."""
-    rows = [f"<tr><td>{text}&nbsp;&nbsp;&nbsp;</td><td>{key}</td></tr>" for text, key in keys]
+    rows = [f"<tr><td>{tr(text)}&nbsp;&nbsp;&nbsp;</td><td>{tr(key)}</td></tr>" for text, key in keys]
     return [f"<tr><td colspan=2><br><b>{title}</b></td></tr>", *rows] if rows else []
 
 

@@ -74,7 +74,7 @@ class WindowState:
         for name, switch in self._switches.items():
             keep(name, int(switch.isChecked()))
         for name, choice in self._choices.items():
-            keep(name, choice.currentText())
+            keep(name, _chosen(choice))
         keep("volume", round(session.volume))
         keep("loop", int(session.loop))
         keep("output", session.loudspeaker.label)
@@ -90,7 +90,7 @@ class WindowState:
         keep("recording_phonemes", int(microphone.with_phonemes))
         keep("recording_fills_gaps", int(microphone.fill_gaps))
         keep("variable", view.variable.currentText())
-        keep("colours", view.colours.currentText())
+        keep("colours", _chosen(view.colours))
         keep("darkest", view.low.value())
         keep("brightest", view.high.value())
 
@@ -105,7 +105,7 @@ class WindowState:
         for name, switch in self._switches.items():
             switch.setChecked(self._kept(name, int(switch.isChecked())) == "1")
         for name, choice in self._choices.items():
-            choice.setCurrentText(self._kept(name, choice.currentText()))
+            _choose(choice, self._kept(name, _chosen(choice)))
         session.set_volume(self._kept_number("volume", session.volume))
         session.loudspeaker.choose(self._kept("output", session.loudspeaker.label))
         session.set_loop(self._kept("loop", int(session.loop)) == "1")
@@ -113,7 +113,7 @@ class WindowState:
             session.set_channel(Channel(self._kept("channel", session.wanted_channel.value)))
         self._restore_microphone(session.microphone)
         view.variable.setCurrentText(self._kept("variable", view.variable.currentText()))
-        view.colours.setCurrentText(self._kept("colours", view.colours.currentText()))
+        _choose(view.colours, self._kept("colours", _chosen(view.colours)))
         view.low.setValue(round(self._kept_number("darkest", view.low.value())))
         view.high.setValue(round(self._kept_number("brightest", view.high.value())))
 
@@ -141,3 +141,14 @@ class WindowState:
 
     def _kept(self, name: str, default: Any) -> str:
         return str(self._settings.value(name, default))
+
+
+def _chosen(box: QComboBox) -> str:
+    """Return what is chosen, by a name that is the same in all languages where there is one."""
+    return str(box.currentData() or box.currentText())
+
+
+def _choose(box: QComboBox, name: str) -> None:
+    """Choose what has a name; nothing where it is not there any more."""
+    place = next((place for place in (box.findData(name), box.findText(name)) if place >= 0), box.currentIndex())
+    box.setCurrentIndex(place)

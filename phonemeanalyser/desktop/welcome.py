@@ -6,13 +6,14 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 
 CARD_WIDTH = 188
 CARDS = (
-    ("Watch the Demo", "A voice plays, and you see what is recognised of it, and why."),
-    ("Use My Microphone", "Speak, and the letters follow; nothing is recorded until you press R."),
-    ("Calibrate My Voice", "Read one line aloud: in a minute the program knows your voice."),
+    (tr_noop("Watch the Demo"), tr_noop("A voice plays, and you see what is recognised of it, and why.")),
+    (tr_noop("Use My Microphone"), tr_noop("Speak, and the letters follow; nothing is recorded until you press R.")),
+    (tr_noop("Calibrate My Voice"), tr_noop("Read one line aloud: in a minute the program knows your voice.")),
 )
 
 
@@ -45,12 +46,12 @@ class WelcomeCards(QFrame):
             f"QFrame#card {{ background: {theme.base}; border: 1px solid {theme.line}; border-radius: 8px }}"
         )
         self.cards: list[QPushButton] = []
-        heading = QLabel("<b>What would you like to do first?</b>")
+        heading = QLabel(tr("<b>What would you like to do first?</b>"))
         self.dismiss = QToolButton()
         self.dismiss.setText("✕")
         self.dismiss.setAutoRaise(True)
-        self.dismiss.setToolTip("Not now; the cards are under Help")
-        self.dismiss.setAccessibleName("dismiss the cards")
+        self.dismiss.setToolTip(tr("Not now; the cards are under Help"))
+        self.dismiss.setAccessibleName(tr("dismiss the cards"))
         self.dismiss.clicked.connect(lambda _checked: self.hide())
         top, row = QHBoxLayout(), QHBoxLayout()
         top.addWidget(heading, 1)
@@ -58,7 +59,7 @@ class WelcomeCards(QFrame):
         row.setSpacing(12)
         asked = (self.demo_asked, self.microphone_asked, self.calibration_asked)
         for (title, words), signal in zip(CARDS, asked, strict=True):
-            row.addWidget(self._card(title, words, signal.emit))
+            row.addWidget(self._card(tr(title), tr(words), signal.emit))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(18, 12, 18, 18)
         layout.setSpacing(10)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtGui import QHelpEvent, QTextDocument, QWhatsThisClickedEvent
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QWhatsThis, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.manual import passage
 
 PASSAGES = {
@@ -102,7 +103,7 @@ def explanation_of(widget: QWidget) -> str:
         document.setMarkdown(passage(*found))
         words = document.toHtml()
         parts.append(words[words.index("<body") :].removesuffix("</body></html>"))
-        parts.append(f'<p><a href="{found[0]}.md">Read on in the manual</a></p>')
+        parts.append(f'<p><a href="{found[0]}.md">{tr("Read on in the manual")}</a></p>')
     return "".join(parts)
 
 

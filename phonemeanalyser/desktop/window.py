@@ -19,7 +19,8 @@ from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
-from phonemeanalyser.desktop.manual import ManualDialog
+from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
+from phonemeanalyser.desktop.manual import LicencesDialog, ManualDialog
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -49,13 +50,13 @@ USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 NARROW = 1200
 """A window that opens narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
-KEYS_OF_DOCKS = {"Head": "F7"}
-NOTHING = "Drop a sound here, or open one with Ctrl+O"
+KEYS_OF_DOCKS = {tr_noop("Head"): "F7"}
+NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
 HINTS = {
-    SoundSource.FILE: "Press Space to play",
-    SoundSource.MICROPHONE: "Press Space to listen, R to record",
-    SoundSource.TONE: "Press Space to hear the tone",
-    SoundSource.TEXT: "Write a text on the page Talk, and press Ctrl+Return there",
+    SoundSource.FILE: tr_noop("Press Space to play"),
+    SoundSource.MICROPHONE: tr_noop("Press Space to listen, R to record"),
+    SoundSource.TONE: tr_noop("Press Space to hear the tone"),
+    SoundSource.TEXT: tr_noop("Write a text on the page Talk, and press Ctrl+Return there"),
 }
 """What the user may do while the time view is empty."""
 
@@ -71,9 +72,11 @@ class MainWindow(QMainWindow):
     -------
     demo_asked : the user wants to see and hear the demo.
     theme_asked : the user chose ``system``, ``light`` or ``dark``.
+    language_asked : the user chose ``system``, or one of `LANGUAGES`.
     """
 
     theme_asked = Signal(str)
+    language_asked = Signal(str)
     demo_asked = Signal()
 
     def __init__(
@@ -118,7 +121,7 @@ class MainWindow(QMainWindow):
         self.head = self.heads.add("dock", HeadView(self._talking.head, theme))
         self.head.menu.save_asked.connect(self.dialogs.ask_save_picture)
         self.head.setMinimumHeight(HEAD_HEIGHT)
-        self.switch = PageSwitch(commands.PAGES)
+        self.switch = PageSwitch(tuple(map(tr, commands.PAGES)))
         self.pages = PageStack()
         self.banner = Banner(theme, self, self.pages)
         self.welcome = WelcomeCards(theme, self, self.pages)
@@ -196,14 +199,14 @@ class MainWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
-        bar = QToolBar("Transport")
+        bar = QToolBar(tr("Transport"))
         bar.setObjectName("Transport")
         bar.setMovable(False)
         bar.setContextMenuPolicy(Qt.ContextMenuPolicy.PreventContextMenu)
         for view in (self.transport, self.status.chips, self.preset_box):
             bar.addWidget(view)
         self.addToolBar(bar)
-        self._filters = self._docks.add("Filters", Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
+        self._filters = self._docks.add(tr_noop("Filters"), Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
         self.setCentralWidget(self.pages)  # after what stands left of it, as Tab goes
         self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         analysis = self.analysis
@@ -217,51 +220,52 @@ class MainWindow(QMainWindow):
 
     def _add_docks(self) -> None:
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        phoneme = docks.add("Phoneme", right, self.recogniser, self.analysis.phoneme)
-        self._thresholds = docks.add("Thresholds", right, self.analysis.thresholds)
-        docks.add("Head", left, self.head).hide()
+        phoneme = docks.add(tr_noop("Phoneme"), right, self.recogniser, self.analysis.phoneme)
+        self._thresholds = docks.add(tr_noop("Thresholds"), right, self.analysis.thresholds)
+        docks.add(tr_noop("Head"), left, self.head).hide()
         docks.resize({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
-        file = add("&File", *commands.file_commands(dialogs), Command("Quit", "Ctrl+Q", self.close))
+        file = add(tr("&File"), *commands.file_commands(dialogs), Command(tr_noop("Quit"), "Ctrl+Q", self.close))
         self.preset_box.add_commands(*(self.menus.actions[text] for text in commands.PRESET_COMMANDS))
-        self._recent = QMenu("Open Recent", self)
+        self._recent = QMenu(tr("Open Recent"), self)
         dialogs.sound_opened.connect(self._show_recent)
         self._show_recent()
         file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
         self.menus.add_edit(preset.undo_stack)
-        add("&Play", *commands.play_commands(session))
+        add(tr("&Play"), *commands.play_commands(session))
         self._make_selection_menu()
-        add("&Labels", *commands.label_commands(self.label_dialogs))
-        measure = Command("Measure the Latency by Clicks", "Ctrl+M", self._measure_latency)
-        room = Command("Measure the Room (2 s of Quiet)", "", lambda: self._ask_calibration().measure_room())
-        add("&Record", *commands.record_commands(session, dialogs), measure, room)
-        freeze = Command("Freeze Views", "F", self.set_frozen, checkable=True)
-        mark = Command("New Variable…", "V", self.analysis.averaged.measure.toggle)
-        add("&Analysis", freeze, *commands.analysis_commands(session, preset, dialogs), mark)
+        add(tr("&Labels"), *commands.label_commands(self.label_dialogs))
+        measure = Command(tr_noop("Measure the Latency by Clicks"), "Ctrl+M", self._measure_latency)
+        room = Command(tr_noop("Measure the Room (2 s of Quiet)"), "", lambda: self._ask_calibration().measure_room())
+        add(tr("&Record"), *commands.record_commands(session, dialogs), measure, room)
+        freeze = Command(tr_noop("Freeze Views"), "F", self.set_frozen, checkable=True)
+        mark = Command(tr_noop("New Variable…"), "V", self.analysis.averaged.measure.toggle)
+        add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs), mark)
         self._make_view_menu()
         add(
-            "&Help",
-            Command("Keyboard Shortcuts", "F1", self.show_shortcuts),
-            Command("What Is This?", "Shift+F1", self.what_is_this.begin),
-            Command("Manual", "Ctrl+F1", self.show_manual),
-            Command("First Steps…", "", self.welcome.show_cards),
-            Command("About PhonemeAnalyser", "", self.dialogs.show_about),
+            tr("&Help"),
+            Command(tr_noop("Keyboard Shortcuts"), "F1", self.show_shortcuts),
+            Command(tr_noop("What Is This?"), "Shift+F1", self.what_is_this.begin),
+            Command(tr_noop("Manual"), "Ctrl+F1", self.show_manual),
+            Command(tr_noop("First Steps…"), "", self.welcome.show_cards),
+            Command(tr_noop("Licences"), "", self.show_licences),
+            Command(tr_noop("About PhonemeAnalyser"), "", self.dialogs.show_about),
         )
 
     def _make_selection_menu(self) -> None:
         """List what is done with the selected part of the file, also where it is selected."""
-        menu = self.menus.add("&Selection", *commands.selection_commands(self.selection, self.selection_dialogs))
-        takes = menu.addMenu("Use as a Take of")
+        menu = self.menus.add(tr("&Selection"), *commands.selection_commands(self.selection, self.selection_dialogs))
+        takes = menu.addMenu(tr("Use as a Take of"))
         for phoneme in KEYS:
             takes.addAction(phoneme.label, partial(self._use_as_take, phoneme))
         view = self.analysis.file.view
         view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         view.addActions(menu.actions())
         for words, act in (
-            ("Copy Picture", lambda: QGuiApplication.clipboard().setPixmap(view.grab())),
-            ("Save Picture…", lambda: self.dialogs.ask_save_picture(view, "file")),
+            (tr("Copy Picture"), lambda: QGuiApplication.clipboard().setPixmap(view.grab())),
+            (tr("Save Picture…"), lambda: self.dialogs.ask_save_picture(view, "file")),
         ):
             picture = QAction(words, view)
             picture.triggered.connect(act)
@@ -281,14 +285,19 @@ class MainWindow(QMainWindow):
         self._recent.setEnabled(not self._recent.isEmpty())
 
     def _make_view_menu(self) -> None:
-        full = Command("Full Screen", "F11", self.show_full, checkable=True)
-        layout = Command("Reset Layout", "", self.reset_layout)
-        view = self.menus.add("&View", *commands.view_commands(self.show_page, self.analysis), full, layout)
+        full = Command(tr_noop("Full Screen"), "F11", self.show_full, checkable=True)
+        layout = Command(tr_noop("Reset Layout"), "", self.reset_layout)
+        view = self.menus.add(tr("&View"), *commands.view_commands(self.show_page, self.analysis), full, layout)
         view.addSeparator()
         view.addActions(self._docks.switches(KEYS_OF_DOCKS))
         view.addSeparator()
         chosen = str(self._settings.value("theme", "system"))
-        self.menus.add_choice(view, "Theme", ("system", "light", "dark"), chosen, self.theme_asked.emit)
+        themes = {"system": tr("system"), "light": tr("light"), "dark": tr("dark")}
+        self.menus.add_choice(view, tr("Theme"), themes, chosen, self.theme_asked.emit)
+        view.addSeparator()
+        languages = {SYSTEM: tr("system"), **LANGUAGES}
+        chosen = str(self._settings.value("language", SYSTEM))
+        self.menus.add_choice(view, tr("Language"), languages, chosen, self.language_asked.emit)
 
     def _connect(self) -> None:
         session, preset, dialogs = self._session, self._preset, self.dialogs
@@ -397,7 +406,7 @@ class MainWindow(QMainWindow):
     def _measure_latency(self) -> None:
         """Play clicks, with the microphone and the loudspeaker free for that."""
         self._session.set_source(SoundSource.MICROPHONE)
-        self.banner.show_info("Listening for clicks from the loudspeaker, for three seconds …")
+        self.banner.show_info(tr("Listening for clicks from the loudspeaker, for three seconds …"))
         self._session.microphone.measure()
 
     def _show_names(self) -> None:
@@ -426,6 +435,12 @@ class MainWindow(QMainWindow):
         dialog.show_page(page)
         dialog.show()
 
+    def show_licences(self) -> None:
+        """Show the licences of all parts of the program."""
+        dialog = LicencesDialog(self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.open()
+
     def greet(self) -> None:
         """Show what one could begin with, at the first start only."""
         if self._settings.value("greeted") is None:
@@ -443,6 +458,25 @@ class MainWindow(QMainWindow):
         self.show_page(ANALYSE)
         self._session.set_source(SoundSource.MICROPHONE)
 
+    # -- files --------------------------------------------------------------------------------------------
+
+    def opens_as_sound(self, path: Path) -> bool:
+        """Return whether a file is taken for a sound."""
+        return not self.talking_dialogs.opens(path) and self.dialogs.opens_as_sound(path)
+
+    def open_files(self, paths: list[Path]) -> None:
+        """Open a sound, a preset, a curve, a mesh with its movestates; several sounds are offered for export."""
+        talking = self.talking_dialogs
+        if faces := [path for path in paths if talking.opens(path)]:
+            talking.open(faces)  # meshes and movestates as one face
+            self.show_page(TALK)
+        if any(path.is_dir() for path in paths) or sum(path.suffix.lower() in SUFFIXES for path in paths) > 1:
+            self.dialogs.show_export(paths)
+            return
+        for path in paths:
+            if not talking.opens(path):
+                self.dialogs.open_any(path)
+
     # -- Qt's events --------------------------------------------------------------------------------------
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -453,18 +487,13 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         """Load what was dropped."""
         event.acceptProposedAction()
-        talking, urls = self.talking_dialogs, event.mimeData().urls()
-        paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-        talking.open([path for path in paths if talking.opens(path)])  # meshes and movestates as one face
-        if any(path.is_dir() for path in paths) or sum(path.suffix.lower() in SUFFIXES for path in paths) > 1:
-            self.dialogs.show_export(paths)
-            return
-        for path in paths:
-            if not talking.opens(path):
-                self.dialogs.open_any(path)
+        urls = event.mimeData().urls()
+        self.open_files([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
         for url in urls:
             if not url.isLocalFile():
-                sentence = f"{url.toString()}: only files on this computer can be opened; save it here first"
+                sentence = tr("{url}: only files on this computer can be opened; save it here first").format(
+                    url=url.toString()
+                )
                 self.dialogs.rejected.emit(sentence)
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -487,6 +516,7 @@ class MainWindow(QMainWindow):
             return
         self.save_state()
         self.selection.close()
+        self.dialogs.close()
         self.redraw.timer.stop()
         if not self._retired:
             self._session.pause()
@@ -530,4 +560,4 @@ class MainWindow(QMainWindow):
 
 def _hint_for(session: Session) -> str:
     """Return what the user may do with the source in use."""
-    return NOTHING if session.source is SoundSource.FILE and not session.path else HINTS[session.source]
+    return tr(NOTHING if session.source is SoundSource.FILE and not session.path else HINTS[session.source])

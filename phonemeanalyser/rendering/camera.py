@@ -6,6 +6,7 @@ from functools import cached_property
 
 import numpy as np
 
+from phonemeanalyser.rendering.head_rotation import NeckPivot
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.mesh import Mesh
 
@@ -50,12 +51,12 @@ class Camera:
 
     @classmethod
     def facing(cls, mesh: Mesh) -> "Camera":
-        """Return the camera that sees the whole of a mesh from the front."""
-        low, high = mesh.positions.min(axis=0).astype(float), mesh.positions.max(axis=0).astype(float)
+        """Return the camera that sees a head from the front, of shoulders what is in the picture then."""
+        head = NeckPivot.of(mesh).turning(mesh)
+        low, high = head.min(axis=0).astype(float), head.max(axis=0).astype(float)
         centre = (low + high) / 2
-        apart = mesh.positions - centre
-        across = float(np.linalg.norm(apart[:, ::2], axis=1).max())
-        radius = max(float(np.linalg.norm(apart, axis=1).max()), 1e-6)
+        across = float(np.linalg.norm((head - centre)[:, ::2], axis=1).max())
+        radius = max(float(np.linalg.norm(mesh.positions - centre, axis=1).max()), 1e-6)
         whole = MARGIN * max(
             across / math.sin(FIELD_OF_VIEW / 2), across + (high - low)[1] / 2 / math.tan(FIELD_OF_VIEW / 2)
         )

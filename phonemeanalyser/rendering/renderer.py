@@ -25,6 +25,7 @@ from phonemeengine.mouth.morph_mesh import MorphMesh
 PROGRAMS = {
     "wire": ("head", "wire"),
     "plain": ("plain", "plain"),
+    "inside": ("inside", "inside"),
     "shadow": ("plain", "plain"),
 }
 """The vertex and the fragment shader of each; those that draw skin are more, one for each finish."""
@@ -199,7 +200,7 @@ class HeadRenderer:
     def _draw_skin(self, finish: RenderQuality) -> None:
         self._arrays[finish.name].render()
         self._context.cull_face = "front"
-        self._arrays["plain"].render()
+        self._arrays["inside"].render()
 
     def _draw_wires(self, background: Colour) -> None:
         """Draw the edges that nothing hides: the skin itself has the colour of the background."""
@@ -233,7 +234,8 @@ class HeadRenderer:
         turning = {"turn": rotation_of(pose).T, "pivot": self._neck.pivot, "stem": self._neck.stem}
         seen = turning | {"camera": view.T}
         set_uniforms(self._programs[finish.name], seen | lights | {"lift": LIFT * self._room.radius})
-        set_uniforms(self._programs["plain"], seen | {"paint": INSIDE})
+        set_uniforms(self._programs["plain"], seen)
+        set_uniforms(self._programs["inside"], seen | {"paint": INSIDE, "eye": camera.eye})
         set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
         set_uniforms(self._programs["shadow"], turning | {"camera": lights["key_view"]})
 

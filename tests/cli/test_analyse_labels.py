@@ -11,7 +11,7 @@ from parselmouth.praat import call
 from phonemeengine.labels.files import read_labels
 from tests.bad_files import ODD_FILES
 from tests.desktop.hands import DEMO
-from tests.tables import HEADER, analysed, refused, rows_of
+from tests.tables import HEADER, analysed, outputs_in, refused, rows_of
 
 SUFFIXES = {"textgrid": ".TextGrid", "audacity": ".txt"}
 
@@ -61,8 +61,7 @@ def test_a_mirrored_tree_has_the_endings_that_the_programs_know(kind: str, sound
         (tmp_path / "in" / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / "in" / name).write_bytes(sound.read_bytes())
     analysed(tmp_path / "in", "--format", kind, "-o", tmp_path / "out")
-    found = {path.relative_to(tmp_path / "out").as_posix() for path in (tmp_path / "out").rglob("*.*")}
-    assert found == {f"top{SUFFIXES[kind]}", f"x/deep/z{SUFFIXES[kind]}"}
+    assert outputs_in(tmp_path / "out") == [f"top{SUFFIXES[kind]}", f"x/deep/z{SUFFIXES[kind]}"]
 
 
 def test_the_ending_of_a_single_table_says_its_format(sound: Path, tmp_path: Path) -> None:
@@ -84,7 +83,7 @@ def test_the_format_that_is_asked_for_goes_before_the_ending(sound: Path, tmp_pa
 
 def test_the_ending_of_a_folder_says_nothing(sound: Path, stereo: Path, tmp_path: Path) -> None:
     analysed(sound, stereo, "-o", tmp_path / "v1.json")
-    assert sorted(path.name for path in (tmp_path / "v1.json").iterdir()) == ["speech.csv", "stereo.csv"]
+    assert outputs_in(tmp_path / "v1.json") == ["speech.csv", "stereo.csv"]
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import BAD_FILES, HOSTILE
 from tests.sounds import vowel
-from tests.tables import analysed, gapless, refused, rows_of
+from tests.tables import analysed, gapless, outputs_in, refused, rows_of
 
 
 @pytest.mark.parametrize("name", [n for n in BAD_FILES if n not in HOSTILE])
@@ -22,7 +22,7 @@ def test_a_bad_file_is_named_in_one_sentence_and_the_others_go_on(
     out = tmp_path / "out"
     sentence = refused(capsys, "analyse", sound, bad, stereo, "-o", out)
     assert sentence.startswith(f"{bad.name}: ".replace("\n", "?"))
-    assert sorted(path.name for path in out.iterdir()) == ["speech.csv", "stereo.csv"]
+    assert outputs_in(out) == ["speech.csv", "stereo.csv"]
     gapless(rows_of((out / "stereo.csv").read_text()), soundfile.info(stereo).duration)
 
 
@@ -51,7 +51,7 @@ def test_hostile_files_in_a_folder_are_passed_over(
     assert main(["analyse", str(tmp_path / "all"), "-o", str(tmp_path / "out")]) == 1
     lines = [line for line in capsys.readouterr().err.splitlines() if line.startswith("phonemeanalyser: ")]
     assert sorted(line.split(": ")[1] for line in lines) == sorted(bad)
-    assert [path.name for path in (tmp_path / "out").iterdir()] == ["speech.csv"]
+    assert outputs_in(tmp_path / "out") == ["speech.csv"]
 
 
 def test_a_folder_without_sounds_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

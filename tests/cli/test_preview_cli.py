@@ -20,7 +20,7 @@ from tests.glb_faces import face_with_targets
 from tests.graphics import context_or_skip
 from tests.meshes import CUBE_OBJ, morph_mesh_of_cube
 from tests.sounds import silence
-from tests.tables import refused
+from tests.tables import outputs_in, refused
 
 SMALL = ("--size", "64x48", "--fps", "20")
 N_FRAMES = 18
@@ -253,3 +253,24 @@ def test_how_closely_the_mouth_follows_is_told_as_to_the_exports(sound: Path, tm
         other = shot(sound, tmp_path / f"other{k}", "--no-blinks", "--no-head", *words)
         assert other.shape == plain.shape
         assert (other != plain).any(), words
+
+
+def test_a_folder_of_sounds_becomes_a_folder_of_clips(sound: Path, tmp_path: Path, capsys):
+    folder, out = tmp_path / "sounds", tmp_path / "out"
+    folder.mkdir()
+    for name in ("a.wav", "b.wav"):
+        (folder / name).write_bytes(sound.read_bytes())
+    (folder / "c.wav").write_bytes(b"no sound")
+    words = ["preview", str(folder), "-o", str(out), "--format", "gif", *SMALL, "--jobs", "2"]
+    assert main(words) == 1
+    assert "c.wav" in capsys.readouterr().err
+    assert outputs_in(out) == ["a.gif", "b.gif"]
+    before = (out / "a.gif").stat().st_mtime_ns
+    assert main(words) == 1
+    assert (out / "a.gif").stat().st_mtime_ns == before
+
+
+def test_the_name_of_a_single_clip_says_what_it_is(sound: Path, tmp_path: Path, capsys):
+    with pytest.raises(SystemExit):
+        main(["preview", str(sound), "-o", str(tmp_path / "a.gif"), "--format", "gif"])
+    assert "the name of OUT says it" in capsys.readouterr().err

@@ -53,6 +53,18 @@ def test_light_is_light_and_dark_is_dark(qapp: QApplication, sound: Path) -> Non
     assert dark[:, :, :3].mean() < 90
 
 
+def test_the_window_speaks_the_language_that_is_asked_for_and_else_english(qapp: QApplication, sound: Path) -> None:
+    english, german, again = (
+        picture(qapp, sound, name, *words)
+        for name, words in (("en", ()), ("de", ("--language", "de")), ("again", ("--language", "en")))
+    )
+    menus = np.s_[:20, 250:]
+    assert share_that_differs(english[menus], german[menus]) > 0.01
+    assert share_that_differs(english[menus], again[menus]) == 0
+    with pytest.raises(SystemExit):
+        main(["screenshot", str(sound), "-o", "no.png", "--language", "klingon"])
+
+
 def test_later_pictures_show_more_and_equal_ones_show_the_same(qapp: QApplication, sound: Path) -> None:
     early, late, again = (
         picture(qapp, sound, name, "--at", at) for name, at in (("a", "0.2"), ("b", "0.6"), ("c", "0.6"))

@@ -10,7 +10,7 @@ import pytest
 from phonemeanalyser.cli.main import main
 from phonemeengine.labels.utterance_files import read_utterance, script_in
 from tests.conftest import CORPUS
-from tests.tables import refused, rows_of
+from tests.tables import outputs_in, refused, rows_of
 
 SAID = CORPUS / "espeak_de" / "de" / "de_01.flac"
 TEXT = "Es regnet, aber der See ist eben und leer."
@@ -75,7 +75,7 @@ def test_a_table_tells_what_is_said_in_a_folder(tmp_path: Path, capsys: pytest.C
     said = capsys.readouterr().err
     assert "there is no text for b.flac; add a line for each" in said
     assert "there is no sound z.flac" in said
-    assert len(list(out.iterdir())) == 2
+    assert len(outputs_in(out)) == 2
 
 
 def test_the_text_beside_a_sound_is_found(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -54,8 +54,10 @@ def qtbot(qtbot: QtBot) -> QtBot:
 
 @pytest.fixture
 def settings(tmp_path: Path) -> QSettings:
-    """Where a program keeps its choices, for one test only."""
-    return QSettings(str(tmp_path / "settings" / "phonemeanalyser.ini"), QSettings.Format.IniFormat)
+    """Where a program keeps its choices, for one test only; its window speaks English, whatever the system does."""
+    settings = QSettings(str(tmp_path / "settings" / "phonemeanalyser.ini"), QSettings.Format.IniFormat)
+    settings.setValue("language", "en")
+    return settings
 
 
 @pytest.fixture

@@ -18,6 +18,7 @@ from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET
 from tests.desktop.hands import CARDS, LEFT, shown
+from tests.tables import outputs_in
 
 PRESET = load_preset("thesis")
 
@@ -131,7 +132,7 @@ def test_files_go_where_the_user_says(dialog, folder, tmp_path, qtbot, monkeypat
     QTest.mouseClick(dialog.folder, LEFT)
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
-    assert {p.name for p in (tmp_path / "out").iterdir()} == {"one.csv", "two.csv"}
+    assert outputs_in(tmp_path / "out") == ["one.csv", "two.csv"]
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: "")
     QTest.mouseClick(dialog.folder, LEFT)
     assert dialog.folder.text() == BESIDE

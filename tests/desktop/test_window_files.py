@@ -1,16 +1,40 @@
 """Files that come by drag and drop, from the list of recent ones, or broken."""
 
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QAction, QDragEnterEvent, QDropEvent, QFileOpenEvent
 from PySide6.QtWidgets import QApplication, QWidget
 
-from phonemeengine.presets.files import FACTORY, THESIS_PRESET, save_preset
+from phonemeanalyser.desktop.app import FileRequests
+from phonemeengine.presets.files import FACTORY, THESIS_PRESET, load_preset, save_preset
 from tests.bad_files import BAD_FILES, DAMAGED, ODD_FILES
 from tests.desktop.hands import CARDS, DEMO, click, followed, menu, press, shown, wav
+from tests.glb_faces import face_with_targets
 from tests.sounds import tone
+
+STARTED = """
+import sys
+from pathlib import Path
+from PySide6.QtCore import QTimer
+from phonemeanalyser.cli.window import DEMO
+from phonemeanalyser.desktop import app as program
+
+def look(desktop):
+    if desktop.session.path is None:
+        return QTimer.singleShot(50, lambda: look(desktop))
+    print(desktop.preset.path.name, desktop.session.path.name, flush=True)
+    desktop.window.welcome.hide()
+    program.QApplication.quit()
+
+begin = program._begin
+program._begin = lambda desktop, *rest: (begin(desktop, *rest), look(desktop))
+sys.exit(program.run(Path(sys.argv[1]) if sys.argv[1:] else None, DEMO))
+"""
 
 NO_KEYS = Qt.KeyboardModifier.NoModifier
 
@@ -37,6 +61,42 @@ def test_a_dropped_sound_is_opened(desktop, window):
     assert desktop.session.path == DEMO
     assert window.windowTitle().startswith("demo.flac - ")
     assert desktop.session.position == 0
+
+
+def test_a_face_of_ones_own_is_shown_where_it_speaks(desktop, window, tmp_path, qtbot):
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("smile",)))
+    assert not window.opens_as_sound(tmp_path / "own.glb")
+    window.open_files([tmp_path / "own.glb"])
+    qtbot.waitUntil(lambda: list(desktop.talking.percentages) == ["smile"], timeout=20_000)
+    assert window.talk.isVisible()
+
+
+def test_a_file_that_macos_asks_for_comes_as_an_event(qapp):
+    asked = []
+    requests = FileRequests(qapp)
+    requests.asked.connect(asked.append)
+    QApplication.sendEvent(qapp, QFileOpenEvent(QUrl.fromLocalFile(str(DEMO))))
+    qapp.removeEventFilter(requests)
+    assert asked == [DEMO]
+
+
+@pytest.mark.parametrize("given", ["preset", "sound", "nothing"])
+def test_a_program_that_is_started_with_a_preset_has_a_sound_too(tmp_path, given):
+    save_preset(load_preset(THESIS_PRESET), tmp_path / "mine.toml")
+    words = {"preset": [str(tmp_path / "mine.toml")], "sound": [str(CARDS)], "nothing": []}[given]
+    places = {name: str(tmp_path / name) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
+    done = subprocess.run(
+        [sys.executable, "-c", STARTED, *words], env=os.environ | places | {"QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True, text=True, timeout=120, check=False,
+    )  # fmt: skip
+    assert (
+        done.stdout.split()
+        == {
+            "preset": ["mine.toml", "demo.flac"],
+            "sound": ["learned.toml", CARDS.name],
+            "nothing": ["learned.toml", "demo.flac"],
+        }[given]
+    ), done.stderr
 
 
 def test_a_sound_may_be_dropped_onto_any_view(desktop, window):

@@ -17,6 +17,7 @@ signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
 takes, demo = Path(sys.argv[1]), Path(sys.argv[2])
 app = make_application()
 settings = QSettings(str(takes.parent / "settings.ini"), QSettings.Format.IniFormat)
+settings.setValue("language", "en")
 microphone = Microphone(journal=takes.parent / "unfinished", folder=takes)
 desktop = Desktop(app, settings, microphone=microphone)
 window = desktop.window

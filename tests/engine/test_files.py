@@ -6,7 +6,7 @@ import sys
 import pytest
 
 from phonemeengine.errors import CurveError
-from phonemeengine.files import atomic_write, read_file, read_text_file, write_file
+from phonemeengine.files import atomic_write, is_portable, read_file, read_text_file, write_file
 
 
 def write(path, content, **options):
@@ -94,3 +94,15 @@ def test_what_cannot_be_read_is_named_in_a_sentence(tmp_path):
     path.write_bytes(b"\xff\xfe")
     with pytest.raises(CurveError, match=r"^a\.txt: this is no text file; choose a curve$"):
         read_text_file(path, 1 << 20, "a curve", CurveError)
+
+
+@pytest.mark.parametrize("name", ["a.wav", "ünï code (2).json", ".hidden", "x" * 251 + ".wav"])
+def test_such_a_name_can_be_written_everywhere(name: str) -> None:
+    assert is_portable(name)
+
+
+@pytest.mark.parametrize(
+    "name", ["a:b.wav", "why?.wav", "con.wav", "LPT1.csv", "end.", "\udcff.wav", "a\n.wav", "x" * 256]
+)
+def test_some_system_cannot_write_such_a_name(name: str) -> None:
+    assert not is_portable(name)

@@ -143,6 +143,11 @@ def test_two_packages_are_installed_and_nothing_else(wheel: Path) -> None:
     assert {"phonemeengine/py.typed", "phonemeengine/__init__.pyi", "phonemeanalyser/py.typed"} <= names
     shipped = {f"phonemeengine/presets/factory/{path.name}" for path in (ROOT / "presets").iterdir()}
     assert "phonemeengine/presets/factory/learned.npz" in shipped <= names
+    sources = {
+        path for path in (ROOT / "engine" / "phonemeengine" / "shipping").rglob("*.*") if path.suffix != ".pyc"
+    }
+    shipped = {path.relative_to(ROOT / "engine").as_posix() for path in sources if path.is_file()}
+    assert "phonemeengine/shipping/web/ear.js" in shipped <= names
 
 
 def test_a_wheel_from_the_source_distribution_is_the_same(wheel: Path, tmp_path: Path) -> None:

@@ -12,8 +12,10 @@ import numpy as np
 import pytest
 import soundfile
 
+from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import SAMPLE_RATE, cues, load_preset
 from tests.conftest import ROOT, SPEECH
+from tests.server.servers import served
 
 EXAMPLES = ROOT / "examples"
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
@@ -37,7 +39,7 @@ def test_each_program_is_tried_here_or_on_a_sound_card() -> None:
     programs = [
         path.relative_to(EXAMPLES).as_posix() for path in EXAMPLES.rglob("*.py") if "__main__" in path.read_text()
     ]
-    assert len(programs) == 6
+    assert len(programs) == 7
     assert [name for name in programs if f'"{name}"' not in tried] == []
 
 
@@ -70,6 +72,15 @@ def test_a_recogniser_of_one_s_own_says_why() -> None:
     assert {line[2] for line in lines} == {"silence", "a"}
     for _, _, phoneme, energy, limit in lines[1:]:
         assert phoneme == ("a" if float(energy) > float(limit) else "silence")
+
+
+def test_a_server_is_asked_what_a_sound_says(sound: Path) -> None:
+    with served(ServerSettings(port=0)) as address:
+        words = [line.split() for line in run("ask_server.py", sound, address)]
+        assert {line[2] for line in words} > {"silence", "a"}
+        assert all(one[2] != other[2] for one, other in pairwise(words))
+        sound.write_bytes(b"")
+        run("ask_server.py", sound, address, code=1)
 
 
 def test_a_mouth_moves_in_a_game_loop(tmp_path: Path) -> None:

@@ -5,6 +5,8 @@ from collections.abc import Callable
 
 from tools.bench import (
     alignment,
+    batch,
+    bundle,
     card,
     dragging,
     ear_in_c,
@@ -21,10 +23,12 @@ from tools.bench import (
     performance_table,
     playing,
     recording,
+    serving,
     speed,
     start,
     talking,
     voice,
+    wasm,
     whole_file,
 )
 from tools.bench.figures import Figure, table_of
@@ -37,6 +41,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "recording": recording.figures,
     "card": card.figures,
     "start": start.figures,
+    "bundle": bundle.figures,
     "memory": memory.figures,
     "dragging": dragging.figures,
     "opened-file": opened_file.figures,
@@ -44,6 +49,8 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "talking": talking.figures,
     "learned": learned.figures,
     "ear-in-c": ear_in_c.figures,
+    "wasm": wasm.figures,
+    "serving": serving.figures,
     "mouth": mouth.figures,
     "movestates": movestates.figures,
     "voice": voice.figures,
@@ -51,6 +58,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "long-speech": long_speech.figures,
     "performance": performance.figures,
     "performance-table": performance_table.figures,
+    "batch": batch.figures,
 }
 
 

@@ -39,7 +39,8 @@ def figures() -> list[Figure]:
     ]
 
 
-def _listening(library: EarLibrary, ears: Sequence[CEar], sound: Sound, n: int = N_FRAMES) -> Callable[[], None]:
+def listening(library: EarLibrary, ears: Sequence[CEar], sound: Sound, n: int = N_FRAMES) -> Callable[[], None]:
+    """Give what has ears hear the first blocks of a sound."""
     handles = (ctypes.c_void_p * len(ears))(*(ear.handle for ear in ears))
     samples = sound.ctypes.data_as(ctypes.c_void_p)
 
@@ -56,7 +57,7 @@ def _beside_python(library: EarLibrary, model: CModel, preset: Preset, sound: So
         for hop in hops:
             analyser.push(hop)
 
-    c, python = interleaved(N_ROUNDS, _listening(library, [CEar(model)], sound), push_all)
+    c, python = interleaved(N_ROUNDS, listening(library, [CEar(model)], sound), push_all)
     name, reference = "C ear, learned, one frame", f"Python {shown(python, N_FRAMES)}"
     return Figure(name, shown(c, N_FRAMES), reference, ratio_of(c, python), PYTHON_S_TIME)
 
@@ -68,7 +69,7 @@ def _beside_transform(library: EarLibrary, model: CModel, sound: Sound) -> Figur
         for _ in range(N_FRAMES):
             scipy.fft.rfft(wave)
 
-    c, bare = interleaved(N_ROUNDS, _listening(library, [CEar(model)], sound), transform_all)
+    c, bare = interleaved(N_ROUNDS, listening(library, [CEar(model)], sound), transform_all)
     name, reference = "C ear, thesis rules, one frame", f"scipy.fft.rfft(512) {shown(bare, N_FRAMES)}"
     return Figure(name, shown(c, N_FRAMES), reference, ratio_of(c, bare), TRANSFORMS)
 
@@ -80,7 +81,7 @@ def _memory(model: CModel, rate: int) -> Figure:
 
 
 def _many(library: EarLibrary, model: CModel, sound: Sound) -> Figure:
-    listen = _listening(library, [CEar(model) for _ in range(N_EARS)], sound, EARS_FRAMES)
+    listen = listening(library, [CEar(model) for _ in range(N_EARS)], sound, EARS_FRAMES)
     listen()
     began = time.process_time()
     listen()

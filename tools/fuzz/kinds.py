@@ -10,11 +10,15 @@ from pathlib import Path
 from random import Random
 
 import numpy as np
+import soundfile
 
+from phonemeanalyser.server.messages import later_words_of, start_of
+from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.labels.pinyin import timed_syllable
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.livelink import lines_of
 from phonemeengine.mouth.expression.channels import SHIPPED as CHANNELS
 from phonemeengine.mouth.expression.channels import load_channels
@@ -56,6 +60,7 @@ from tests.engine.performance.faces import animated_face, ramp, recorded_vmc
 from tests.engine.performance.sentences import performance_of, phones_in
 from tests.meshes import CUBE_OBJ, CUBE_X, FRAMES_X, GLTF_TEXT, LIBRARY, morph_mesh_of_cube
 from tests.models import tone_model
+from tests.sounds import tone
 from tools.fuzz.mutation import mutated
 
 Read = Callable[[bytes], object]
@@ -68,8 +73,15 @@ Zug = "tsuːk"
 either = ["ˈiːðɚ", "ˈaɪðɚ"]
 """
 LEXICON_ROWS = "word,ipa\nNASA,ˈnæ.sə\nZug,tsuːk\neither,ˈiːðɚ\neither,ˈaɪðɚ\n"
+CURVES = """{"format": "phonemeanalyser curves 1", "sound": "a.wav", "duration": 0.1, "rate": 20, "table": "arkit",
+ "cues": [{"start": 0, "end": 0.1, "phoneme": "a", "shape": "a", "intensity": 0.5, "phone": "ɑ"}],
+ "curves": [{"name": "jawOpen", "values": [0, 0.5, 1]}, {"name": "mouthClose", "values": [0, 0, 0.25]}],
+ "head": [{"name": "pitch", "values": [0, 1, 2]}]}
+"""
 SCRIPT = "Es regnet, aber der See ist leer.\nUnd 1984? [[ <b> 你好。\n"
 SCRIPT_TABLE = "a.wav\tEs regnet.\nfolder/b.wav\tDer See ist leer.\na.wav\tUnd 1984?\n"
+START = b'{"encoding": "f32", "rate": 44100, "channels": 2, "table": "vrm", "language": "de", "text": "Guten Tag."}'
+LATER = b'{"text": "Wie geht es?", "end": true}'
 SAID = Utterance(
     (
         Word("你好", (timed_syllable("ni3", 0.1, 0.2, 0.3), timed_syllable("hao3", 0.3, 0.4, 0.7))),
@@ -123,6 +135,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "key words": Kind((USUAL_KEYWORDS.read_bytes(),), _through(folder / "keywords.toml", load_keywords)),
         "poses": Kind((USUAL_POSES.read_bytes(),), _through(folder / "poses.toml", load_poses)),
         "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
+        "curves": Kind((CURVES.encode(),), _through(folder / "a.curves.json", read_curves)),
         "vmc": Kind((recorded_vmc([k / 60 for k in range(20)]).encode(),), _through(folder / "a.osc", read_vmc)),
         "gltf face": Kind((moving,), lambda content: parse_gltf_face(content, "a.glb")),
         "gltf face in glb": Kind(
@@ -135,6 +148,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "script": Kind((SCRIPT.encode(), SCRIPT_TABLE.encode()), _through(folder / "script.txt", _find_texts)),
         "utterance": Kind(utterances, _through(folder / "said.TextGrid", lambda path: read_utterance(path, 2.0))),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
+        "opus as it comes": Kind((_opus(),), _heard),
+        "message of a stream": Kind((START, LATER), _understood),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
         "ear": Kind((_ear("thesis"), _ear("templates")), EarProbe().read, with_true_header, head=HEADER),
         "arrays in npz": Kind(_members(model), _through(folder / "model.npz", load_model), _Zipped(model), head=128),
@@ -170,6 +185,24 @@ def _through(path: Path, read: Callable[[Path], object]) -> Read:
         return read(path)
 
     return write_and_read
+
+
+def _heard(content: bytes) -> object:
+    """Hear a stream of Ogg Opus, as it comes."""
+    sound = IncomingSound(StreamFormat(Encoding.OPUS))
+    return [sum(map(len, sound.pieces(content))), sound.finish()]
+
+
+def _understood(content: bytes) -> object:
+    """Read what the client of a stream says, first and later."""
+    message = content.decode(errors="replace")
+    return start_of(message) if b"rate" in content else later_words_of(message)
+
+
+def _opus() -> bytes:
+    file = io.BytesIO()
+    soundfile.write(file, tone(440, 0.2), 48_000, format="OGG", subtype="OPUS")
+    return file.getvalue()
 
 
 def _livelink() -> bytes:

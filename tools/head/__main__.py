@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.mouth.mesh import normals_of
 from tools.head.colours import brow_region, eye_colours, hair_share, hairline_region, painted
+from tools.head.shoulders import shoulders_below
 from tools.head.teeth import LOWER, UPPER, Row, row_of_teeth
 
 Floats = NDArray[np.float32]
@@ -32,8 +33,6 @@ REST = {
 """What closes the lips, which stand a little apart in the original, and wakes the eyes."""
 TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.06, -0.015)}
 """How the teeth are moved, so that they are seen where a person's are."""
-HOLLOW = 0.4
-"""How far the neck's end goes up inside, so that it is seen from below alone."""
 ROUNDNESS = 0.75
 """How far new vertices go towards the planes of their neighbours."""
 SKULL = 8.35
@@ -42,7 +41,6 @@ BULGE, STEEPEST, N_ROUNDED = 0.003, 0.9, 2
 """Edges are cut, so many times, where the arc over them rises so far; where it turns more (radians), it is a fold."""
 HAIR, HIGHEST = (0.03, 0.10), 9.3
 """How thick the hair is at its edge and at the top, and how high that is."""
-INSIDE_OF_NECK = (60, 44, 40)
 N_AROUND = 32
 RINGS = np.radians([0, 6, 11, 11, 16, 21, 26.5, 26.5, 33, 45, 60, 80, 100])
 """Angles from the gaze; where two are alike the colour changes at an edge: pupil and iris."""
@@ -104,21 +102,21 @@ def trimmed(clay: Clay, height: Floats) -> Clay:
     return longer.kept(np.ones(len(triangles), bool))
 
 
-def capped(clay: Clay, rim: NDArray[np.bool_]) -> Clay:
-    """Close the hole whose edge runs along the rim, with vertices of its own, so that its edge stays sharp."""
+def end_of_neck(clay: Clay) -> Floats:
+    """Return the lower edge of the trimmed neck, in order, counter-clockwise seen from above, shape (n, 3)."""
     directed = np.concatenate([clay.triangles[:, (k, (k + 1) % 3)] for k in range(3)])
     known = set(map(tuple, directed.tolist()))
-    loop = np.array([(a, b) for a, b in directed.tolist() if (b, a) not in known and rim[a] and rim[b]])
-    n = len(clay.points)
-    edge = np.unique(loop)
-    place = {int(vertex): n + k for k, vertex in enumerate(edge)}
-    closed = clay.with_vertices(edge, edge, np.zeros(len(edge), np.float32))
-    centre = closed.points[n:].mean(axis=0)
-    closed = closed.with_vertices(edge[:1], edge[:1], np.zeros(1, np.float32))
-    closed.points[-1], closed.offsets[:, -1] = centre + np.float32((0, HOLLOW, 0)), 0
-    fan = [(place[b], place[a], n + len(edge)) for a, b in loop.tolist()]
-    closed.triangles = np.concatenate((closed.triangles, fan))
-    return closed
+    low = clay.points[:, 1] < NECK + 0.5
+    after = {a: b for a, b in directed.tolist() if (b, a) not in known and low[a] and low[b]}
+    first = next(iter(after))
+    loop, here = [first], after[first]
+    while here != first:
+        loop.append(here)
+        here = after[here]
+    ring = clay.points[loop]
+    x, z = ring[:, 0], ring[:, 2]
+    turns_right = np.sum(x * np.roll(z, -1) - z * np.roll(x, -1)) > 0
+    return ring[::-1] if turns_right else ring
 
 
 def refined(clay: Clay, where: NDArray[np.bool_]) -> Clay:
@@ -229,7 +227,7 @@ def haired(clay: Clay) -> Clay:
 
 
 def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
-    """Give the trimmed and closed head without eyes, and its colours."""
+    """Give the trimmed head without eyes on its shoulders, and its colours."""
     x, y, z = clay.points.T
     clay = trimmed(clay, y - np.float32(NECK) - np.float32(SLOPE) * z - np.float32(FLARE) * x**2)
     clay = refined(clay, brow_region(clay.points))
@@ -238,9 +236,10 @@ def bust(clay: Clay) -> tuple[Clay, NDArray[np.uint8]]:
     for _ in range(N_ROUNDED):
         clay = rounded(clay)
     colours = painted(clay.points, clay.triangles, clay.part)
-    closed = capped(clay, clay.points[:, 1] < NECK + 0.5)
-    cap = np.tile(np.array(INSIDE_OF_NECK, np.uint8), (len(closed.points) - len(clay.points), 1))
-    return closed, np.concatenate((colours, cap))
+    points, triangles, shirt = shoulders_below(end_of_neck(clay))
+    still = np.zeros((len(clay.offsets), *points.shape), np.float32)
+    below = Clay(points, triangles, np.zeros(len(points), np.uint8), still)
+    return clay.joined(below), np.concatenate((colours, shirt))
 
 
 def main() -> None:

@@ -14,10 +14,11 @@ OFFSCREEN = {"QT_QPA_PLATFORM": "offscreen"}
 ROOT = Path(__file__).resolve().parents[2]
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 PICTURES = {
-    "window-light.png": ("1280x800", "light", "6.0"),
-    "window-dark.png": ("1280x800", "dark", "6.0"),
-    "window-large-light.png": ("1920x1080", "light", "9.4"),
-    "window-large-dark.png": ("1920x1080", "dark", "9.4"),
+    "window-light.png": ("1280x800", "light", "6.0", "en"),
+    "window-dark.png": ("1280x800", "dark", "6.0", "en"),
+    "window-large-light.png": ("1920x1080", "light", "9.4", "en"),
+    "window-large-dark.png": ("1920x1080", "dark", "9.4", "en"),
+    "window-german-light.png": ("1280x800", "light", "6.0", "de"),
 }
 LIVE = {
     "microphone-light.png": ("1280", "800", "light"),
@@ -30,11 +31,12 @@ CALIBRATE = {
 }
 """The page of the calibration."""
 TALK = {
-    "talk-light.png": ("1280", "800", "light", "0.99"),
-    "talk-dark.png": ("1920", "1080", "dark", "0.75"),
+    "talk-light.png": ("1280", "800", "light", "0.99", "en"),
+    "talk-dark.png": ("1920", "1080", "dark", "0.75", "en"),
+    "talk-german-light.png": ("1280", "800", "light", "0.99", "de"),
 }
 """The page of the head, while it says the demo."""
-COMPARE = {"compare-light.png": ("1280", "800", "light", "1.02")}
+COMPARE = {"compare-light.png": ("1280", "800", "light", "1.02", "en")}
 """Two heads that say a text in step, a recorded face and the rules."""
 HEAD = {"head": {"head-visemes.png": "light"}, "contact_sheet": {"contact-sheet.png": "light"}}
 """The head that says a, e, i, o, u and m; and a sentence of the demo, sound by sound, beside its labels."""
@@ -42,16 +44,17 @@ HEAD = {"head": {"head-visemes.png": "light"}, "contact_sheet": {"contact-sheet.
 
 def main() -> None:
     """Make them all."""
-    for name, (size, theme, at) in PICTURES.items():
+    for name, (size, theme, at, language) in PICTURES.items():
         command = [sys.executable, "-m", "phonemeanalyser", "screenshot", str(DEMO), "-o"]
-        subprocess.run([*command, str(_place(name)), "--size", size, "--theme", theme, "--at", at], check=True)
+        look = ["--size", size, "--theme", theme, "--language", language]
+        subprocess.run([*command, str(_place(name)), *look, "--at", at], check=True)
     for name, (width, height, theme) in CALIBRATE.items():
         command = [sys.executable, "-m", "tools.screenshots.calibrate", str(_place(name)), theme, width, height]
         subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
     for module, pictures in (("talk", TALK), ("compare", COMPARE)):
-        for name, (width, height, theme, at) in pictures.items():
+        for name, (width, height, theme, at, language) in pictures.items():
             place = str(_place(name))
-            command = [sys.executable, "-m", f"tools.screenshots.{module}", place, theme, width, height, at]
+            command = [sys.executable, "-m", f"tools.screenshots.{module}", place, theme, width, height, at, language]
             subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
     for module, pictures in HEAD.items():
         for name, theme in pictures.items():

@@ -29,6 +29,7 @@ def main(out: Path, theme: str, width: int, height: int) -> None:
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
+        settings.setValue("language", "en")
         microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
         desktop = Desktop(
             make_application(), settings, microphone=microphone, preset=PresetModel(FACTORY / "extended.toml")

@@ -17,12 +17,13 @@ TALK, MINUTES = 2, 4
 LANGUAGE, TEXT = "en-us", "Please bring my blue bowl to the old farmer. Yes, the sheep are happy."
 
 
-def main(out: Path, theme: str, width: int, height: int, at: float) -> None:
+def main(out: Path, theme: str, width: int, height: int, at: float, language: str) -> None:
     """Have a recorded face say a text up to a time, beside the rules, and save what the page shows then."""
     with tempfile.TemporaryDirectory() as folder:
         table = _table_in(Path(folder))
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
+        settings.setValue("language", language)
         microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
         desktop = Desktop(make_application(), settings, lambda _n: ClockOutput(), microphone)
         desktop.window.resize(width, height)
@@ -58,4 +59,4 @@ def _table_in(folder: Path) -> Path:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), float(sys.argv[5]))
+    main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), float(sys.argv[5]), sys.argv[6])

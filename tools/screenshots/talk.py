@@ -15,11 +15,12 @@ DEMO = Path(__file__).resolve().parents[2] / "phonemeanalyser" / "demo" / "demo.
 TALK = 2
 
 
-def main(out: Path, theme: str, width: int, height: int, at: float) -> None:
+def main(out: Path, theme: str, width: int, height: int, at: float, language: str) -> None:
     """Have the head say the demo up to a time, and save what the page shows then."""
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
         settings.setValue("theme", theme)
+        settings.setValue("language", language)
         microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
         desktop = Desktop(make_application(), settings, lambda _n: ClockOutput(), microphone)
         desktop.window.resize(width, height)
@@ -40,4 +41,4 @@ def main(out: Path, theme: str, width: int, height: int, at: float) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), float(sys.argv[5]))
+    main(Path(sys.argv[1]), sys.argv[2], int(sys.argv[3]), int(sys.argv[4]), float(sys.argv[5]), sys.argv[6])

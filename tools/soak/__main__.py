@@ -7,7 +7,7 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -53,11 +53,16 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         states = _listened(Path(folder), sound, seconds)
         n_exact = heard_exactly(Path(folder) / "soak.wav", sound)
-    rows = list(_rows(states, n_exact, seconds))
     print()
+    sys.exit(print_rows(_rows(states, n_exact, seconds)))
+
+
+def print_rows(rows: Iterable[Row]) -> bool:
+    """Print a table; return whether something is wrong."""
+    rows = list(rows)
     for row in rows:
         print(f"{row.name:<34}{row.seen:<60}{row.verdict}".rstrip())
-    sys.exit(any(row.well is False for row in rows))
+    return any(row.well is False for row in rows)
 
 
 def _listened(folder: Path, sound: KnownSound, seconds: float) -> list[State]:

@@ -112,7 +112,7 @@ class Aligner:
         if any(len(part) for part in self._waiting):
             self._align(joined(self._waiting), last=True)
         skipped = (*self._skipped, *(word.text for word in self._words[self._n_words :]))
-        words = (_within(word, duration) for word in _united(self._found) if word.start < duration)
+        words = (within(word, duration) for word in united(self._found) if word.start < duration)
         return Utterance(tuple(words), duration, language, skipped)
 
     def _align(self, heard: Evidence, *, last: bool) -> int:
@@ -123,7 +123,7 @@ class Aligner:
         shortfalls, least = shortfalls_of(heard), LeastFrames(passage.least_frames(self._hurry))
         way = cheapest_way(shortfalls, passage.lattice, PRICES, least, whole=whole)
         assert way is not None  # all of it may be strange
-        steps = way.steps if last else _settled(way.steps, len(heard) - UNSETTLED, passage)
+        steps = way.steps if last else settled_steps(way.steps, len(heard) - UNSETTLED, passage)
         n = steps[-1].last if steps else 0
         n_spoken = int(np.count_nonzero(heard.probabilities[:n, Phoneme.SILENCE] < 0.5))
         fit = TextFit(way.cost * n / len(heard), np.inf, n_spoken)
@@ -138,7 +138,7 @@ class Aligner:
         return n
 
 
-def _settled(steps: Sequence[WayStep], limit: int, passage: Passage) -> Sequence[WayStep]:
+def settled_steps(steps: Sequence[WayStep], limit: int, passage: Passage) -> Sequence[WayStep]:
     """Return the steps up to the last end of a word before a frame; quiet and strange stretches are cut there."""
     ends = [k for k, step in enumerate(steps) if step.last <= limit and passage.ends_word(step)]
     n = ends[-1] + 1 if ends else 0
@@ -158,7 +158,7 @@ def _shortest(word: ScriptWord) -> int:
     return min(len(pronunciation.phones) for pronunciation in word.pronunciations)
 
 
-def _united(words: Sequence[Word]) -> Iterator[Word]:
+def united(words: Sequence[Word]) -> Iterator[Word]:
     """Return words, where unknown ones that touch each other are one."""
     before: Word | None = None
     for word in words:
@@ -172,7 +172,7 @@ def _united(words: Sequence[Word]) -> Iterator[Word]:
         yield before
 
 
-def _within(word: Word, duration: float) -> Word:
+def within(word: Word, duration: float) -> Word:
     """Return a word that ends within the sound."""
     if word.end <= duration:
         return word

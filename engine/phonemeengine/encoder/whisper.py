@@ -1,6 +1,5 @@
 """Whisper's encoder, run by CTranslate2 on the processor: the only door to ctranslate2."""
 
-import os
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Protocol
@@ -12,6 +11,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.encoder.log_mel_spectrogram import ENCODER_RATE, MEL_HOP, log_mel_spectrogram
 from phonemeengine.errors import ModelError
+from phonemeengine.processes import threads_allowed
 from phonemeengine.settings import SAMPLE_RATE
 
 N_STATES = 512
@@ -57,7 +57,7 @@ class WhisperEncoder:
     """
 
     def __init__(self, folder: Path, n_threads: int = 0) -> None:
-        self._model = _load(folder, n_threads or os.cpu_count() or 1)
+        self._model = _load(folder, n_threads or threads_allowed())
 
     def encode(self, samples: Float32Array) -> NDArray[np.float16]:
         """Return the states, float16, shape (n_frames, 512): frame k lies at k x 20 ms..(k + 1) x 20 ms."""

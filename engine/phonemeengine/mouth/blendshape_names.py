@@ -13,6 +13,18 @@ ARKIT = (
 )  # fmt: skip
 """The 52 blend shapes of ARKit, in the order in which Live Link Face writes them."""
 
+LIVE_LINK_ANGLES = (
+    "HeadYaw", "HeadPitch", "HeadRoll", "LeftEyeYaw", "LeftEyePitch", "LeftEyeRoll", "RightEyeYaw", "RightEyePitch",
+    "RightEyeRoll",
+)  # fmt: skip
+LIVE_LINK_COLUMNS = (
+    "Timecode",
+    "BlendShapeCount",
+    *(name[0].upper() + name[1:] for name in ARKIT),
+    *LIVE_LINK_ANGLES,
+)
+"""The columns of the CSV of Live Link Face."""
+
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of Oculus Lipsync, in its order."""
 

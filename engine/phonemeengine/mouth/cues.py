@@ -24,7 +24,7 @@ MOST_ANTICIPATION = 0.12
 """Seconds that the mouth may be ahead of the sound at most."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Cue:
     """A stretch of one mouth shape.
 

@@ -1,11 +1,13 @@
 """What belongs together: a mesh and its movestates, and what of both a .3dm file holds."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
-from phonemeengine.arrays import Float32Array, UInt32Array
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, UInt32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh
 from phonemeengine.mouth.movestate import Movestate, movestate_at
@@ -15,6 +17,9 @@ TOLERANCE = 0.0001
 """How far apart two vertices may be and still be the same one, in units of the mesh."""
 N_NAMED = 8
 MOST_NEAR = 1 << 22
+NARROWEST = 1e-9
+CELL_STEPS = (1.0, 1618.03398875, 2718281.82846)
+"""By how much the number of a cell differs from that of the next one along each axis."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -126,22 +131,46 @@ def remap_vertices(targets: MorphTargets, mesh: Mesh, tolerance: float = TOLERAN
 
 def _near(targets: MorphTargets, mesh: Mesh, tolerance: float) -> list[list[int]]:
     """Return the vertices of the mesh that are where each vertex of the targets was."""
-    from scipy.spatial import cKDTree  # noqa: PLC0415 - takes 200 ms, which only who remaps should wait for
-
-    if not len(targets.numbers):
-        return []
-    tree = cKDTree(mesh.positions)
-    counts = tree.query_ball_point(targets.positions, tolerance, return_length=True)
+    olds, news = _pairs_within(targets.positions, mesh.positions, tolerance)
+    counts = np.bincount(olds, minlength=len(targets.numbers))
     if lost := targets.numbers[counts == 0].tolist():
         more = f" and {len(lost) - N_NAMED} others" if len(lost) > N_NAMED else ""
         raise MeshError(
             f"{len(lost)} of the {len(counts)} vertices that move are not in the mesh within {tolerance:g}: "
             f"{', '.join(map(str, lost[:N_NAMED]))}{more}; choose the mesh of theirs, or a larger tolerance"
         )
-    if counts.sum() > MOST_NEAR:
-        raise MeshError(f"too many vertices are within {tolerance:g} of each other; choose a smaller tolerance")
-    near: list[list[int]] = tree.query_ball_point(targets.positions, tolerance, return_sorted=True).tolist()
-    return near
+    every, ends = news.tolist(), np.cumsum(counts).tolist()
+    return [every[end - count : end] for count, end in zip(counts.tolist(), ends, strict=True)]
+
+
+def _pairs_within(points: Float32Array, others: Float32Array, distance: float) -> tuple[IndexArray, IndexArray]:
+    """Return which points, shape (n, 3), lie within a distance of which others; two arrays of numbers, ascending.
+
+    Space is cut into cells twice as wide as the distance, so that what is near a point lies in at most eight of them:
+    those of the corners of a cube about it.
+    """
+    reach = max(1.001 * distance, NARROWEST)  # a little farther, so that rounding loses none
+    cells = _cells_at(others, reach)
+    order = np.argsort(cells, kind="stable")
+    found = [np.empty(0, np.intp)]
+    for corner in itertools.product((-reach, reach), repeat=3):
+        asked = _cells_at(points + np.array(corner), reach)
+        first, last = (np.searchsorted(cells[order], asked, side) for side in ("left", "right"))
+        counts = last - first
+        if counts.sum() > MOST_NEAR:
+            raise MeshError(f"too many vertices are within {distance:g} of each other; choose a smaller tolerance")
+        olds = np.repeat(np.arange(len(points)), counts)
+        news = order[np.arange(len(olds)) + np.repeat(first - (np.cumsum(counts) - counts), counts)]
+        near = np.linalg.norm(points[olds].astype(np.float64) - others[news], axis=1) <= distance
+        found.append(olds[near] * len(others) + news[near])
+    return np.divmod(np.unique(np.concatenate(found)), len(others))
+
+
+def _cells_at(points: NDArray[np.floating], reach: float) -> Float64Array:
+    """Return a number for the cell of each point; distant cells may share one, which costs time and nothing else."""
+    x, y, z = np.floor(points.astype(np.float64) / (2 * reach)).T
+    cells: Float64Array = CELL_STEPS[0] * x + CELL_STEPS[1] * y + CELL_STEPS[2] * z
+    return cells
 
 
 def _renumbered(state: Movestate, new: Sequence[Sequence[int]]) -> Movestate:

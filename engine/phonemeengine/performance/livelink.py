@@ -13,7 +13,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable_name, read_text_file
-from phonemeengine.mouth.exports.livelink import ANGLES, COLUMNS
+from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
 from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
 
 LARGEST = 32 << 20
@@ -22,10 +22,10 @@ RATES = (24, 25, 30, 48, 50, 60, 100, 120, 240)
 """Frames a second at which time codes count."""
 USUAL_RATE = 60
 DAY = 86_400
-CHANNELS = tuple(name[0].lower() + name[1:] for name in COLUMNS[2:])
+CHANNELS = tuple(name[0].lower() + name[1:] for name in LIVE_LINK_COLUMNS[2:])
 """The channels of a recording: blend shapes as ARKit has them, and angles in degrees such as ``headYaw``."""
 _TIMECODE = re.compile(r"(\d\d?):(\d\d):(\d\d)[:;](\d{1,3}(?:\.\d{1,6})?)", re.ASCII)
-_ANGLES = {name.lower(): name[0].lower() + name[1:] for name in ANGLES}
+_ANGLES = {name.lower(): name[0].lower() + name[1:] for name in LIVE_LINK_ANGLES}
 
 
 def read_livelink(path: Path) -> FaceTrack:
@@ -63,10 +63,10 @@ def parse_livelink(text: str, file: str) -> FaceTrack:
 def _columns_of(header: str, file: str) -> list[str]:
     """Return the channels in the order in which a header names them."""
     cells = [cell.strip() for cell in header.split(",")]
-    if [cell.lower() for cell in cells[:2]] != [name.lower() for name in COLUMNS[:2]]:
+    if [cell.lower() for cell in cells[:2]] != [name.lower() for name in LIVE_LINK_COLUMNS[:2]]:
         raise CorpusError(
-            f"{file}: this is no recording of Live Link Face, whose header begins with {','.join(COLUMNS[:2])}; "
-            "choose another file"
+            f"{file}: this is no recording of Live Link Face, whose header begins with "
+            f"{','.join(LIVE_LINK_COLUMNS[:2])}; choose another file"
         )
     names = [shape_name(cell) or _ANGLES.get(cell.lower(), cell) for cell in cells[2:]]
     missing, others = (

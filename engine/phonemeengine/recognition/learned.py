@@ -1,6 +1,6 @@
 """The learned recogniser: a network that was trained on many speakers, and may be adapted to one."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from phonemeengine.dsp.log_mel import N_BANDS, log_mels, silent_log_mels
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
-from phonemeengine.recognition.network import CentredNetwork, Network
+from phonemeengine.recognition.network import ROOM, CentredNetwork, Network, forward_together
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
@@ -34,6 +34,11 @@ class LearnedRecogniser:
     look_ahead : seconds that it may wait for what comes after a frame; rounded down to what the model has. A centred
         model waits for as much as it hears.
     sensitivities : log-odds that are added to those of phonemes, nats.
+
+    Attributes
+    ----------
+    kin : equal to that of others that `recognise_together` may ask with it, since they differ in their sounds alone;
+        None where it is asked alone, since its model is centred.
     """
 
     scores = SCORES
@@ -47,6 +52,9 @@ class LearnedRecogniser:
         heads = (model.heads, model.viseme_heads) if model.viseme_heads else (model.heads,)
         self._heads = tuple(known[self._n_early] for known in heads)
         self._warps = model.warps
+        likes = (id(model), self.look_ahead, tuple(sorted(sensitivities.items())))
+        self.kin = None if model.centred else likes
+        self._model = model  # as long as it lives, no other one has its identity
         self._network = (CentredNetwork if model.centred else Network)(
             model.layers, silent_log_mels(len(model.warps))
         )
@@ -56,8 +64,7 @@ class LearnedRecogniser:
     def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Recognise the next frames; the answers are about those `look_ahead` frames before."""
         shares, visemes = self.probabilities(windows)
-        scores = self._sensitivity.apply(shares)
-        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
+        return self._recognition(shares, visemes)
 
     def probabilities(self, windows: Float32Array) -> tuple[Float32Array, Float32Array | None]:
         """Take the next frames; return how likely phonemes and visemes are in those `look_ahead` frames before.
@@ -66,15 +73,25 @@ class LearnedRecogniser:
         """
         if not len(windows):
             return NOTHING
-        found = self._network.forward(log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS))
-        if self._n_early:
-            n_early = min(self._n_early, len(found))
-            found, self._n_early = found[n_early:], self._n_early - n_early
+        found = self._without_early(self._network.forward(self._heard(windows)))
         if not len(found):
             return NOTHING
         shares, *others = (self._probabilities_of(found, head) for head in self._heads)
         weights = self._mixer.weigh(shares)
         return mixed(shares, weights), mixed(others[0], weights) if others else None
+
+    def _heard(self, windows: Float32Array) -> Float32Array:
+        return log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS)
+
+    def _without_early(self, found: Float32Array) -> Float32Array:
+        """Leave out what is found before the first frames of the sound, whose answers nobody wants."""
+        n_early = min(self._n_early, len(found))
+        self._n_early -= n_early
+        return found[n_early:]
+
+    def _recognition(self, shares: Float32Array, visemes: Float32Array | None) -> Recognition:
+        scores = self._sensitivity.apply(shares)
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
 
     def _probabilities_of(self, found: Float32Array, head: OutputHead) -> Float32Array:
         """Return how likely each class of a head is with each vocal tract, shape (n, n_warps, n_classes)."""
@@ -92,3 +109,35 @@ class LearnedRecogniser:
     def explain(self, features: Features, k: int) -> Trace:
         """Return how likely the likeliest phonemes of frame `k` are."""
         return trace_of_scores(features, k)
+
+
+MOST_TOGETHER = ROOM
+"""Frames of a sound that `recognise_together` takes at once."""
+
+
+def recognise_together(
+    recognisers: Sequence[LearnedRecogniser], windows: Sequence[Float32Array]
+) -> list[Recognition]:
+    """Recognise the next frames of several sounds; what one recogniser says of its own is as if it were alone.
+
+    Parameters
+    ----------
+    recognisers : one for each sound, all of the same `kin`, which is not None.
+    windows : the next frames of each, at least one and `MOST_TOGETHER` at the most, shape (n_k, 2048).
+    """
+    one = recognisers[0]
+    networks = [recogniser._network for recogniser in recognisers if isinstance(recogniser._network, Network)]
+    ends = np.cumsum([len(block) for block in windows])[:-1]
+    heard = np.split(one._heard(np.concatenate(windows)), ends)
+    found = np.split(forward_together(networks, heard), ends)
+    wanted = [recogniser._without_early(block) for recogniser, block in zip(recognisers, found, strict=True)]
+    ends = np.cumsum([len(block) for block in wanted])
+    if not ends[-1]:
+        return [one._recognition(*NOTHING) for _ in recognisers]
+    ends = ends[:-1]
+    shares, *others = (one._probabilities_of(np.concatenate(wanted), head) for head in one._heads)
+    weights = np.concatenate(
+        [r._mixer.weigh(block) for r, block in zip(recognisers, np.split(shares, ends), strict=True)]
+    )
+    visemes = np.split(mixed(others[0], weights), ends) if others else [None] * len(recognisers)
+    return [one._recognition(*known) for known in zip(np.split(mixed(shares, weights), ends), visemes, strict=True)]

@@ -52,7 +52,8 @@ class VtlnMixer:
             return np.ones(shares.shape[:2], np.float32)
         sure = np.maximum.reduce(shares, axis=2).tolist()
         silent = shares[:, :, Phoneme.SILENCE].tolist()
-        return np.array([self._weigh(*frame) for frame in zip(sure, silent, strict=True)], np.float32)
+        weights = [self._weigh(*frame) for frame in zip(sure, silent, strict=True)]
+        return np.array(weights, np.float32).reshape(shares.shape[:2])
 
     def _weigh(self, sure: list[float], silent: list[float]) -> list[float]:
         """Return how much each tract counts in a frame; silence tells nothing about them."""

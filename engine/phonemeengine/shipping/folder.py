@@ -1,8 +1,7 @@
 """A folder with an ear that builds and runs as it is: the preset, the sources, examples and how to go on."""
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from phonemeengine.errors import ExportError
@@ -12,36 +11,10 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.shipping.binary import is_ear_file, join_sections
 from phonemeengine.shipping.mouth_section import mouth_section
 from phonemeengine.shipping.recogniser_sections import recogniser_sections
+from phonemeengine.shipping.targets import TARGETS
 
-EAR_FILE = "preset.ear"
 USUAL_TABLES = ("arkit", "rhubarb")
 MOST_TABLES = 16
-
-_SOURCES = Path(__file__).resolve().parent
-
-
-@dataclass(frozen=True)
-class ShipTarget:
-    """A kind of folder.
-
-    Attributes
-    ----------
-    words : what it is for, for people.
-    sources : the folder of this package whose files it gets.
-    """
-
-    words: str
-    sources: str
-
-    def files(self) -> dict[str, bytes]:
-        """Return the files that it gets beside the preset, by their path in the folder."""
-        source = _SOURCES / self.sources
-        found = sorted(path for path in source.rglob("*") if path.is_file())
-        return {path.relative_to(source).as_posix(): path.read_bytes() for path in found}
-
-
-TARGETS: Mapping[str, ShipTarget] = {"c": ShipTarget("C99, for programs of all kinds", "c")}
-"""What can be shipped for, by name."""
 
 
 def format_ear(preset: Preset, tables: Iterable[str | os.PathLike[str]] = USUAL_TABLES) -> bytes:
@@ -83,7 +56,7 @@ def ship(
     ----------
     preset : what to recognise with.
     folder : where; it is made where there is none.
-    target : what for: ``c``.
+    target : what for: one of `phonemeengine.shipping.targets.TARGETS`.
     tables : the mouth tables that go with it, by name or file.
     overwrite : whether files that were changed since they were shipped are replaced too.
 
@@ -91,12 +64,13 @@ def ship(
     ------
     PresetError : its recogniser is another package's, or hears files alone.
     MouthError : a table cannot be used.
-    ExportError : there is no such target, a file that is there is another one, or one cannot be written.
+    ExportError : there is no such target, what makes its files is missing, another file is there, or one cannot be
+        written.
     """
     if target not in TARGETS:
         raise ExportError(f"there is no target {target!r:.40}; choose one of {', '.join(TARGETS)}")
     folder = Path(folder)
-    files = {EAR_FILE: format_ear(preset, tables), **TARGETS[target].files()}
+    files = {TARGETS[target].preset: format_ear(preset, tables), **TARGETS[target].files()}
     for name, content in files.items():
         if not overwrite:
             _check_free(folder / name, content)
@@ -111,7 +85,7 @@ def _check_free(path: Path, content: bytes) -> None:
         there = path.read_bytes() if path.exists() else content
     except OSError as error:
         raise ExportError(f"{path}: cannot be read ({reason_of(error)}); choose another folder") from error
-    if there != content and not (path.suffix == ".ear" and is_ear_file(there)):
+    if there != content and not (is_ear_file(content) and is_ear_file(there)):
         raise ExportError(
             f"{path}: another file is there, or it was changed; choose another folder, or have it replaced "
             "(--overwrite)"

@@ -1,5 +1,6 @@
 """The averaged spectrum, curves beside it, and a region that becomes a variable."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
 
 from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeanalyser.desktop.theme import CURVE_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot import toggle_button
@@ -16,13 +18,14 @@ from phonemeengine.arrays import Float64Array
 from phonemeengine.averaged_spectrum import AveragedSpectrum
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 
-TIP = (
+TIP = tr_noop(
     "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "
     "begins"
 )
 
 
-DELTA = "Δ is how differently it is shaped from the averaged spectrum, whatever the loudness"
+_SINCE = re.compile(r"(.*?) at ([\d.]+) s of (.*)")
+DELTA = tr_noop("Δ is how differently it is shaped from the averaged spectrum, whatever the loudness")
 
 
 class LegendEntry(QLabel):
@@ -62,7 +65,7 @@ class AveragedView(SpectrumView):
     variable_asked = Signal(float, float)
 
     def __init__(self, averages: AveragesModel, theme: Theme) -> None:
-        super().__init__("Averaged spectrum", TIP, theme)
+        super().__init__(tr_noop("Averaged spectrum"), tr(TIP), theme)
         self._averages = averages
         self._since = QLabel(self.graphics)
         self._overlays: list[pg.PlotCurveItem] = []
@@ -71,8 +74,8 @@ class AveragedView(SpectrumView):
         self._names: list[LegendEntry] = []
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
         self.measure = toggle_button(
-            "variable",
-            "Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot",
+            tr("variable"),
+            tr("Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot"),
         )
         self._escape = QShortcut(QKeySequence("Escape"), self)
         self._dropped = False
@@ -93,12 +96,18 @@ class AveragedView(SpectrumView):
 
     def _tell_since(self, current: AveragedSpectrum) -> None:
         seconds = current.n_frames * FRAME_PERIOD
-        text = f"mean of {seconds:.1f} s since {current.since.partition(' at ')[0]}" if current.n_frames else ""
+        text = (
+            tr("mean of {seconds:.1f} s since {event}").format(
+                seconds=seconds, event=tr(current.since.partition(" at ")[0])
+            )
+            if current.n_frames
+            else ""
+        )
         if text != self._since.text():
             self._since.setText(text)
             self._since.adjustSize()
-            of = f"<p>Now: {_told(current)}</p>" if current.n_frames else ""
-            self.heading.setToolTip(f"<p>{TIP}.</p>{of}")
+            of = f"<p>{tr('Now')}: {_told(current)}</p>" if current.n_frames else ""
+            self.heading.setToolTip(f"<p>{tr(TIP)}.</p>{of}")
 
     def _columns(self) -> dict[str, Float64Array]:
         curves, columns = self._averages.curves, super()._columns()
@@ -115,11 +124,11 @@ class AveragedView(SpectrumView):
 
     def _add_curve_controls(self) -> None:
         menu = QMenu(self)
-        menu.addAction("Load Curve…", self.load_asked.emit)
-        menu.addAction("Save Curve…", self.save_asked.emit)
+        menu.addAction(tr("Load Curve…"), self.load_asked.emit)
+        menu.addAction(tr("Save Curve…"), self.save_asked.emit)
         curves = QToolButton()
-        curves.setText("curves")
-        curves.setToolTip("Save the averaged spectrum, or load saved ones to compare with")
+        curves.setText(tr("curves"))
+        curves.setToolTip(tr("Save the averaged spectrum, or load saved ones to compare with"))
         curves.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         curves.setMenu(menu)
         self.header.addWidget(curves)
@@ -148,7 +157,7 @@ class AveragedView(SpectrumView):
         self.measure.setChecked(False)
 
     def _toggle_region(self, on: bool) -> None:
-        self.measure.setText("name it" if on else "variable")
+        self.measure.setText(tr("name it") if on else tr("variable"))
         self.region.setVisible(on)
         self._escape.setEnabled(on)
         self.item.vb.draw = (lambda start, end: self.region.setRegion((start, end))) if on else None
@@ -164,7 +173,9 @@ class AveragedView(SpectrumView):
             overlay = pg.PlotCurveItem(curve.frequencies, self.heights_of(curve.amplitudes), pen=pg.mkPen(colour))
             self.item.addItem(overlay)
             self._overlays.append(overlay)
-            self._names.append(self._legend_entry(k, curve.name, f"{curve.name}: {_told(curve)}; {DELTA}", colour))
+            self._names.append(
+                self._legend_entry(k, curve.name, f"{curve.name}: {_told(curve)}; {tr(DELTA)}", colour)
+            )
         self._entries.addStretch(1)
         self._legend.setVisible(bool(self._overlays))
 
@@ -185,7 +196,7 @@ class AveragedView(SpectrumView):
         button.setText("✕")
         button.setAutoRaise(True)
         button.setFixedWidth(18)
-        button.setToolTip(f"Remove {name}")
+        button.setToolTip(tr("Remove {name}").format(name=name))
         button.clicked.connect(lambda _checked: self._averages.remove(k))
         self._entries.addWidget(label)
         self._entries.addWidget(button)
@@ -193,5 +204,13 @@ class AveragedView(SpectrumView):
 
 
 def _told(curve: AveragedSpectrum) -> str:
-    since = f" since {curve.since}" if curve.since else ""
-    return f"{curve.n_frames} frames{since}; {curve.front_end}"
+    since = " " + tr("since {event}").format(event=_in_words(curve.since)) if curve.since else ""
+    return tr("{n} frames{since}; {front_end}").format(n=curve.n_frames, since=since, front_end=curve.front_end)
+
+
+def _in_words(since: str) -> str:
+    """Return what an average begins with in the language of the window; words of others stay as they are."""
+    found = _SINCE.fullmatch(since)
+    if found is None:
+        return since
+    return tr("{cause} at {seconds} s of {sound}").format(cause=tr(found[1]), seconds=found[2], sound=found[3])

@@ -6,6 +6,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.encoder.model_folder import (
     choose_whisper,
@@ -16,7 +17,7 @@ from phonemeengine.encoder.model_folder import (
 )
 
 WIDTH = 560
-LOOKING = "Looking for the model …"
+LOOKING = tr_noop("Looking for the model …")
 
 
 class EncoderDialog(QDialog):
@@ -31,12 +32,14 @@ class EncoderDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Speech Encoder")
+        self.setWindowTitle(tr("Speech Encoder"))
         self._work = TaskQueue(self._refuse)
         intro = QLabel(
-            "Files are heard best by the network and the encoder of Whisper base together, which knows very many "
-            "voices. It works on this computer, takes 400 MB of memory, and helps where all of a file is recognised "
-            "at once: saved, exported, or aligned with its text."
+            tr(
+                "Files are heard best by the network and the encoder of Whisper base together, which knows very many "
+                "voices. It works on this computer, takes 400 MB of memory, and helps where all of a file is "
+                "recognised at once: saved, exported, or aligned with its text."
+            )
         )
         self.state = QLabel()
         for label in (intro, self.state):
@@ -46,7 +49,7 @@ class EncoderDialog(QDialog):
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         self.buttons = [
             buttons.addButton(text, QDialogButtonBox.ButtonRole.ActionRole)
-            for text in ("Choose Folder…", "Forget the Folder", "Fetch It (145 MB)")
+            for text in (tr("Choose Folder…"), tr("Forget the Folder"), tr("Fetch It (145 MB)"))
         ]
         for button, act in zip(self.buttons, (self.ask_folder, self.forget, self.fetch), strict=True):
             button.clicked.connect(act)
@@ -59,9 +62,9 @@ class EncoderDialog(QDialog):
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
-        name = QFileDialog.getExistingDirectory(self, "The folder with model.bin and config.json of Whisper base")
+        name = QFileDialog.getExistingDirectory(self, tr("The folder with model.bin and config.json of Whisper base"))
         if name:
-            self._do("Opening the model …", lambda: choose_whisper(Path(name)))
+            self._do(tr_noop("Opening the model …"), lambda: choose_whisper(Path(name)))
 
     def forget(self) -> None:
         """Use the chosen folder no longer."""
@@ -69,7 +72,7 @@ class EncoderDialog(QDialog):
 
     def fetch(self) -> None:
         """Get the model over the network."""
-        self._do("Fetching the model, 145 MB …", fetch_whisper)
+        self._do(tr_noop("Fetching the model, 145 MB …"), fetch_whisper)
 
     def done(self, result: int) -> None:
         """Close, and leave alone what is still fetched."""
@@ -79,7 +82,7 @@ class EncoderDialog(QDialog):
     def _do(self, words: str, act: Callable[[], object]) -> None:
         """Do something in the background, then say which model is used."""
         self._asked = words
-        self._show(words, is_idle=False)
+        self._show(tr(words), is_idle=False)
 
         def acted(_progress: object) -> str:
             act()
@@ -88,12 +91,12 @@ class EncoderDialog(QDialog):
         self._work.submit(acted, self._tell)
 
     def _tell(self, words: str) -> None:
-        self._show(f"In use: {words}.", is_idle=True)
+        self._show(tr("In use: {words}.").format(words=words), is_idle=True)
         self.model_changed.emit()
 
     def _refuse(self, words: str) -> None:
         if not has_whisper() and self._asked == LOOKING:
-            words = "there is no model yet: fetch it, or choose the folder of one that you have"
+            words = tr("there is no model yet: fetch it, or choose the folder of one that you have")
         self._show(f"{words[:1].upper()}{words[1:]}.", is_idle=True)
         self.model_changed.emit()
 

@@ -8,7 +8,8 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.analyse.file_view import FileView
-from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
+from phonemeanalyser.desktop.analyse.sonagram import add_colour_maps, colours_of
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
@@ -20,10 +21,10 @@ from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.whole_sound import FrameRange
 
 OVERLAYS = {
-    "formants": "red dots, by Burg's method, as Praat measures them",
-    "pitch": "a blue line, 0 to 500 Hz from the lower edge to the upper",
-    "level": "a yellow line, peaks of -80 to 0 dB",
-    "words": "lanes below, where the words are known: words, syllables or letters, phones, units",
+    tr_noop("formants"): tr_noop("red dots, by Burg's method, as Praat measures them"),
+    tr_noop("pitch"): tr_noop("a blue line, 0 to 500 Hz from the lower edge to the upper"),
+    tr_noop("level"): tr_noop("a yellow line, peaks of -80 to 0 dB"),
+    tr_noop("words"): tr_noop("lanes below, where the words are known: words, syllables or letters, phones, units"),
 }
 """What may be drawn over the sonagram, and how."""
 
@@ -49,14 +50,16 @@ class FilePanel(QWidget):
         self._session = session
         self._preset = preset
         self.view = FileView(session, theme)
-        self.follow = toggle_button("follow", "Turn the page where what is heard leaves it")
-        self.filtered = toggle_button("filtered", "The sonagram after all filters that are on, as recognisers see it")
-        self.whole = toggle_button("all", "See the whole file")
-        self.selection = toggle_button("selection", "See what is selected (Shift+drag selects)")
-        self.live = toggle_button("live", "Back to what the microphone hears now (Ctrl+B)")
-        self.heading = QLabel("<b>File</b>")
+        self.follow = toggle_button(tr("follow"), tr("Turn the page where what is heard leaves it"))
+        self.filtered = toggle_button(
+            tr("filtered", "a button"), tr("The sonagram after all filters that are on, as recognisers see it")
+        )
+        self.whole = toggle_button(tr("all"), tr("See the whole file"))
+        self.selection = toggle_button(tr("selection"), tr("See what is selected (Shift+drag selects)"))
+        self.live = toggle_button(tr("live"), tr("Back to what the microphone hears now (Ctrl+B)"))
+        self.heading = QLabel(tr("<b>File</b>"))
         self.over = QToolButton()
-        self.overlays = {name: QAction(f"{name}: {what}", self) for name, what in OVERLAYS.items()}
+        self.overlays = {name: QAction(f"{tr(name)}: {tr(what)}", self) for name, what in OVERLAYS.items()}
         self.axis, self.colours, self.variable = QComboBox(), QComboBox(), QComboBox()
         self.differs = ElidedLabel()
         self._lay_out()
@@ -75,21 +78,22 @@ class FilePanel(QWidget):
             button.setCheckable(False)
         menu = QMenu(self.over)
         menu.addActions([*self.overlays.values()])
-        self.over.setText("over it")
+        self.over.setText(tr("over it"))
         self.over.setMenu(menu)
         self.over.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.over.setToolTip("What is drawn over the sonagram, and below it: formants, pitch, level, words")
-        self.axis.addItems([axis.value for axis in FrequencyAxis])
-        self.axis.setAccessibleName("frequency axis")
-        self.colours.setAccessibleName("colour map")
-        self.variable.setAccessibleName("variable")
-        self.axis.setToolTip("How frequencies are spread over the sonagram")
-        self.colours.addItems(COLOUR_MAPS)
-        self.colours.setToolTip("Colour map")
+        self.over.setToolTip(tr("What is drawn over the sonagram, and below it: formants, pitch, level, words"))
+        for axis in FrequencyAxis:
+            self.axis.addItem(tr(axis.value), axis.value)
+        self.axis.setAccessibleName(tr("frequency axis"))
+        self.colours.setAccessibleName(tr("colour map"))
+        self.variable.setAccessibleName(tr("variable"))
+        self.axis.setToolTip(tr("How frequencies are spread over the sonagram"))
+        add_colour_maps(self.colours)
+        self.colours.setToolTip(tr("Colour map"))
         for choice in (self.axis, self.colours, self.variable):
             choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
             choice.setMinimumContentsLength(5)
-        self.variable.setToolTip("The variable whose course is shown")
+        self.variable.setToolTip(tr("The variable whose course is shown"))
         row = QHBoxLayout()
         row.setContentsMargins(6, 3, 6, 1)
         row.setSpacing(8)
@@ -123,7 +127,7 @@ class FilePanel(QWidget):
         self.axis.currentIndexChanged.connect(
             lambda k: sonagram.use(replace(sonagram.settings, axis=list(FrequencyAxis)[k]))
         )  # fmt: skip
-        self.colours.currentTextChanged.connect(lambda name: self.view.set_colours(colours_of(name)))
+        self.colours.currentIndexChanged.connect(lambda _k: self._show_colours())
         self.variable.currentTextChanged.connect(self.view.show_variable)
         self.view.sought.connect(self._session.seek)
         self._preset.changed.connect(self._list_variables)
@@ -133,7 +137,10 @@ class FilePanel(QWidget):
             signal.connect(self._show_difference)
         self._session.sought.connect(lambda: view.follow(self._session.position))
         self._session.sought.connect(self.view.update)
-        self.view.set_colours(colours_of(self.colours.currentText()))
+        self._show_colours()
+
+    def _show_colours(self) -> None:
+        self.view.set_colours(colours_of(self.colours.currentData()))
 
     def _show_difference(self) -> None:
         seen = self._session.view.seen
@@ -142,8 +149,12 @@ class FilePanel(QWidget):
         self.differs.setVisible(share is not None)
         if share is not None:
             first, second = self._session.second.names
-            self.differs.setText(f"{100 * share:.1f} % differ")
-            self.differs.setToolTip(f"{first} and {second} differ in {100 * share:.1f} % of what is seen")
+            self.differs.setText(tr("{share:.1f} % differ").format(share=100 * share))
+            self.differs.setToolTip(
+                tr("{first} and {second} differ in {share:.1f} % of what is seen").format(
+                    first=first, second=second, share=100 * share
+                )
+            )
 
     def _show_selection(self) -> None:
         if self._session.view.selection is not None:
@@ -160,6 +171,6 @@ class FilePanel(QWidget):
     def _show_state(self) -> None:
         self.live.setVisible(self._session.looks_back)
         self.follow.setVisible(not self._session.looks_back)
-        self.heading.setText("<b>Heard</b>" if self._session.looks_back else "<b>File</b>")
+        self.heading.setText(tr("<b>Heard</b>") if self._session.looks_back else tr("<b>File</b>"))
         self.follow.setChecked(self._session.view.follows)
         self.selection.setEnabled(self._session.view.selection is not None)

@@ -22,6 +22,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.analyse.file_rows import course_of, lane_pixels, wave_pixels, wide_runs
 from phonemeanalyser.desktop.analyse.sonagram import LETTER, NARROWEST_LETTER
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, letters_on, set_size
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
 from phonemeanalyser.desktop.session.session import Session
@@ -107,9 +108,9 @@ class FileView(QWidget):
         self.setMinimumSize(260, 200)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName("the file over time")
+        self.setAccessibleName(tr("the file over time"))
         self.setToolTip(
-            "Wheel: zoom at the pointer. Drag: scroll. Click: go there. Shift+drag: select. Home, End: the ends."
+            tr("Wheel: zoom at the pointer. Drag: scroll. Click: go there. Shift+drag: select. Home, End: the ends.")
         )
         self.setMouseTracking(True)
         models = (
@@ -220,7 +221,7 @@ class FileView(QWidget):
         for row in rows:
             painter.fillRect(row, QColor(self._theme.base))
         if self._view.duration <= 0:
-            draw_text(painter, QRectF(self.rect()), "no file", self._theme.faint, 13, CENTRED)
+            draw_text(painter, QRectF(self.rect()), tr("no file"), self._theme.faint, 13, CENTRED)
             return
         self._paint_sonagram(painter, rows[0])
         tracks = self._session.whole.tracks
@@ -479,7 +480,7 @@ class FileView(QWidget):
         """Return the values of what is drawn over the sonagram."""
         parts = []
         if "pitch" in self.shows:
-            parts.append(f"f0 {values['f0']:.0f} Hz" if values.get("f0") else "no f0")
+            parts.append(f"f0 {values['f0']:.0f} Hz" if values.get("f0") else tr("no f0"))
         if "level" in self.shows:
             parts.append(f"{20 * math.log10(max(values.get('volume', 0.0), 1e-6)):.0f} dB")
         known = self._session.formants.formants_in(self._view.seen) if "formants" in self.shows else None

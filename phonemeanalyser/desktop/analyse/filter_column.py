@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.analyse.look_ahead_slider import NAME as LIVE_LOOK_AHEAD
 from phonemeanalyser.desktop.analyse.look_ahead_slider import LookAheadSlider
+from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
 from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
@@ -40,64 +41,105 @@ class FilterField:
 
 
 TITLES: dict[Filter, tuple[str, str]] = {
-    Filter.QUANTISE: ("Quantise", "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the "
-                      "thesis did; anti-aliased removes them first."),
-    Filter.PRE_EMPHASIS: ("Pre-emphasis", "Raises high frequencies: each sample less a share of the one before it."),
-    Filter.WINDOW_FUNCTION: ("Window", "Fades the window's ends, so that a tone stays on few bins. "
-                             "Off is a rectangle."),
-    Filter.FREQUENCY_SMOOTH: ("Smooth F", "Blurs each bin with its neighbours; 1 is the mean of three."),
-    Filter.TIME_SMOOTH: ("Smooth time", "Blurs each spectrum with the one before; nearer 1 is slower."),
-    Filter.HIGH_PASS: ("High-pass", "Removes what lies below start (hum, rumble), and fades in up to end."),
-    Filter.LOW_PASS: ("Low-pass", "Fades out from start to end, and removes what lies above."),
-    Filter.DENOISE: ("Denoise", "Sets amplitudes below the threshold to 0."),
-    Filter.MEL: ("Mel", "Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); "
-                 "variables can measure it."),
-    Filter.NORMALISE: ("Normalise", "Divides each spectrum by its largest amplitude: loudness does not matter."),
-}  # fmt: skip
+    Filter.QUANTISE: (
+        tr_noop("Quantise"),
+        tr_noop(
+            "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased "
+            "removes them first."
+        ),
+    ),
+    Filter.PRE_EMPHASIS: (
+        tr_noop("Pre-emphasis"),
+        tr_noop("Raises high frequencies: each sample less a share of the one before it."),
+    ),
+    Filter.WINDOW_FUNCTION: (
+        tr_noop("Window"),
+        tr_noop("Fades the window's ends, so that a tone stays on few bins. Off is a rectangle."),
+    ),
+    Filter.FREQUENCY_SMOOTH: (
+        tr_noop("Smooth F"),
+        tr_noop("Blurs each bin with its neighbours; 1 is the mean of three."),
+    ),
+    Filter.TIME_SMOOTH: (
+        tr_noop("Smooth time"),
+        tr_noop("Blurs each spectrum with the one before; nearer 1 is slower."),
+    ),
+    Filter.HIGH_PASS: (
+        tr_noop("High-pass"),
+        tr_noop("Removes what lies below start (hum, rumble), and fades in up to end."),
+    ),
+    Filter.LOW_PASS: (
+        tr_noop("Low-pass"),
+        tr_noop("Fades out from start to end, and removes what lies above."),
+    ),
+    Filter.DENOISE: (tr_noop("Denoise"), tr_noop("Sets amplitudes below the threshold to 0.")),
+    Filter.MEL: (
+        tr_noop("Mel"),
+        tr_noop(
+            "Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); variables can measure "
+            "it."
+        ),
+    ),
+    Filter.NORMALISE: (
+        tr_noop("Normalise"),
+        tr_noop("Divides each spectrum by its largest amplitude: loudness does not matter."),
+    ),
+}
 
 FIELDS: dict[str, FilterField] = {
     "quantise": FilterField(
-        "every", tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)
+        tr_noop("every"), tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)
     ),
-    "decimation": FilterField("kind", (("plain", Decimation.PLAIN), ("anti-aliased", Decimation.ANTI_ALIASED))),
-    "pre_emphasis": FilterField("share", decimals=2, step=0.01),
-    "window_function": FilterField("shape", tuple((w.value.replace("_", "-").title(), w) for w in WindowFunction)),
-    "frequency_smooth": FilterField("strength"),
-    "time_smooth": FilterField("strength"),
-    "high_pass_start": FilterField("start", decimals=1, step=10),
-    "high_pass_end": FilterField("end", decimals=1, step=10),
-    "low_pass_start": FilterField("start", decimals=0, step=100),
-    "low_pass_end": FilterField("end", decimals=0, step=100),
-    "denoise_threshold": FilterField("threshold", decimals=5, step=0.0005),
-    "mel_bands": FilterField("bands", decimals=0, step=1),
-    "minimum_hold": FilterField("hold", decimals=2, step=0.01),
-    "hysteresis": FilterField("hysteresis", decimals=2, step=0.05),
-    "look_ahead": FilterField("file", decimals=2, step=0.01),
-    "live_look_ahead": FilterField("live"),
-    "intensity_low": FilterField("0 at", decimals=0, step=1),
-    "intensity_high": FilterField("1 at", decimals=0, step=1),
+    "decimation": FilterField(
+        tr_noop("kind"), ((tr_noop("plain"), Decimation.PLAIN), (tr_noop("anti-aliased"), Decimation.ANTI_ALIASED))
+    ),
+    "pre_emphasis": FilterField(tr_noop("share"), decimals=2, step=0.01),
+    "window_function": FilterField(
+        tr_noop("shape"), tuple((w.value.replace("_", "-").title(), w) for w in WindowFunction)
+    ),
+    "frequency_smooth": FilterField(tr_noop("strength")),
+    "time_smooth": FilterField(tr_noop("strength")),
+    "high_pass_start": FilterField(tr_noop("start"), decimals=1, step=10),
+    "high_pass_end": FilterField(tr_noop("end"), decimals=1, step=10),
+    "low_pass_start": FilterField(tr_noop("start"), decimals=0, step=100),
+    "low_pass_end": FilterField(tr_noop("end"), decimals=0, step=100),
+    "denoise_threshold": FilterField(tr_noop("threshold"), decimals=5, step=0.0005),
+    "mel_bands": FilterField(tr_noop("bands"), decimals=0, step=1),
+    "minimum_hold": FilterField(tr_noop("hold"), decimals=2, step=0.01),
+    "hysteresis": FilterField(tr_noop("hysteresis"), decimals=2, step=0.05),
+    "look_ahead": FilterField(tr_noop("file"), decimals=2, step=0.01),
+    "live_look_ahead": FilterField(tr_noop("live")),
+    "intensity_low": FilterField(tr_noop("0 at"), decimals=0, step=1),
+    "intensity_high": FilterField(tr_noop("1 at"), decimals=0, step=1),
 }
 
 
 AFTER_THE_FILTERS: dict[str, tuple[tuple[str, str], tuple[str, ...]]] = {
     "statistics": (
         (
-            "Statistics",
-            "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. "
-            "With hysteresis, another phoneme follows only where it is the better one by so much.",
+            tr_noop("Statistics"),
+            tr_noop(
+                "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. "
+                "With hysteresis, another phoneme follows only where it is the better one by so much."
+            ),
         ),
         ("minimum_hold", "hysteresis"),
     ),
     "look_ahead": (
         (
-            "Look-ahead",
-            "How long the recogniser may wait for what comes after a frame: longer is surer, and later. "
-            "Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.",
+            tr_noop("Look-ahead"),
+            tr_noop(
+                "How long the recogniser may wait for what comes after a frame: longer is surer, and later. "
+                "Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own."
+            ),
         ),
         ("look_ahead", "live_look_ahead"),
     ),
     "intensity": (
-        ("Intensity", "Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level."),
+        (
+            tr_noop("Intensity"),
+            tr_noop("Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level."),
+        ),
         ("intensity_low", "intensity_high"),
     ),
 }
@@ -128,7 +170,7 @@ class FilterColumn(QScrollArea):
         self.fields: dict[str, QComboBox | NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
         self.look_ahead = LookAheadSlider(preset)
-        self.bypass = QCheckBox("Bypass all filters")
+        self.bypass = QCheckBox(tr("Bypass all filters"))
         self.unused = QLabel()
         self._headings: dict[str, QWidget] = {}
         self._grid = QGridLayout()
@@ -137,7 +179,7 @@ class FilterColumn(QScrollArea):
         self._show_preset()
 
     def _fill(self) -> None:
-        self.bypass.setToolTip("All filters off at once, and back to what they were (B)")
+        self.bypass.setToolTip(tr("All filters off at once, and back to what they were (B)"))
         self.bypass.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.bypass.toggled.connect(self.bypass_asked)
         self._grid.setContentsMargins(6, 6, 2, 6)
@@ -167,7 +209,7 @@ class FilterColumn(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setAccessibleName("filters")
+        self.setAccessibleName(tr("filters"))
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _add_step(
@@ -183,13 +225,13 @@ class FilterColumn(QScrollArea):
         self._grid.addWidget(heading, row + 1, 0)
         reset = self._reset(key, title[0])
         for k, name in enumerate(parameters):
-            label = FIELDS[name].label
+            label = tr(FIELDS[name].label)
             field = self._field(name)
-            field.setToolTip(f"{title[0]}, {label}: {title[1]}")
-            field.setAccessibleName(f"{title[0]} {label}")
+            field.setToolTip(f"{tr(title[0])}, {label}: {tr(title[1])}")
+            field.setAccessibleName(f"{tr(title[0])} {label}")
             self._grid.addWidget(field, row + 1 + k, 1)
             if k:
-                self._grid.addWidget(self._label(f"{FIELDS[parameters[0]].label} / {label}"), row + 1 + k, 0)
+                self._grid.addWidget(self._label(f"{tr(FIELDS[parameters[0]].label)} / {label}"), row + 1 + k, 0)
             else:
                 self._grid.addWidget(reset, row + 1, 2)  # here, since Tab goes as the grid was filled
         if not parameters:
@@ -198,8 +240,8 @@ class FilterColumn(QScrollArea):
 
     def _heading(self, key: str, text: str, switch: Callable[[bool], None] | None) -> QWidget:
         if switch is None:
-            return QLabel(text)
-        box = QCheckBox(text)
+            return QLabel(tr(text))
+        box = QCheckBox(tr(text))
         box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         box.toggled.connect(switch)
         self.switches[key] = box
@@ -210,8 +252,8 @@ class FilterColumn(QScrollArea):
         reset.setText("↺")
         reset.setAutoRaise(True)
         reset.setFixedWidth(RESET_WIDTH)
-        reset.setAccessibleName(f"reset {text.lower()}")
-        reset.setToolTip(f"Reset {text.lower()} to what the preset's file says")
+        reset.setAccessibleName(tr("reset {text}").format(text=tr_amid(text)))
+        reset.setToolTip(tr("Reset {text} to what the preset's file says").format(text=tr_amid(text)))
         self.resets[key] = reset
         return reset
 
@@ -229,7 +271,7 @@ class FilterColumn(QScrollArea):
         if field.choices:
             widget = QComboBox()
             for text, value in field.choices:
-                widget.addItem(text, value)
+                widget.addItem(tr(text), value)
             widget.activated.connect(lambda k: self._edit(name, field.choices[k][1]))
         else:
             low, high, unit = LIMITS[name]
@@ -237,7 +279,7 @@ class FilterColumn(QScrollArea):
             widget.setRange(low, high)
             widget.setDecimals(field.decimals)
             widget.setSingleStep(field.step)
-            widget.setSuffix(f" {unit}" if unit else "")
+            widget.setSuffix(f" {tr(unit)}" if unit else "")
             widget.setKeyboardTracking(False)
             widget.installEventFilter(NumberFieldKeys(widget))
             widget.valueChanged.connect(lambda value: self._edit(name, value))
@@ -283,12 +325,18 @@ class FilterColumn(QScrollArea):
         titles = {step.value: title for step, title in TITLES.items()}
         titles |= {key: title for key, (title, _) in AFTER_THE_FILTERS.items()}
         for key, heading in self._headings.items():
-            note = f" Not used by the recogniser {name}: it changes only what is seen." if key in unused else ""
-            heading.setToolTip(f"{titles[key][0]}: {titles[key][1]}{note}")
+            note = (
+                " " + tr("Not used by the recogniser {name}: it changes only what is seen.").format(name=name)
+                if key in unused
+                else ""
+            )
+            heading.setToolTip(f"{tr(titles[key][0])}: {tr(titles[key][1])}{note}")
             heading.setStyleSheet(f"color: {self._theme.faint}; font-style: italic" if key in unused else "")
         if {step.value for step in Filter} <= unused:
-            self.unused.setText(f"{name} hears the bare sound: the filters shape only what is seen")
+            self.unused.setText(
+                tr("{name} hears the bare sound: the filters shape only what is seen").format(name=name)
+            )
         else:
-            which = ", ".join(title for key, (title, _) in titles.items() if key in unused)
-            self.unused.setText(f"Not used by {name}: {which}")
+            which = ", ".join(tr(title) for key, (title, _) in titles.items() if key in unused)
+            self.unused.setText(tr("Not used by {name}: {which}").format(name=name, which=which))
         self.unused.setVisible(bool(unused & self._headings.keys()))

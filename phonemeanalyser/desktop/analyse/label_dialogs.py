@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
 from phonemeanalyser.desktop.session.session import Session
@@ -24,13 +25,15 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.files import free_path
 from phonemeengine.labels.files import LABEL_SUFFIXES
 
-LABEL_FILTER = "Labels (*.TextGrid *.txt *.csv)"
-NONE = "none"
+LABEL_FILTER = tr_noop("Labels (*.TextGrid *.txt *.csv)")
+NONE = tr_noop("none")
 AROUND = 0.5
 """Seconds that are seen at least on either side of an error."""
 
 
-WHAT_WAS_HEARD = "Save what was heard as a sound (Selection > Save Selection as Sound…), open that, and label it."
+WHAT_WAS_HEARD = tr_noop(
+    "Save what was heard as a sound (Selection > Save Selection as Sound…), open that, and label it."
+)
 
 
 class LabelDialogs(QObject):
@@ -51,12 +54,13 @@ class LabelDialogs(QObject):
         if not self._has_file():
             return
         if tracks is None or self._labels.said_frames() is None:
-            session.error.emit("No labels say what is said; load some by Labels > Load Labels.")
+            session.error.emit(tr("No labels say what is said; load some by Labels > Load Labels."))
             return
         selected = session.view.selection
         found = self._labels.next_error(tracks, session.position if selected is None else selected.start, back=back)
         if found is None:
-            session.labels.info.emit(f"There is no error {'before' if back else 'after'} this place.")
+            before, after = tr("There is no error before this place."), tr("There is no error after this place.")
+            session.labels.info.emit(before if back else after)
             return
         session.seek(found.start)
         session.view.select(TimeSpan(found.start, found.end))
@@ -67,13 +71,15 @@ class LabelDialogs(QObject):
             session.view.show(TimeSpan(middle - half, middle + half))
         said, recognised = found.said.label, found.recognised.label
         session.labels.info.emit(
-            f"{found.start:.2f} to {found.end:.2f} s: {said} is said, {recognised} was recognised"
+            tr("{start:.2f} to {end:.2f} s: {said} is said, {recognised} was recognised").format(
+                start=found.start, end=found.end, said=said, recognised=recognised
+            )
         )
 
     def _has_file(self) -> bool:
         """Say whether there is something to label: what a microphone heard becomes a file first."""
         if self._session.looks_back:
-            self._session.error.emit(WHAT_WAS_HEARD)
+            self._session.error.emit(tr(WHAT_WAS_HEARD))
         return not self._session.looks_back
 
     # -- labels -------------------------------------------------------------------------------------------
@@ -82,10 +88,12 @@ class LabelDialogs(QObject):
         """Let the user rename the chosen label."""
         chosen = self._labels.chosen
         if chosen is None:
-            self._session.error.emit("No label is chosen; click one under the sonagram first.")
+            self._session.error.emit(tr("No label is chosen; click one under the sonagram first."))
             return
         name = self._labels.tiers[chosen.tier].raw_labels[chosen.label].name
-        name, wanted = QInputDialog.getText(self._window, "Rename the label", "What is said there:", text=name)
+        name, wanted = QInputDialog.getText(
+            self._window, tr("Rename the label"), tr("What is said there:"), text=name
+        )
         if wanted:
             self._labels.rename(chosen, name)
 
@@ -95,24 +103,24 @@ class LabelDialogs(QObject):
         if not self._has_file():
             return
         if span is None:
-            self._session.error.emit(NOTHING_SELECTED)
+            self._session.error.emit(tr(NOTHING_SELECTED))
             return
-        question = f"What is said from {span.start:.3f} to {span.end:.3f} s:"
-        name, wanted = QInputDialog.getText(self._window, "New label", question)
+        question = tr("What is said from {start:.3f} to {end:.3f} s:").format(start=span.start, end=span.end)
+        name, wanted = QInputDialog.getText(self._window, tr("New label"), question)
         if wanted:
             self._labels.insert(self._labels.state.said, *span, name)
 
     def delete(self) -> None:
         """Delete the chosen label."""
         if self._labels.chosen is None:
-            self._session.error.emit("No label is chosen; click one under the sonagram first.")
+            self._session.error.emit(tr("No label is chosen; click one under the sonagram first."))
         else:
             self._labels.delete(self._labels.chosen)
 
     def ask_tiers(self) -> None:
         """Let the user choose which tiers are shown, and which one says what is said."""
         if not self._labels.tiers:
-            self._session.error.emit("There are no labels yet; load some by Labels > Load Labels.")
+            self._session.error.emit(tr("There are no labels yet; load some by Labels > Load Labels."))
             return
         dialog = TiersDialog(self._labels, self._window)
         if dialog.exec():
@@ -125,10 +133,10 @@ class LabelDialogs(QObject):
         """Let the user choose a label file for the sound in hand."""
         path = self._session.path
         if path is None:
-            self._session.error.emit("There is no sound file in hand; open the one that the labels belong to.")
+            self._session.error.emit(tr("There is no sound file in hand; open the one that the labels belong to."))
             return
         folder = str(self._settings.value("folder/labels", str(path.parent)))
-        name, _ = QFileDialog.getOpenFileName(self._window, "Load labels", folder, LABEL_FILTER)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("Load labels"), folder, tr(LABEL_FILTER))
         if name and self.may_leave():
             self._settings.setValue("folder/labels", str(Path(name).parent))
             self._labels.load(Path(name))
@@ -142,10 +150,10 @@ class LabelDialogs(QObject):
         """Let the user choose a file to save the labels to; says whether they were saved."""
         sound = self._session.path
         if sound is None or not self._labels.tiers:
-            self._session.error.emit("There are no labels yet; select a stretch and insert one by Ctrl+I.")
+            self._session.error.emit(tr("There are no labels yet; select a stretch and insert one by Ctrl+I."))
             return False
         suggested = self._labels.path or sound.with_suffix(".TextGrid")
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save the labels", str(suggested), LABEL_FILTER)
+        name, _ = QFileDialog.getSaveFileName(self._window, tr("Save the labels"), str(suggested), tr(LABEL_FILTER))
         if not name:
             return False
         path = Path(name)
@@ -161,7 +169,8 @@ class LabelDialogs(QObject):
             return True
         buttons = QMessageBox.StandardButton
         answer = QMessageBox.question(
-            self._window, "Unsaved labels", f"Save the labels of {sound.name}, which you changed?",
+            self._window, tr("Unsaved labels"),
+            tr("Save the labels of {sound}, which you changed?").format(sound=sound.name),
             buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
         )  # fmt: skip
         return self.save() if answer == buttons.Save else answer == buttons.Discard
@@ -178,14 +187,15 @@ class TiersDialog(QDialog):
 
     def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Tiers")
+        self.setWindowTitle(tr("Tiers"))
         self.list, self.says = QListWidget(), QComboBox()
-        self.list.setAccessibleName("tiers that are shown")
-        self.says.setAccessibleName("tier that is compared with what is recognised")
-        self.says.addItem(NONE)
+        self.list.setAccessibleName(tr("tiers that are shown"))
+        self.says.setAccessibleName(tr("tier that is compared with what is recognised"))
+        self.says.addItem(tr(NONE))
         for k, tier in enumerate(labels.tiers):
             n = len(tier.raw_labels)
-            item = QListWidgetItem(f"{tier.name} ({n} {'points' if tier.points else 'labels'})")
+            held = tr("{n} points") if tier.points else tr("{n} labels")
+            item = QListWidgetItem(f"{tier.name} ({held.format(n=n)})")
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked if k in labels.state.shown else Qt.CheckState.Unchecked)
             self.list.addItem(item)
@@ -196,8 +206,8 @@ class TiersDialog(QDialog):
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         for widget in (
-            QLabel("Shown under the sonagram:"), self.list, QLabel("Compared with what is recognised:"), self.says,
-            buttons,
+            QLabel(tr("Shown under the sonagram:")), self.list,
+            QLabel(tr("Compared with what is recognised:")), self.says, buttons,
         ):  # fmt: skip
             layout.addWidget(widget)
 

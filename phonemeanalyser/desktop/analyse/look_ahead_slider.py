@@ -4,6 +4,7 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLabel, QSlider
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, LIMITS
@@ -28,9 +29,11 @@ class LookAheadSlider(QSlider):
         self.words = QLabel()
         self.words.setWordWrap(True)
         self.words.setToolTip(
-            "Late: from a sound to its phoneme on the screen, as this machine measured it since the start, with the "
-            "microphone that was heard last. Macro F1 and right mouth shapes: of speakers whom the model did not "
-            "learn from, as its training measured them."
+            tr(
+                "Late: from a sound to its phoneme on the screen, as this machine measured it since the start, with "
+                "the microphone that was heard last. Macro F1 and right mouth shapes: of speakers whom the model did "
+                "not learn from, as its training measured them."
+            )
         )
         self.setRange(0, round(LIMITS[NAME][1] / FRAME_PERIOD))
         self.setPageStep(1)
@@ -69,17 +72,23 @@ class LookAheadSlider(QSlider):
         frames = self.value() if waits else 0
         if waits and preset.model is not None:
             frames = preset.model.frames_ahead(frames * FRAME_PERIOD)
-        ahead = f"{FRAME_MS * frames:.0f} ms ahead" if waits else f"{preset.recogniser} never waits"
-        late = "listen to see how late"
+        ahead = (
+            tr("{ms:.0f} ms ahead").format(ms=FRAME_MS * frames)
+            if waits
+            else tr("{recogniser} never waits").format(recogniser=preset.recogniser)
+        )
+        late = tr("listen to see how late")
         if self._waiting is not None:
-            late = f"{1000 * self._waiting + FRAME_MS * frames:.0f} ms late here"
+            late = tr("{ms:.0f} ms late here").format(ms=1000 * self._waiting + FRAME_MS * frames)
         lines = [f"{ahead}: {late}"]
         if waits and preset.model is not None:
             figures = preset.model.by_look_ahead.get(frames)
             lines.append(
-                f"macro F1 {figures.macro_f1:.2f}, right mouth shapes {100 * figures.mouth_shapes:.0f} %"
+                tr("macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %").format(
+                    macro_f1=figures.macro_f1, percent=100 * figures.mouth_shapes
+                )
                 if figures
-                else "how right it is then was not measured"
+                else tr("how right it is then was not measured")
             )
         text = "\n".join(lines)
         if text != self.words.text():

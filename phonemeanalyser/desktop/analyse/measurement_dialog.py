@@ -14,6 +14,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr
 from phonemeengine.measurement import MEASUREMENT_COLUMNS, StretchMeasurement, format_measurement
 
 SIZE = 460, 520
@@ -33,31 +34,38 @@ class MeasurementDialog(QDialog):
         super().__init__(parent)
         self._text = format_measurement(measurement).replace(",", "\t")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        self.setWindowTitle(f"{measurement.start:.3f} to {measurement.end:.3f} s of {sound}")
+        self.setWindowTitle(
+            tr("{start:.3f} to {end:.3f} s of {sound}").format(
+                start=measurement.start, end=measurement.end, sound=sound
+            )
+        )
         self.resize(*SIZE)
         rows = measurement.rows()
         self.table = QTableWidget(len(rows), len(MEASUREMENT_COLUMNS))
-        self.table.setHorizontalHeaderLabels(list(MEASUREMENT_COLUMNS))
+        self.table.setHorizontalHeaderLabels(list(map(tr, MEASUREMENT_COLUMNS)))
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-        self.table.setAccessibleName("what was measured")
+        self.table.setAccessibleName(tr("what was measured"))
         for k, row in enumerate(rows):
             for column, words in enumerate(row):
-                item = QTableWidgetItem(words)
+                item = QTableWidgetItem(tr(words) if column == 0 else words)
                 if column > 1:
                     item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 self.table.setItem(k, column, item)
         told = QLabel(
-            f"Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the root "
-            "mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the frames."
+            tr(
+                "Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the "
+                "root mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the "
+                "frames."
+            ).format(preset=preset)
         )
         told.setWordWrap(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        self.copy = buttons.addButton("Copy", QDialogButtonBox.ButtonRole.ActionRole)
-        self.copy.setToolTip("Copy the table, with tabs between the columns")
+        self.copy = buttons.addButton(tr("Copy"), QDialogButtonBox.ButtonRole.ActionRole)
+        self.copy.setToolTip(tr("Copy the table, with tabs between the columns"))
         self.copy.clicked.connect(self.copy_table)
         buttons.rejected.connect(self.reject)
         QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self, self.copy_table)

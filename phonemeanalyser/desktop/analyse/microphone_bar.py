@@ -7,11 +7,12 @@ from typing import Any
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.microphone import MOST_CHANNELS, RATES, Microphone
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 
-DEFAULT = "default microphone"
+DEFAULT = tr_noop("default microphone")
 
 
 class MicrophoneBar(QWidget):
@@ -34,19 +35,19 @@ class MicrophoneBar(QWidget):
     def _lay_out(self) -> None:
         self.device.setMinimumWidth(150)
         self.device.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.device.setAccessibleName("microphone")
+        self.device.setAccessibleName(tr("microphone"))
         self.again.setText("⟳")
-        self.again.setToolTip("Look again which microphones there are (F5)")
-        self.again.setAccessibleName("look for microphones again")
+        self.again.setToolTip(tr("Look again which microphones there are (F5)"))
+        self.again.setAccessibleName(tr("look for microphones again"))
         self.again.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.channel.setToolTip(
-            "The channel that is heard and recorded, or the first two: mixed and recorded as stereo"
+            tr("The channel that is heard and recorded, or the first two: mixed and recorded as stereo")
         )
-        self.channel.setAccessibleName("channel of the microphone")
+        self.channel.setAccessibleName(tr("channel of the microphone"))
         for rate in RATES:
-            self.rate.addItem(f"{rate:,} Hz".replace(",", " ") if rate else "best rate", rate)
-        self.rate.setToolTip("Sample rate of the microphone; the best is 44 100 Hz where it can do that")
-        self.rate.setAccessibleName("sample rate")
+            self.rate.addItem(f"{rate:,} Hz".replace(",", " ") if rate else tr("best rate"), rate)
+        self.rate.setToolTip(tr("Sample rate of the microphone; the best is 44 100 Hz where it can do that"))
+        self.rate.setAccessibleName(tr("sample rate"))
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(6)
@@ -72,14 +73,16 @@ class MicrophoneBar(QWidget):
     def _fill(self) -> None:
         """Show the devices that are there, and what is chosen; one that has gone stays in the list, marked."""
         choice, devices = self._microphone.choice, self._microphone.devices
-        labels = {"": DEFAULT} | {device.label: device.label for device in devices}
-        labels.setdefault(choice.label, f"{choice.label} (not there)")
+        labels = {"": tr(DEFAULT)} | {device.label: device.label for device in devices}
+        labels.setdefault(choice.label, tr("{name} (not there)").format(name=choice.label))
         _offer(self.device, labels, choice.label)
         self.device.view().setMinimumWidth(self.device.view().sizeHintForColumn(0))
-        self.device.setToolTip(f"The microphone, by name and sound system: {self.device.currentText()}")
+        self.device.setToolTip(
+            tr("The microphone, by name and sound system: {name}").format(name=self.device.currentText())
+        )
         chosen = next((d for d in devices if d.label == choice.label), devices[0] if devices else None)
         most = min(chosen.n_inputs, MOST_CHANNELS) if chosen else 1
-        channels = {k: f"channel {k}" for k in range(1, max(most, choice.channel) + 1)}
+        channels = {k: tr("channel {k}").format(k=k) for k in range(1, max(most, choice.channel) + 1)}
         _offer(self.channel, channels | ({0: "1 + 2"} if most > 1 or choice.channel == 0 else {}), choice.channel)
         self.rate.setCurrentIndex(max(0, self.rate.findData(choice.rate)))
 

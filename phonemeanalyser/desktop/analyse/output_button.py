@@ -6,10 +6,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QToolButton
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session
 
 SPEEDS = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25)
-DEFAULT = "the system's output"
+DEFAULT = tr_noop("the system's output")
 
 
 class OutputButton(QToolButton):
@@ -22,8 +23,8 @@ class OutputButton(QToolButton):
         self.setMenu(self._menu)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setAccessibleName("output device and speed")
-        self.setToolTip("Volume in dB; click for the output device and the speed")
+        self.setAccessibleName(tr("output device and speed"))
+        self.setToolTip(tr("Volume in dB; click for the output device and the speed"))
         self._menu.aboutToShow.connect(session.loudspeaker.refresh_devices)
         session.loudspeaker.devices_changed.connect(self._fill)
         session.transport_changed.connect(self._show_state)
@@ -32,7 +33,7 @@ class OutputButton(QToolButton):
 
     def _show_state(self) -> None:
         session = self._session
-        volume = "silent" if session.volume <= QUIETEST_DB else f"{session.volume:.0f} dB".replace("-", "−")
+        volume = tr("silent") if session.volume <= QUIETEST_DB else f"{session.volume:.0f} dB".replace("-", "−")
         speed = "" if session.speed == 1 else f", {100 * session.speed:.0f} %"
         self.setText(f"♪ {volume}{speed}")
         for action in self._menu.actions():
@@ -41,8 +42,8 @@ class OutputButton(QToolButton):
     def _fill(self) -> None:
         session = self._session
         self._menu.clear()
-        labels = {"": DEFAULT} | {device.label: device.label for device in session.loudspeaker.devices}
-        labels.setdefault(session.loudspeaker.label, f"{session.loudspeaker.label} (not there)")
+        labels = {"": tr(DEFAULT)} | {device.label: device.label for device in session.loudspeaker.devices}
+        labels.setdefault(session.loudspeaker.label, tr("{name} (not there)").format(name=session.loudspeaker.label))
         devices, speeds = QActionGroup(self._menu), QActionGroup(self._menu)
         for label, text in labels.items():
             action = self._menu.addAction(text, partial(session.loudspeaker.choose, label))
@@ -51,7 +52,9 @@ class OutputButton(QToolButton):
             devices.addAction(action)
         self._menu.addSeparator()
         for speed in SPEEDS:
-            action = self._menu.addAction(f"Speed {100 * speed:.0f} %", partial(session.set_speed, speed))
+            action = self._menu.addAction(
+                tr("Speed {percent:.0f} %").format(percent=100 * speed), partial(session.set_speed, speed)
+            )
             action.setCheckable(True)
             action.setData(speed)
             speeds.addAction(action)

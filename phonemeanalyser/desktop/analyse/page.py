@@ -11,6 +11,7 @@ from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
 from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
@@ -34,8 +35,8 @@ class AnalysisPage(QSplitter):
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
         super().__init__(Qt.Orientation.Vertical)
         self._history = session.history
-        tip = "The spectrum of the newest window of 46.4 ms, after all filters that are on"
-        self.spectrum = SpectrumView("Spectrum", tip, theme)
+        tip = tr("The spectrum of the newest window of 46.4 ms, after all filters that are on")
+        self.spectrum = SpectrumView(tr_noop("Spectrum"), tip, theme)
         self.averaged = AveragedView(session.averages, theme)
         self.waveform = WaveformView(theme)
         self._session = session

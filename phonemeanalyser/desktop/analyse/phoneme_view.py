@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -45,11 +46,13 @@ class PhonemeView(QWidget):
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.setToolTip(
-            "The phoneme now, its intensity, how sure it is (of a hundred answers that are 80 % sure, eighty are "
-            "right), how often the phoneme changed in the last three seconds, the measures "
-            "of its window of 46 ms: zc (zero crossings in it), vol (peak level, full scale 1), e (energy: sum of "
-            "the amplitudes before denoise and normalise), f(g) (fundamental frequency of a voice, 60 to 500 Hz; a "
-            "higher tone has none), and what each rule said, down to the one that fired"
+            tr(
+                "The phoneme now, its intensity, how sure it is (of a hundred answers that are 80 % sure, eighty are "
+                "right), how often the phoneme changed in the last three seconds, the measures of its window of 46 "
+                "ms: zc (zero crossings in it), vol (peak level, full scale 1), e (energy: sum of the amplitudes "
+                "before denoise and normalise), f(g) (fundamental frequency of a voice, 60 to 500 Hz; a higher tone "
+                "has none), and what each rule said, down to the one that fired"
+            )
         )
 
     def _values(self) -> str:
@@ -83,7 +86,7 @@ class PhonemeView(QWidget):
                 self.meters["f(g)"] = "–"
         self.changes = None if self.input_silent else self._session.history.changes_per_s(FLICKER_SECONDS)
         self.trace = None if self.input_silent else self._session.results.explain()
-        self.setAccessibleName("nothing comes" if self.input_silent else self.phoneme.label)
+        self.setAccessibleName(tr("nothing comes") if self.input_silent else self.phoneme.label)
         self.update()
 
     def paintEvent(self, _event: Any) -> None:
@@ -100,7 +103,7 @@ class PhonemeView(QWidget):
         colour = QColor(PHONEME_COLOURS[self.phoneme])
         painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
         painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
-        name = "nothing comes" if self.input_silent else self.phoneme.label
+        name = tr("nothing comes") if self.input_silent else self.phoneme.label
         draw_text(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, CENTRED)
 
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:
@@ -109,11 +112,27 @@ class PhonemeView(QWidget):
         accent = QColor(self._theme.accent)
         painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
         inner = box.adjusted(5, 0, -5, 0)
-        draw_text(painter, inner, f"intensity {self.intensity:.2f}", self._theme.text, 10)
+        draw_text(
+            painter, inner, tr("intensity {intensity:.2f}").format(intensity=self.intensity), self._theme.text, 10
+        )
         if self.confidence is not None:
-            draw_text(painter, inner, f"{100 * self.confidence:.0f} % sure", self._theme.text, 10, CENTRED)
+            draw_text(
+                painter,
+                inner,
+                tr("{percent:.0f} % sure").format(percent=100 * self.confidence),
+                self._theme.text,
+                10,
+                CENTRED,
+            )
         if self.changes is not None:
-            draw_text(painter, inner, f"{self.changes:.1f} changes/s", self._theme.text, 10, AT_RIGHT)
+            draw_text(
+                painter,
+                inner,
+                tr("{changes:.1f} changes/s").format(changes=self.changes),
+                self._theme.text,
+                10,
+                AT_RIGHT,
+            )
 
     def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
         cell = box.width() / len(METERS)
@@ -142,7 +161,9 @@ class PhonemeView(QWidget):
             draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), trace.rule, self._theme.text, 11)
             line = line.translated(0, ROW)
         if self.recognised is not self.phoneme:
-            calmed = f"statistics: {self.recognised.label} → {self.phoneme.label}"
+            calmed = tr("statistics: {recognised} → {phoneme}").format(
+                recognised=self.recognised.label, phoneme=self.phoneme.label
+            )
             draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), calmed, self._theme.accent, 11)
 
 

@@ -7,6 +7,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock, set_size
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -48,10 +49,12 @@ class PositionSlider(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setToolTip(
-            "The whole file: how loud it is, in the colours of its phonemes (grey where it is not analysed yet). "
-            "Click to go there; arrow keys go by a second"
+            tr(
+                "The whole file: how loud it is, in the colours of its phonemes (grey where it is not analysed yet). "
+                "Click to go there; arrow keys go by a second"
+            )
         )
-        self.setAccessibleName("time line")
+        self.setAccessibleName(tr("time line"))
         session.whole.changed.connect(self.update)
 
     def refresh(self) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QPushButton, QSizePolicy
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.presets.entries import PresetEntry
 
@@ -42,7 +43,7 @@ class PresetBox(QPushButton):
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setFixedWidth(WIDTH)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName("preset")
+        self.setAccessibleName(tr("preset"))
         preset.changed.connect(self._show_preset)
         preset.file_changed.connect(self._show_preset)
         self._show_preset()
@@ -63,7 +64,7 @@ class PresetBox(QPushButton):
         menu.addActions(self._commands)
 
     def _add(self, menu: QMenu, entry: PresetEntry) -> None:
-        text = f"{entry.name}:  {entry.summary}" if entry.summary else entry.name
+        text = f"{entry.name}:  {tr(entry.summary)}" if entry.summary else entry.name
         action = menu.addAction(text.replace("&", "&&"), partial(self.chosen.emit, entry.path))
         action.setToolTip(str(entry.path))
         action.setCheckable(True)
@@ -75,5 +76,7 @@ class PresetBox(QPushButton):
         room = WIDTH - 30
         name = self.fontMetrics().elidedText(preset.name + mark, Qt.TextElideMode.ElideMiddle, room)
         self.setText(name.replace("&", "&&"))
-        changed = ", changed since it was saved" if mark else ""
-        self.setToolTip(f"<p>Preset <b>{preset.name}</b>{changed}. {preset.summary}</p><p>{self._preset.path}</p>")
+        changed = ", " + tr("changed since it was saved") if mark else ""
+        self.setToolTip(
+            f"<p>{tr('Preset')} <b>{preset.name}</b>{changed}. {tr(preset.summary)}</p><p>{self._preset.path}</p>"
+        )

@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.presets.ears import WITHOUT_ENCODER, offered_ear
 from phonemeengine.recognition.spec import recogniser_names
@@ -10,7 +11,7 @@ from phonemeengine.settings import Ear
 
 NAMES_WIDTH = 86
 """Pixels that the recogniser's name has at least."""
-EARS = {Ear.LIVE: "live", Ear.TWIN: "twin", Ear.WHISPER: "Whisper"}
+EARS = {Ear.LIVE: tr_noop("live"), Ear.TWIN: tr_noop("twin"), Ear.WHISPER: "Whisper"}
 
 
 class RecogniserChoice(QWidget):
@@ -30,22 +31,27 @@ class RecogniserChoice(QWidget):
         self._preset = preset
         self.names = QComboBox()
         self.names.addItems(recogniser_names())
-        self.names.setAccessibleName("recogniser")
+        self.names.setAccessibleName(tr("recogniser"))
         self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.names.setMinimumWidth(NAMES_WIDTH)
         self.names.setToolTip(
-            "<p>What names the phoneme of each frame. Another one brings the front end and the numbers that it was "
-            "tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, install its "
-            "package beside this program, and start the program again. How to write one is in the README.</p>"
+            tr(
+                "<p>What names the phoneme of each frame. Another one brings the front end and the numbers that it "
+                "was tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, "
+                "install its package beside this program, and start the program again. How to write one is in the "
+                "README.</p>"
+            )
         )
         self.ears = QComboBox()
-        self.ears.addItems([*EARS.values()])
-        self.ears.setAccessibleName("ear for files")
+        self.ears.addItems([*map(tr, EARS.values())])
+        self.ears.setAccessibleName(tr("ear for files"))
         self.ears.setToolTip(
-            "<p>The best that files are heard with. <i>live</i>: as a microphone. <i>twin</i>: by a network that "
-            "hears half a second ahead. <i>Whisper</i>: with a speech encoder besides, where all of a file is "
-            "recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.</p>"
-            f"<p>{WITHOUT_ENCODER}.</p>"
+            tr(
+                "<p>The best that files are heard with. <i>live</i>: as a microphone. <i>twin</i>: by a network that "
+                "hears half a second ahead. <i>Whisper</i>: with a speech encoder besides, where all of a file is "
+                "recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.</p>"
+                "<p>{without}.</p>"
+            ).format(without=tr(WITHOUT_ENCODER))
         )
         self._lay_out()
         self.names.activated.connect(self._choose)
@@ -57,11 +63,11 @@ class RecogniserChoice(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         row = QHBoxLayout(self)
         row.setContentsMargins(8, 4, 8, 2)
-        label = QLabel("Recogniser")
+        label = QLabel(tr("Recogniser"))
         label.setBuddy(self.names)
         row.addWidget(label)
         row.addWidget(self.names, 1)
-        files = QLabel("Files")
+        files = QLabel(tr("Files"))
         files.setBuddy(self.ears)
         row.addWidget(files)
         row.addWidget(self.ears)

@@ -7,16 +7,17 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QMenu, QToolButton
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
 
 Key = TypeVar("Key")
 
-KINDS = {".wav": "WAV, RF64 beyond 4 GB", ".flac": "FLAC, half the size"}
+KINDS = {".wav": tr_noop("WAV, RF64 beyond 4 GB"), ".flac": tr_noop("FLAC, half the size")}
 BUFFERS = {
-    0.04: "Short Buffer: Blocks of 10 ms, the Least Latency",
-    0.08: "Medium Buffer: Blocks of 20 ms",
-    0.2: "Long Buffer: Blocks of 50 ms, for a Busy Machine",
+    0.04: tr_noop("Short Buffer: Blocks of 10 ms, the Least Latency"),
+    0.08: tr_noop("Medium Buffer: Blocks of 20 ms"),
+    0.2: tr_noop("Long Buffer: Blocks of 50 ms, for a Busy Machine"),
 }
 """What is asked of the microphone, seconds, and how that is called."""
 
@@ -39,7 +40,7 @@ class RecordButton(QToolButton):
         self.setStyleSheet(f"QToolButton[checkable=true]:checked {{ background: {theme.bad} }}")
         self.setCheckable(True)
         self.setFixedWidth(46)
-        self.setAccessibleName("record")
+        self.setAccessibleName(tr("record"))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         menu = QMenu(self)
@@ -51,11 +52,11 @@ class RecordButton(QToolButton):
         menu.addSeparator()
         self.buffers = self._add_choices(menu, BUFFERS, self._microphone.set_latency)
         menu.addSeparator()
-        self.phonemes = self._add_switch(menu, "Write the Phonemes Beside It (.csv)")
+        self.phonemes = self._add_switch(menu, tr("Write the Phonemes Beside It (.csv)"))
         self.phonemes.toggled.connect(self._set_phonemes)
-        self.gaps = self._add_switch(menu, "Fill Gaps with Silence, Besides Marking Them")
+        self.gaps = self._add_switch(menu, tr("Fill Gaps with Silence, Besides Marking Them"))
         self.gaps.toggled.connect(self._set_fill_gaps)
-        self.else_default = self._add_switch(menu, "Go On with the Default Microphone if It Vanishes")
+        self.else_default = self._add_switch(menu, tr("Go On with the Default Microphone if It Vanishes"))
         self.else_default.toggled.connect(self._microphone.set_else_default)
         menu.aboutToShow.connect(self.show_state)
         self.setMenu(menu)
@@ -67,9 +68,11 @@ class RecordButton(QToolButton):
         self.setChecked(recording)
         self.setIcon(_dot(self._theme, recording))
         self.setToolTip(
-            "End the recording (R)" if recording else f"Record the microphone into {microphone.folder} (R)"
+            tr("End the recording (R)")
+            if recording
+            else tr("Record the microphone into {folder} (R)").format(folder=microphone.folder)
         )
-        self.folder.setText(f"Recordings Go to {microphone.folder}…")
+        self.folder.setText(tr("Recordings Go to {folder}…").format(folder=microphone.folder))
         for suffix, action in self.kinds.items():
             action.setChecked(suffix == microphone.suffix)
         for latency, action in self.buffers.items():
@@ -85,7 +88,7 @@ class RecordButton(QToolButton):
         """Add entries of which one at a time is chosen; `act` is given what was chosen."""
         group, actions = QActionGroup(self), {}
         for key, words in choices.items():
-            action = actions[key] = QAction(words, self, checkable=True)
+            action = actions[key] = QAction(tr(words), self, checkable=True)
             action.triggered.connect(lambda _checked, key=key: act(key))
             group.addAction(action)
             menu.addAction(action)

@@ -17,7 +17,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, SPAN, PhonemeLane, SonagramItem, colours_of
+from phonemeanalyser.desktop.analyse.sonagram import SPAN, PhonemeLane, SonagramItem, add_colour_maps, colours_of
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
@@ -47,15 +48,17 @@ class ScrollView(QWidget):
         self._preset = preset
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
-        self._graphics.setAccessibleName("what is heard over time")
+        self._graphics.setAccessibleName(tr("what is heard over time"))
         self.sonagram = SonagramItem(history, theme)
         self._lane = PhonemeLane(history, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: dict[str, pg.InfiniteLine] = {}
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
-        self.decibels = toggle_button("dB", "Brightness in dB, or linear")
-        self.back = toggle_button("look back", "All that the microphone heard since Clear, on its own time (Ctrl+B)")
+        self.decibels = toggle_button("dB", tr("Brightness in dB, or linear"))
+        self.back = toggle_button(
+            tr("look back"), tr("All that the microphone heard since Clear, on its own time (Ctrl+B)")
+        )
         self.low, self.high = NumberField(), NumberField()
         self.colours = QComboBox()
         self.variable = QComboBox()
@@ -96,13 +99,13 @@ class ScrollView(QWidget):
         """Write maximum, mean and minimum of the chosen variable, and over how long they are taken."""
         name = self.variable.currentText()
         extremes = self._history.extremes(name)
-        names = ("max", "mid", "min")
+        names = (tr("max"), tr("mid"), tr("min"))
         shown = ("–",) * 3 if extremes is None else tuple(f"{value:.4g}" for value in extremes)
         text = "".join(
             f"<span style='color:{self._theme.faint}'>&nbsp; {name}</span> {value}"
             for name, value in zip(names, shown, strict=True)
         )
-        of = f"of {self._history.n_measured(name) * FRAME_PERIOD:.1f} s"
+        of = tr("of {seconds:.1f} s").format(seconds=self._history.n_measured(name) * FRAME_PERIOD)
         self._extremes.setText(text)
         self._measured.setText(of)
 
@@ -111,7 +114,7 @@ class ScrollView(QWidget):
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
         self._plots = [layout.addPlot(row=row, col=0, enableMenu=False, axisItems=live_axes()) for row in range(3)]
-        labels = ("frequency (Hz)", "", "variable")
+        labels = (tr("frequency (Hz)"), "", tr("variable"))
         for plot, item, label in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
@@ -131,7 +134,7 @@ class ScrollView(QWidget):
         lane.setFixedHeight(LANE_HEIGHT)
         lane.getAxis("left").setStyle(showValues=False, tickLength=0)
         course.setFixedHeight(COURSE_HEIGHT)
-        course.setLabel("bottom", "time before now (s)")
+        course.setLabel("bottom", tr("time before now (s)"))
         for plot in (sonagram, lane):
             plot.hideAxis("bottom")
         for plot in (lane, course):
@@ -141,23 +144,31 @@ class ScrollView(QWidget):
     def _lay_out(self) -> None:
         header = QHBoxLayout()
         header.setContentsMargins(6, 3, 6, 1)
-        header.addWidget(QLabel("<b>Sonagram and phonemes</b>"))
+        header.addWidget(QLabel(tr("<b>Sonagram and phonemes</b>")))
         header.addStretch(1)
         for box, value, tip in (
-            (self.low, -60, "Level of the darkest colour; where brightness is linear, the amplitude of that level"),
-            (self.high, 0, "Level of the brightest colour; where brightness is linear, the amplitude of that level"),
+            (
+                self.low,
+                -60,
+                tr("Level of the darkest colour; where brightness is linear, the amplitude of that level"),
+            ),
+            (
+                self.high,
+                0,
+                tr("Level of the brightest colour; where brightness is linear, the amplitude of that level"),
+            ),
         ):
             box.setRange(-120, 0)
             box.setValue(value)
             box.setSuffix(" dB")
             box.installEventFilter(NumberFieldKeys(box))
             box.setToolTip(tip)
-        self.colours.addItems(COLOUR_MAPS)
-        self.colours.setToolTip("Colour map")
-        self.colours.setAccessibleName("colour map")
-        self.low.setAccessibleName("level of the darkest colour")
-        self.high.setAccessibleName("level of the brightest colour")
-        self.variable.setAccessibleName("variable")
+        add_colour_maps(self.colours)
+        self.colours.setToolTip(tr("Colour map"))
+        self.colours.setAccessibleName(tr("colour map"))
+        self.low.setAccessibleName(tr("level of the darkest colour"))
+        self.high.setAccessibleName(tr("level of the brightest colour"))
+        self.variable.setAccessibleName(tr("variable"))
         self.decibels.setChecked(True)
         header.setSpacing(8)
         self.back.setCheckable(False)
@@ -166,15 +177,17 @@ class ScrollView(QWidget):
             header.addWidget(widget)
         footer = QHBoxLayout()
         footer.setContentsMargins(6, 1, 6, 3)
-        self.variable.setToolTip("The variable whose course and extremes are shown")
+        self.variable.setToolTip(tr("The variable whose course and extremes are shown"))
         self.variable.setMinimumWidth(150)
         self._extremes.setToolTip(
-            "Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the "
-            "sound was opened), however long ago; what a seek in a pause only shows does not count"
+            tr(
+                "Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the "
+                "sound was opened), however long ago; what a seek in a pause only shows does not count"
+            )
         )
         self._measured.setToolTip(self._extremes.toolTip())
         self._measured.setStyleSheet(f"color: {self._theme.faint}")
-        row: tuple[QWidget, ...] = (QLabel("<b>Variable</b>"), self.variable, self._extremes, self._measured)
+        row: tuple[QWidget, ...] = (QLabel(tr("<b>Variable</b>")), self.variable, self._extremes, self._measured)
         footer.setSpacing(8)
         for widget in row:
             footer.addWidget(widget)
@@ -197,7 +210,7 @@ class ScrollView(QWidget):
         self.decibels.toggled.connect(lambda _on: self._choose_colours())
         for box in (self.low, self.high):
             box.valueChanged.connect(lambda _value: self._choose_colours())
-        self.colours.currentTextChanged.connect(lambda _name: self._choose_colours())
+        self.colours.currentIndexChanged.connect(lambda _k: self._choose_colours())
         self.variable.currentTextChanged.connect(lambda _name: self._choose_variable())
         self._preset.changed.connect(self._list_variables)
         self._plots[0].vb.sigXRangeChanged.connect(lambda *_range: self._draw_course())  # who pans back sees it too
@@ -207,7 +220,7 @@ class ScrollView(QWidget):
     # -- colours ------------------------------------------------------------------------------------------
 
     def _choose_colours(self) -> None:
-        colours, in_decibels = colours_of(self.colours.currentText()), self.decibels.isChecked()
+        colours, in_decibels = colours_of(self.colours.currentData()), self.decibels.isChecked()
         low, high = sorted((float(self.low.value()), float(self.high.value())))
         if not in_decibels:
             low, high = 10 ** (low / 20), 10 ** (high / 20)

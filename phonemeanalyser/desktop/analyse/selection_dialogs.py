@@ -7,6 +7,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from phonemeanalyser.desktop.analyse.measurement_dialog import MeasurementDialog
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.files import free_path
@@ -34,7 +35,9 @@ class SelectionDialogs(QObject):
         text = self._selection.frames_as_text()
         if text:
             QGuiApplication.clipboard().setText(text)
-            self._selection.info.emit(f"Copied {text.count(chr(10)) - 1} frames; a spreadsheet takes them.")
+            self._selection.info.emit(
+                tr("Copied {n} frames; a spreadsheet takes them.").format(n=text.count(chr(10)) - 1)
+            )
 
     def ask_save(self) -> None:
         """Let the user choose a file to save the selected sound to."""
@@ -43,7 +46,9 @@ class SelectionDialogs(QObject):
             return
         folder = Path(str(self._settings.value("folder/stretch", str(path.parent))))
         suggested = folder / f"{path.stem} {span.start:.2f}-{span.end:.2f}.wav"
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save the selected sound", str(suggested), "WAV (*.wav)")
+        name, _ = QFileDialog.getSaveFileName(
+            self._window, tr("Save the selected sound"), str(suggested), "WAV (*.wav)"
+        )
         if name:
             target = Path(name) if name.lower().endswith(".wav") else free_path(Path(f"{name}.wav"))
             self._settings.setValue("folder/stretch", str(target.parent))

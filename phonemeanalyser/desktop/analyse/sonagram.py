@@ -7,7 +7,9 @@ import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtWidgets import QComboBox
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import letters_on, set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -17,11 +19,17 @@ from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 
 SPAN = CAPACITY * FRAME_PERIOD
 """Seconds that can be seen."""
-COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", "grey")
+COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
 NARROWEST_LETTER = 13
 """Pixels that a stretch of one phoneme needs to carry a name."""
 LETTER = 8
 """Pixels of a letter."""
+
+
+def add_colour_maps(box: QComboBox) -> None:
+    """List all colour maps, each with its name as what is chosen."""
+    for name in COLOUR_MAPS:
+        box.addItem(tr(name), name)
 
 
 def colours_of(name: str) -> UInt32Array:

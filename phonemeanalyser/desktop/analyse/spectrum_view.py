@@ -7,6 +7,7 @@ import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QSlider
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -29,14 +30,16 @@ class SpectrumView(Plot):
     """
 
     def __init__(self, title: str, tip: str, theme: Theme) -> None:
-        super().__init__(title, tip, (("frequency", "Hz"), ("amplitude", "")), self._describe, theme)
+        super().__init__(tr(title), tip, ((tr("frequency"), "Hz"), (tr("amplitude"), "")), self._describe, theme)
         self.menu = PlotMenu(self.graphics, title.lower(), lambda _at: table_of(self._columns()), self.reset_zoom)
         self._frequencies: Float64Array = np.zeros(0)
         self._amplitudes = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
-        self.coarse = toggle_button("coarse", "Coarse display: the highest of eight neighbouring bins as one step")
-        self.decibels = toggle_button("dB", "Amplitude axis in dB")
+        self.coarse = toggle_button(
+            tr("coarse"), tr("Coarse display: the highest of eight neighbouring bins as one step")
+        )
+        self.decibels = toggle_button("dB", tr("Amplitude axis in dB"))
         self.scale = QSlider(Qt.Orientation.Horizontal)
         self._add_controls()
         self.reset_zoom()
@@ -72,8 +75,8 @@ class SpectrumView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, SCALE_STEPS)
         self.scale.setFixedWidth(54)
-        self.scale.setAccessibleName(f"amplitude scale of the {self.heading.text().lower()}")
-        self.scale.setToolTip("Amplitude scale: enlarges small amplitudes, in dB")
+        self.scale.setAccessibleName(tr("{plot}: amplitude scale").format(plot=self.heading.text()))
+        self.scale.setToolTip(tr("Amplitude scale: enlarges small amplitudes, in dB"))
         for widget in (self.coarse, self.decibels, self.scale):
             self.header.addWidget(widget)
         self.coarse.toggled.connect(lambda _on: self.draw(self._amplitudes))
@@ -93,14 +96,18 @@ class SpectrumView(Plot):
         self.item.vb.setLimits(xMin=0, xMax=highest, yMin=bottom, yMax=top)
         self.item.setXRange(0, highest, padding=0)
         self.item.setYRange(low, high + (high - low) * 0.03, padding=0)
-        self.item.setLabel("left", "level (dB)" if self.in_decibels else "amplitude")
+        self.item.setLabel("left", tr("level (dB)") if self.in_decibels else tr("amplitude"))
 
     def _columns(self) -> dict[str, Float64Array]:
         """Return what is drawn as columns, each under its name and unit."""
         amplitudes = self._amplitudes.astype(float)
         with np.errstate(divide="ignore"):
             levels = 20 * np.log10(amplitudes)
-        return {"frequency (Hz)": self._frequencies, "amplitude (linear)": amplitudes, "level (dB)": levels}
+        return {
+            "frequency (Hz)": self._frequencies,
+            "amplitude (linear)": amplitudes,
+            "level (dB)": levels,
+        }
 
     def _describe(self, frequency: float, _height: float) -> str:
         k = round(frequency / BIN_WIDTH)

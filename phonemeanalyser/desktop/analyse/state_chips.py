@@ -3,6 +3,7 @@
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 
 
@@ -26,17 +27,17 @@ class StateChips(QWidget):
         super().__init__()
         self._theme = theme
         self.frozen = QToolButton()
-        self.frozen.setText("frozen")
-        self.frozen.setAccessibleName("views stand still")
-        self.frozen.setToolTip("The views stand still while sound goes on; click, or press F, and they go on")
+        self.frozen.setText(tr("frozen"))
+        self.frozen.setAccessibleName(tr("views stand still"))
+        self.frozen.setToolTip(tr("The views stand still while sound goes on; click, or press F, and they go on"))
         self.frozen.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.frozen.clicked.connect(self.go_on_asked)
         self.changed = QToolButton()
         self.changed.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.changed.clicked.connect(self.open_again_asked)
         self.unseen, self.lost, self.late = QLabel(), QLabel(), QLabel()
-        self.unseen.setToolTip("Frames that were analysed but never drawn: the machine has too much to do")
-        self.lost.setToolTip("Sound that never came from the microphone, since listening began")
+        self.unseen.setToolTip(tr("Frames that were analysed but never drawn: the machine has too much to do"))
+        self.lost.setToolTip(tr("Sound that never came from the microphone, since listening began"))
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 6, 0)
         row.setSpacing(4)
@@ -60,11 +61,11 @@ class StateChips(QWidget):
 
     def show_unseen(self, n_frames: int) -> None:
         """Say how many frames were never drawn; 0 for none."""
-        _say(self.unseen, f"{n_frames} frames not drawn" if n_frames else "")
+        _say(self.unseen, tr("{n} frames not drawn").format(n=n_frames) if n_frames else "")
 
     def show_lost(self, seconds: float) -> None:
         """Say how much sound never came; 0 for none."""
-        _say(self.lost, f"{seconds:.2f} s lost" if seconds >= 0.005 else "")
+        _say(self.lost, tr("{seconds:.2f} s lost").format(seconds=seconds) if seconds >= 0.005 else "")
 
     def show_late(self, words: str, colour: str = "", tip: str = "") -> None:
         """Say how late phonemes are on the screen; an empty text for nothing."""

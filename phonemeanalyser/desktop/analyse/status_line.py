@@ -3,6 +3,8 @@
 from PySide6.QtWidgets import QLabel
 
 from phonemeanalyser.desktop.analyse.state_chips import StateChips
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
@@ -45,10 +47,10 @@ class StatusLine:
     def refresh(self, *, frozen: bool) -> None:
         """Show how it goes."""
         session = self._session
-        changed = " (changed)" if self._preset.has_unsaved_changes else ""
-        preset = f"preset {self._preset.preset.name}{changed}"
-        ear = f"heard with: {ear_in_words(session.heard_with)}"
-        _write(self.left, f" {session.name}: {session.description}   ·   {ear}   ·   {preset}")
+        changed = f" ({tr('changed')})" if self._preset.has_unsaved_changes else ""
+        preset = tr("preset {preset}{changed}").format(preset=self._preset.preset.name, changed=changed)
+        ear = tr("heard with: {ear}").format(ear=tr_engine(ear_in_words(session.heard_with)))
+        _write(self.left, f" {session.name}: {tr_engine(session.description)}   ·   {ear}   ·   {preset}")
         self.left.setToolTip(self.left.text().strip())
         self.chips.show_frozen(frozen)
         self.chips.show_unseen(session.n_dropped)
@@ -56,7 +58,7 @@ class StatusLine:
         microphone = session.microphone
         self.chips.show_lost(microphone.listener.lost_seconds if listens and microphone.active else 0.0)
         self._show_latency(microphone.latency if listens else None)
-        output = "" if listens else f"♪ {session.output_name}" if session.has_card else session.output_name
+        output = "" if listens else f"♪ {session.output_name}" if session.has_card else tr(session.output_name)
         _write(self.right, f"{output} ")
 
     def _show_latency(self, latency: Latency | None) -> None:
@@ -67,24 +69,26 @@ class StatusLine:
         total = latency.total + self._display
         self.latency_ms = 1000 * total
         self.without_look_ahead = total - latency.look_ahead
-        words = {"capture": latency.capture, "window": latency.window, "hop": latency.hop,
-                 **({"look-ahead": latency.look_ahead} if latency.look_ahead else {}),
-                 "analysis": latency.analysis, "display": self._display}  # fmt: skip
+        words = {tr("capture"): latency.capture, tr("window"): latency.window, tr("hop"): latency.hop,
+                 **({tr("look-ahead"): latency.look_ahead} if latency.look_ahead else {}),
+                 tr("analysis"): latency.analysis, tr("display"): self._display}  # fmt: skip
         shares = " + ".join(f"{name} {1000 * seconds:.0f}" for name, seconds in words.items())
         judgement, colour = self.judged(total)
-        tip = (
-            f"From a sound to its phoneme on the screen, on the average, as measured now: {shares} ms. People notice "
+        tip = tr(
+            "From a sound to its phoneme on the screen, on the average, as measured now: {shares} ms. People notice "
             "a picture that is late by more than 45 ms, and stop accepting it at 90 ms (ITU-R BT.1359)."
+        ).format(shares=shares)
+        self.chips.show_late(
+            tr("{ms:.0f} ms late, {judgement}").format(ms=1000 * total, judgement=judgement), colour, tip
         )
-        self.chips.show_late(f"{1000 * total:.0f} ms late, {judgement}", colour, tip)
 
     def judged(self, seconds: float) -> tuple[str, str]:
         """Return how people take a picture that is late by so much, and in which colour to say it."""
         if seconds <= UNNOTICED:
-            return "nobody notices", self._theme.good
+            return tr("nobody notices"), self._theme.good
         if seconds <= ACCEPTED:
-            return "noticeable", self._theme.faint
-        return "too late", self._theme.bad
+            return tr("noticeable"), self._theme.faint
+        return tr("too late"), self._theme.bad
 
 
 def _write(label: QLabel, text: str) -> None:

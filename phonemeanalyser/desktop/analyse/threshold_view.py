@@ -18,6 +18,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
@@ -153,7 +155,7 @@ class ThresholdView(QScrollArea):
 
     def __init__(self, preset: PresetModel, history: History, theme: Theme) -> None:
         super().__init__()
-        self.setAccessibleName("thresholds")
+        self.setAccessibleName(tr("thresholds"))
         self._preset = preset
         self._history = history
         self._theme = theme
@@ -221,20 +223,23 @@ class ThresholdView(QScrollArea):
         self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
 
     def _heading(self, group: ControlGroup) -> QLabel:
-        heading = QLabel(f"<b>{group.title}</b> <span style='color:{self._theme.faint}'>{group.note}</span>")
-        heading.setToolTip(group.note)
+        heading = QLabel(
+            f"<b>{tr_engine(group.title)}</b> <span style='color:{self._theme.faint}'>{tr_engine(group.note)}</span>"
+        )
+        heading.setToolTip(tr_engine(group.note))
         heading.setContentsMargins(0, 5, 0, 1)
         heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         return heading
 
     def _add_row(self, grid: QGridLayout, at: int, control: Control) -> Row:
-        label = QLabel(control.label)
+        label = QLabel(tr_engine(control.label))
         label.setTextFormat(Qt.TextFormat.PlainText)
         label.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
-        label.setToolTip(f"<p>{escape(control.hint)}</p>")
+        hint = escape(tr_engine(control.hint))
+        label.setToolTip(f"<p>{hint}</p>")
         slider = ThresholdSlider(control, self._theme)
         slider.setAccessibleName(control.name)
-        slider.setToolTip(f"<p>{escape(control.hint)}</p><p>Drag, or arrow keys (with Shift finer).</p>")
+        slider.setToolTip(f"<p>{hint}</p><p>{tr('Drag, or arrow keys (with Shift finer).')}</p>")
         row = Row(control, slider, self._number(control), self._reset())
         for column, widget in enumerate((label, slider, row.number, row.reset)):
             grid.addWidget(widget, at, column)
@@ -255,7 +260,7 @@ class ThresholdView(QScrollArea):
         number.setSingleStep((control.high - control.low) / 100)
         number.setAccessibleName(control.name)
         number.setToolTip(
-            f"{control.name}{', ' + control.unit if control.unit else ''}: type a number, or arrow keys"
+            f"{control.name}{', ' + control.unit if control.unit else ''}: " + tr("type a number, or arrow keys")
         )
         number.editingFinished.connect(self._preset.end_edit)
         return number
@@ -264,8 +269,8 @@ class ThresholdView(QScrollArea):
         reset = QToolButton()
         reset.setText("↺")
         reset.setAutoRaise(True)
-        reset.setAccessibleName("reset")
-        reset.setToolTip("Reset to what the preset's file says")
+        reset.setAccessibleName(tr("reset"))
+        reset.setToolTip(tr("Reset to what the preset's file says"))
         keep_place = reset.sizePolicy()
         keep_place.setRetainSizeWhenHidden(True)
         reset.setSizePolicy(keep_place)

@@ -7,6 +7,7 @@ from typing import Any
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
@@ -24,15 +25,15 @@ class Number:
 
 
 NUMBERS: dict[str, Number] = {
-    "frequency": Number("", 1, 10, "Frequency of the sine"),
-    "low": Number("from ", 0, 10, "Where the sweep begins"),
-    "high": Number("to ", 0, 100, "Where the sweep ends"),
-    "sweep_seconds": Number("in ", 1, 1, "How long the sweep takes"),
-    "f0": Number("f0 ", 0, 5, "Fundamental of the voice"),
-    "F1": Number("F1 ", 0, 10, "First formant"),
-    "F2": Number("F2 ", 0, 20, "Second formant"),
-    "F3": Number("F3 ", 0, 20, "Third formant"),
-    "level": Number("level ", 0, 1, "Level: the highest peak below full scale"),
+    "frequency": Number("", 1, 10, tr_noop("Frequency of the sine")),
+    "low": Number(tr_noop("from "), 0, 10, tr_noop("Where the sweep begins")),
+    "high": Number(tr_noop("to "), 0, 100, tr_noop("Where the sweep ends")),
+    "sweep_seconds": Number(tr_noop("in "), 1, 1, tr_noop("How long the sweep takes")),
+    "f0": Number("f0 ", 0, 5, tr_noop("Fundamental of the voice")),
+    "F1": Number("F1 ", 0, 10, tr_noop("First formant")),
+    "F2": Number("F2 ", 0, 20, tr_noop("Second formant")),
+    "F3": Number("F3 ", 0, 20, tr_noop("Third formant")),
+    "level": Number(tr_noop("level "), 0, 1, tr_noop("Level: the highest peak below full scale")),
 }
 FORMANTS = ("F1", "F2", "F3")
 OF_VOWEL = ("f0", *FORMANTS)
@@ -43,7 +44,7 @@ OF_KIND: dict[ToneKind, tuple[str, ...]] = {
     ToneKind.SWEEP: ("low", "high", "sweep_seconds"),
     ToneKind.VOWEL: OF_VOWEL,
 }
-OWN = "own"
+OWN = tr_noop("own")
 LEAST_RISE = 1.0
 """A sweep's end lies at least so far above its beginning, Hz."""
 SLIDER_STEPS = 1000
@@ -67,10 +68,10 @@ class ToneBar(QWidget):
         super().__init__()
         self._theme = theme
         self._tone = Tone()
-        self.kind = _choice("Kind of tone", [(kind.value.replace("_", " "), kind) for kind in ToneKind])
+        self.kind = _choice(tr("Kind of tone"), [(tr(kind.value.replace("_", " ")), kind) for kind in ToneKind])
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.unit = QLabel("Hz")
-        self.vowel = _choice("Vowel", [(name, name) for name in (*VOWEL_FORMANTS, OWN)])
+        self.vowel = _choice(tr("Vowel"), [(tr(name), name) for name in (*VOWEL_FORMANTS, OWN)])
         self.numbers = {name: self._number(name) for name in NUMBERS}
         self._lay_out()
         self._connect()
@@ -105,15 +106,15 @@ class ToneBar(QWidget):
         box.setRange(low, high)
         box.setDecimals(look.decimals)
         box.setSingleStep(look.step)
-        box.setPrefix(look.prefix)
+        box.setPrefix(tr(look.prefix) if look.prefix else "")
         if name in OF_VOWEL:  # they share one unit behind them, so that they fit into the line
             box.setFixedWidth(box.sizeHint().width() - SPARE)
         else:
             box.setSuffix(f" {unit}")
         box.setKeyboardTracking(False)
         box.installEventFilter(NumberFieldKeys(box))
-        box.setToolTip(f"{look.tip}, {low:g}..{high:g} {unit}")
-        box.setAccessibleName(look.tip)
+        box.setToolTip(f"{tr(look.tip)}, {low:g}..{high:g} {unit}")
+        box.setAccessibleName(tr(look.tip))
         box.valueChanged.connect(lambda value: self._edit(name, value))
         return box
 
@@ -122,8 +123,8 @@ class ToneBar(QWidget):
         self.slider.setSingleStep(ARROW_STEPS)
         self.slider.setPageStep(PAGE_STEPS)
         self.slider.setMinimumWidth(120)
-        self.slider.setToolTip("Frequency of the sine: arrow keys by a semitone, page keys by an octave")
-        self.slider.setAccessibleName("Frequency of the sine on a logarithmic scale")
+        self.slider.setToolTip(tr("Frequency of the sine: arrow keys by a semitone, page keys by an octave"))
+        self.slider.setAccessibleName(tr("Frequency of the sine on a logarithmic scale"))
         self.unit.setStyleSheet(f"color: {self._theme.faint}")
         layout = QHBoxLayout(self)
         layout.setContentsMargins(6, 3, 6, 3)

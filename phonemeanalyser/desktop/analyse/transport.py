@@ -1,7 +1,7 @@
 """The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QPainter, QResizeEvent
+from PySide6.QtGui import QColor, QIcon, QKeySequence, QPainter, QResizeEvent
 from PySide6.QtWidgets import (
     QComboBox,
     QHBoxLayout,
@@ -20,6 +20,7 @@ from phonemeanalyser.desktop.analyse.output_button import OutputButton
 from phonemeanalyser.desktop.analyse.position_slider import PositionSlider
 from phonemeanalyser.desktop.analyse.record_button import RecordButton
 from phonemeanalyser.desktop.analyse.tone_bar import ToneBar
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
@@ -61,11 +62,11 @@ class Transport(QWidget):
         self._session = session
         self._theme = theme
         pixmap = QStyle.StandardPixmap
-        self.open = self._button(pixmap.SP_DialogOpenButton, "Open a sound file (Ctrl+O)")
-        self.play = self._button(pixmap.SP_MediaPlay, "Play or pause (Space)")
-        self.stop = self._button(pixmap.SP_MediaStop, "Stop (Escape); a file goes to its beginning")
+        self.open = self._button(pixmap.SP_DialogOpenButton, tr("Open a sound file (Ctrl+O)"))
+        self.play = self._button(pixmap.SP_MediaPlay, tr("Play or pause (Space)"))
+        self.stop = self._button(pixmap.SP_MediaStop, tr("Stop (Escape); a file goes to its beginning"))
         self.record = RecordButton(session, theme)
-        self.loop = self._button(pixmap.SP_BrowserReload, "Begin again at the end (L)")
+        self.loop = self._button(pixmap.SP_BrowserReload, tr("Begin again at the end (L)"))
         self.source = QComboBox()
         self.position_slider = PositionSlider(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
@@ -73,7 +74,7 @@ class Transport(QWidget):
         self.tone.show_tone(session.tone)
         self.pages = Pages()
         self.time = StillLabel(LEAST_TIME_WIDTH)
-        self.output, self.channel_label = OutputButton(session), QLabel("channel")
+        self.output, self.channel_label = OutputButton(session), QLabel(tr("channel"))
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
         self._rows, self._row = QVBoxLayout(self), QHBoxLayout()
@@ -94,7 +95,7 @@ class Transport(QWidget):
             text += f" / {format_clock(session.duration, True)}"
         recording = session.microphone.recording
         if recording:
-            sign = "●" if session.microphone.listening else "waiting"
+            sign = "●" if session.microphone.listening else tr("waiting")
             text = f"{sign} {format_clock(session.microphone.recorded_seconds, True)}"
         style = f"color: {self._theme.bad}; font-weight: bold" if recording else ""
         if style != self.time.styleSheet():
@@ -114,15 +115,15 @@ class Transport(QWidget):
         self.loop.setCheckable(True)
         self.volume.setRange(int(QUIETEST_DB), 0)
         self.volume.setFixedWidth(80)
-        self.volume.setAccessibleName("volume")
+        self.volume.setAccessibleName(tr("volume"))
         self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.channel.setToolTip("Which channel of the file is analysed")
-        self.channel.setAccessibleName("channel of the file")
+        self.channel.setToolTip(tr("Which channel of the file is analysed"))
+        self.channel.setAccessibleName(tr("channel of the file"))
         for source in SoundSource:
-            self.source.addItem(source.value, source)
-        self.source.setToolTip("Where the sound comes from")
+            self.source.addItem(tr(source.value), source)
+        self.source.setToolTip(tr("Where the sound comes from"))
         self.source.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.source.setAccessibleName("source")
+        self.source.setAccessibleName(tr("source"))
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.position_slider, self.microphone, self.tone):
             self.pages.addWidget(page)
@@ -186,9 +187,18 @@ class Transport(QWidget):
         session = self._session
         icon = QStyle.StandardPixmap.SP_MediaPause if session.playing else QStyle.StandardPixmap.SP_MediaPlay
         self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
-        tip = "Listen, or let the microphone go" if session.source is SoundSource.MICROPHONE else "Play or pause"
-        self.play.setToolTip(f"{tip} (Space)")
-        self.volume.setToolTip(f"Volume {session.volume:.0f} dB" if session.volume > QUIETEST_DB else "Silent")
+        key = QKeySequence("Space").toString(QKeySequence.SequenceFormat.NativeText)
+        tip = (
+            tr("Listen, or let the microphone go")
+            if session.source is SoundSource.MICROPHONE
+            else tr("Play or pause")
+        )
+        self.play.setToolTip(f"{tip} ({key})")
+        self.volume.setToolTip(
+            tr("Volume {volume:.0f} dB").format(volume=session.volume)
+            if session.volume > QUIETEST_DB
+            else tr("Silent")
+        )
         with QSignalBlocker(self.volume), QSignalBlocker(self.loop):
             self.volume.setValue(round(session.volume))
             self.loop.setChecked(session.loop)
@@ -202,8 +212,8 @@ class Transport(QWidget):
     def _show_channels(self) -> None:
         """Offer the channels of the file, and the mix of them where there are several."""
         n = self._session.n_channels
-        names = {1: ["mono"], 2: ["mix", "left", "right"]}
-        texts = names.get(n) or ["mix", *(str(number) for number in range(1, n + 1))]
+        names = {1: [tr("mono")], 2: [tr("mix"), tr("left"), tr("right")]}
+        texts = names.get(n) or [tr("mix"), *(str(number) for number in range(1, n + 1))]
         if texts != [self.channel.itemText(k) for k in range(self.channel.count())]:
             self.channel.clear()
             self.channel.addItems(texts)

@@ -5,16 +5,17 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.settings import SAMPLE_RATE
 
 SOURCES = {
-    Spectrum.NORMALISED: "after all filters",
-    Spectrum.FILTERED: "after smoothing and pass filters",
-    Spectrum.RAW: "before all filters of the spectrum",
-    Spectrum.MEL: "through the mel bank",
+    Spectrum.NORMALISED: tr_noop("after all filters"),
+    Spectrum.FILTERED: tr_noop("after smoothing and pass filters"),
+    Spectrum.RAW: tr_noop("before all filters of the spectrum"),
+    Spectrum.MEL: tr_noop("through the mel bank"),
 }
 
 
@@ -29,7 +30,7 @@ class VariableDialog(QDialog):
 
     def __init__(self, low: float, high: float, add: Callable[[Variable], object], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("New variable")
+        self.setWindowTitle(tr("New variable"))
         self._add = add
         self.name, self.trouble = QLineEdit(), QLabel()
         self.low, self.high = NumberField(), NumberField()
@@ -39,12 +40,12 @@ class VariableDialog(QDialog):
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         form = QFormLayout(self)
-        form.addRow("name", self.name)
+        form.addRow(tr("name"), self.name)
         form.addRow(self.trouble)
-        form.addRow("from", self.low)
-        form.addRow("to", self.high)
-        form.addRow("kind", self.kind)
-        form.addRow("spectrum", self.source)
+        form.addRow(tr("from"), self.low)
+        form.addRow(tr("to"), self.high)
+        form.addRow(tr("kind"), self.kind)
+        form.addRow(tr("spectrum"), self.source)
         form.addRow(buttons)
 
     def variable(self) -> Variable:
@@ -65,7 +66,7 @@ class VariableDialog(QDialog):
             super().accept()
 
     def _fill(self, low: float, high: float) -> None:
-        self.name.setPlaceholderText("a-z, 0-9, _, such as my_hiss")
+        self.name.setPlaceholderText(tr("a-z, 0-9, _, such as my_hiss"))
         self.name.textEdited.connect(self.trouble.hide)
         self.trouble.setTextFormat(Qt.TextFormat.PlainText)
         self.trouble.setWordWrap(True)
@@ -76,6 +77,6 @@ class VariableDialog(QDialog):
             box.setSuffix(" Hz")
             box.setValue(value)
         for kind in Kind:
-            self.kind.addItem(kind.value, kind)
+            self.kind.addItem(tr(kind.value), kind)
         for source, words in SOURCES.items():
-            self.source.addItem(words, source)
+            self.source.addItem(tr(words), source)

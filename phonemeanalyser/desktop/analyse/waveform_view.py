@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLabel, QSlider
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -32,14 +33,20 @@ class WaveformView(Plot):
     """
 
     def __init__(self, theme: Theme) -> None:
-        tip = "The newest window of 46.4 ms, after the filters of the time domain; full scale is ±1"
-        super().__init__("Waveform", tip, (("time in the window", "ms"), ("amplitude", "")), self._describe, theme)
+        tip = tr("The newest window of 46.4 ms, after the filters of the time domain; full scale is ±1")
+        super().__init__(
+            tr("Waveform"), tip, ((tr("time in the window"), "ms"), (tr("amplitude"), "")), self._describe, theme
+        )
         self.menu = PlotMenu(self.graphics, "waveform", lambda _at: table_of(self._columns()), self.reset_zoom)
         self._wave = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
-        self.coarse = toggle_button("coarse", "Coarse display: lowest and highest of eight neighbouring samples")
-        self.auto = toggle_button("auto", "The vertical scale follows the loudness; the slider beside it ends that")
+        self.coarse = toggle_button(
+            tr("coarse"), tr("Coarse display: lowest and highest of eight neighbouring samples")
+        )
+        self.auto = toggle_button(
+            tr("auto"), tr("The vertical scale follows the loudness; the slider beside it ends that")
+        )
         self.scale = QSlider(Qt.Orientation.Horizontal)
         self._loudest = SOFTEST
         self._half = 0.0
@@ -67,10 +74,10 @@ class WaveformView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, 40)
         self.scale.setFixedWidth(70)
-        self.scale.setAccessibleName("vertical scale of the waveform")
-        self.scale.setToolTip("Vertical scale: enlarges quiet sound, in dB")
+        self.scale.setAccessibleName(tr("vertical scale of the waveform"))
+        self.scale.setToolTip(tr("Vertical scale: enlarges quiet sound, in dB"))
         self.header.addWidget(self.coarse)
-        self.header.addWidget(QLabel("scale"))
+        self.header.addWidget(QLabel(tr("scale")))
         self.header.addWidget(self.auto)
         self.header.addWidget(self.scale)
         self.coarse.toggled.connect(lambda _on: self.draw(self._wave))

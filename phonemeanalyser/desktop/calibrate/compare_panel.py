@@ -8,11 +8,12 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QTabWid
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeengine.calibration.scores.comparison import DifferingSegment
 
-NONE, OTHER = "choose a preset …", "another file …"
+NONE, OTHER = tr_noop("choose a preset …"), tr_noop("another file …")
 
 
 class ComparePanel(QWidget):
@@ -32,12 +33,12 @@ class ComparePanel(QWidget):
         self._comparison = comparison
         self.box = QComboBox()
         self.state = QLabel()
-        self.difference = QCheckBox("difference in the matrix")
-        self.figures = FiguresTable(("in use", "second"), theme)
-        self.own = SegmentList("only the preset in use is right", "said, not")
-        self.others = SegmentList("only the second preset is right", "said, not")
+        self.difference = QCheckBox(tr("difference in the matrix"))
+        self.figures = FiguresTable((tr("in use"), tr("second")), theme)
+        self.own = SegmentList(tr("only the preset in use is right"), tr("said, not"))
+        self.others = SegmentList(tr("only the second preset is right"), tr("said, not"))
         self.tabs = QTabWidget()
-        self.tabs.tabBar().setAccessibleName("pages of the comparison")
+        self.tabs.tabBar().setAccessibleName(tr("pages of the comparison"))
         self._lay_out()
         self._connect()
         self._show()
@@ -50,17 +51,17 @@ class ComparePanel(QWidget):
         self._comparison.choose(path)
 
     def _lay_out(self) -> None:
-        self.box.addItem(NONE, None)
+        self.box.addItem(tr(NONE), None)
         for path in self._comparison.shipped():
             self.box.addItem(path.stem, path)
-        self.box.addItem(OTHER, "")
-        self.box.setToolTip("Preset to compare with, on the same takes and recordings")
+        self.box.addItem(tr(OTHER), "")
+        self.box.setToolTip(tr("Preset to compare with, on the same takes and recordings"))
         self.box.setAccessibleName(self.box.toolTip())
         self.box.installEventFilter(LetterPassthrough(self.box))
-        self.difference.setToolTip("Show in the matrix how much more often the preset in use gives each answer")
-        self.tabs.addTab(self.figures, "figures")
-        self.tabs.addTab(self.own, "only this right")
-        self.tabs.addTab(self.others, "only the second right")
+        self.difference.setToolTip(tr("Show in the matrix how much more often the preset in use gives each answer"))
+        self.tabs.addTab(self.figures, tr("figures"))
+        self.tabs.addTab(self.own, tr("only this right"))
+        self.tabs.addTab(self.others, tr("only the second right"))
         row = QHBoxLayout()
         row.addWidget(self.box, 1)
         row.addWidget(self.state)
@@ -80,7 +81,9 @@ class ComparePanel(QWidget):
 
     def _show_measuring(self) -> None:
         measuring = self._comparison.measuring
-        self.state.setText(f"measuring {100 * measuring.progress:.0f} %" if measuring.busy else "")
+        self.state.setText(
+            tr("measuring {percent:.0f} %").format(percent=100 * measuring.progress) if measuring.busy else ""
+        )
 
     def _choose(self, index: int) -> None:
         data = self.box.itemData(index)
@@ -95,7 +98,7 @@ class ComparePanel(QWidget):
         self.difference.setEnabled(comparison is not None)
         if preset is None:
             self.box.setCurrentIndex(0)
-        self.figures.set_columns(("in use", preset.name if preset is not None else "second"))
+        self.figures.set_columns((tr("in use"), preset.name if preset is not None else tr("second")))
         if comparison is None:
             self.figures.show_scores((None, None))
             self.own.show_rows(())
@@ -105,8 +108,8 @@ class ComparePanel(QWidget):
         self.own.show_rows([_row_of(stretch) for stretch in comparison.stretches_one])
         self.others.show_rows([_row_of(stretch) for stretch in comparison.stretches_other])
         for k, counts in ((1, comparison.only_one), (2, comparison.only_other)):
-            name = "only this" if k == 1 else "only the second"
-            self.tabs.setTabText(k, f"{name} right: {int(counts.sum()) / 100:.1f} s")
+            text = tr("only this right: {seconds:.1f} s") if k == 1 else tr("only the second right: {seconds:.1f} s")
+            self.tabs.setTabText(k, text.format(seconds=int(counts.sum()) / 100))
 
 
 def _row_of(stretch: DifferingSegment) -> SegmentRow:

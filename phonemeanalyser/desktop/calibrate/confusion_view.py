@@ -8,6 +8,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, letters_on
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -41,7 +42,7 @@ class ConfusionView(QWidget):
         self.setMinimumSize(LEFT + 11 * 32, TOP + 10 * 17)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName("confusion matrix")
+        self.setAccessibleName(tr("confusion matrix"))
         self.menu = PlotMenu(self, "confusion matrix", lambda _at: table_of(self._columns()))
 
     def show_counts(self, counts: Int64Array | None, against: Int64Array | None = None) -> None:
@@ -64,9 +65,11 @@ class ConfusionView(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         draw_text(
-            painter, QRectF(LEFT, 1, self.width() - LEFT, 15), "recognised as →", self._theme.faint, 10, CENTRED
+            painter, QRectF(LEFT, 1, self.width() - LEFT, 15), tr("recognised as →"), self._theme.faint, 10, CENTRED
         )
-        draw_text(painter, QRectF(6, TOP - 17, LEFT, 15), "said ↓", self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft)
+        draw_text(
+            painter, QRectF(6, TOP - 17, LEFT, 15), tr("said ↓"), self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft
+        )
         for column, phoneme in enumerate(TAKEN):
             box = self.cell_rect(0, column)
             heading = QRectF(box.left(), TOP - 18, box.width(), 16)
@@ -155,7 +158,9 @@ class ConfusionView(QWidget):
         share = _share(self.counts, row, column)
         taken = TAKEN[column].label
         said = SAID[row].label
-        return f"{said} recognised as {taken}: {count} frames of 10 ms, {share:.1%} of {said}"
+        return tr("{said} recognised as {taken}: {count} frames of 10 ms, {share:.1%} of {said}").format(
+            said=said, taken=taken, count=count, share=share
+        )
 
     def _choose(self, row: int, column: int) -> None:
         self.cell = row, column

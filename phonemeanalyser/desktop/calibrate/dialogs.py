@@ -7,7 +7,8 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.session.preset import PRESET_FILTER
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.preset import preset_filter
 
 PROJECT, SPEAKER = "calibration/project", "calibration/speaker"
 
@@ -38,7 +39,7 @@ class CalibrationDialogs(QObject):
     def ask_project(self) -> None:
         """Let the user choose the folder of his takes."""
         folder = self._calibration.takes.folder or self._calibration.session.microphone.folder
-        name = QFileDialog.getExistingDirectory(self._window, "The folder of the takes", str(folder))
+        name = QFileDialog.getExistingDirectory(self._window, tr("The folder of the takes"), str(folder))
         if name:
             self._calibration.takes.open(Path(name))
 
@@ -47,22 +48,24 @@ class CalibrationDialogs(QObject):
         takes = self._calibration.takes
         n = takes.now.n_deleted
         if not n:
-            takes.info.emit("No take is deleted.")
+            takes.info.emit(tr("No take is deleted."))
             return
-        what = "the deleted take" if n == 1 else f"{n} deleted takes"
-        text = f"Remove {what} from the disk for ever? What was done to takes before cannot be undone then."
+        what = tr("the deleted take") if n == 1 else tr("{n} deleted takes").format(n=n)
+        text = tr(
+            "Remove {what} from the disk for ever? What was done to takes before cannot be undone then."
+        ).format(what=what)
         yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
-        if QMessageBox.question(self._window, "Empty deleted takes", text, yes | no, no) == yes:
+        if QMessageBox.question(self._window, tr("Empty deleted takes"), text, yes | no, no) == yes:
             takes.empty_deleted()
 
     def ask_recordings(self, folder: bool) -> None:
         """Let the user choose a folder of labelled recordings, or some sounds with their labels beside them."""
         place = str(self._settings.value("folder/recordings", str(Path.home())))
-        title = "Labelled recordings"
+        title = tr("Labelled recordings")
         if folder:
             names = [QFileDialog.getExistingDirectory(self._window, title, place)]
         else:
-            names, _ = QFileDialog.getOpenFileNames(self._window, title, place, "All files (*)")
+            names, _ = QFileDialog.getOpenFileNames(self._window, title, place, tr("All files (*)"))
         paths = [Path(name) for name in names if name]
         if paths:
             self._settings.setValue("folder/recordings", str(paths[0] if folder else paths[0].parent))
@@ -77,7 +80,7 @@ class CalibrationDialogs(QObject):
     def ask_preset(self) -> Path | None:
         """Let the user choose a preset to compare with."""
         folder = str(self._settings.value("folder/preset", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, "A preset to compare with", folder, PRESET_FILTER)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("A preset to compare with"), folder, preset_filter())
         return Path(name) if name else None
 
     def _remember_project(self) -> None:

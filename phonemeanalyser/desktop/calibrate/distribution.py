@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolyg
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.calibrate.workbench_model import Line, WorkbenchModel
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -20,7 +21,7 @@ from phonemeengine.phonemes import Phoneme
 LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
 """Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""
 NEAR = 6
-COLUMNS = ("min", "median", "max")
+COLUMNS = (tr_noop("min"), tr_noop("median"), tr_noop("max"))
 
 
 class DistributionView(QWidget):
@@ -37,10 +38,13 @@ class DistributionView(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setAccessibleName("distribution of the variable")
+        self.setAccessibleName(tr("distribution of the variable"))
         self.setToolTip(
-            "Each row is a sound: histogram, a box from quartile to quartile, the median, and a line from minimum "
-            "to maximum. Drag a threshold, or move it with the arrow keys (Shift: finer; Up and Down choose one)"
+            tr(
+                "Each row is a sound: histogram, a box from quartile to quartile, the median, and a line from "
+                "minimum to maximum. Drag a threshold, or move it with the arrow keys (Shift: finer; Up and Down "
+                "choose one)"
+            )
         )
         self.menu = PlotMenu(self, "distribution", lambda _at: table_of(self._columns()))
         workbench.distribution_changed.connect(self.show_lines)
@@ -84,9 +88,9 @@ class DistributionView(QWidget):
         distribution = self._workbench.shown
         if distribution is None:
             words = (
-                "measuring …"
+                tr("measuring …")
                 if self._workbench.measuring.busy
-                else "Record takes, or load labelled recordings, to see how they are spread"
+                else tr("Record takes, or load labelled recordings, to see how they are spread")
             )
             draw_text(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)
             return
@@ -141,12 +145,12 @@ class DistributionView(QWidget):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
             draw_text(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
-        scale = ", logarithmic scale" if distribution.logarithmic else ""
+        scale = ", " + tr("logarithmic scale") if distribution.logarithmic else ""
         label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
-        text = f"{distribution.variable} ({self._unit_of(distribution)}){scale}"
+        text = f"{distribution.variable} ({tr(self._unit_of(distribution))}){scale}"
         draw_text(painter, label, text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
-            draw_text(painter, self._cell(k, TOP - 18, 16), name, self._theme.faint, 10, AT_RIGHT)
+            draw_text(painter, self._cell(k, TOP - 18, 16), tr(name), self._theme.faint, 10, AT_RIGHT)
 
     def _paint_line(self, painter: QPainter, k: int, line: Line) -> None:
         x, colour = self.x_of(line.value), QColor(self._theme.bad)
@@ -172,7 +176,9 @@ class DistributionView(QWidget):
         painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
         box = QRectF(x - 75, 1, 150, 13)
         box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
-        draw_text(painter, box, f"parts best at {short(threshold)}", self._theme.accent, 10, CENTRED)
+        draw_text(
+            painter, box, tr("parts best at {value}").format(value=short(threshold)), self._theme.accent, 10, CENTRED
+        )
 
     def _unit_of(self, distribution: Distribution) -> str:
         return unit_of(distribution.variable, self._workbench.own_variables)

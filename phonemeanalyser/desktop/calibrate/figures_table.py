@@ -7,18 +7,44 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.scores.scoring import Scores
 
 ROWS: tuple[tuple[str, str, bool, str], ...] = (
-    ("macro F1, ten sounds", "macro_f1", True, "The mean F1 of the ten sounds: no figure hides a rare one"),
-    ("frames right, ten sounds", "accuracy", True, "Share of frames that are right"),
-    ("clear vowels right", "vowel_accuracy", True, "Share of frames of a, e, i, o and u that are right"),
-    ("mouth shapes right", "viseme_accuracy", True, "Share of frames with the right one of six mouth shapes"),
-    ("silence found", "silence_recall", True, "Share of silent frames that are called silence"),
-    ("speech called silence", "false_silence", False, "Share of spoken frames that are called silence"),
-    ("changes per second", "changes_per_s", False, "How often the answer changes: flicker, where labels change less"),
+    (
+        tr_noop("macro F1, ten sounds"),
+        "macro_f1",
+        True,
+        tr_noop("The mean F1 of the ten sounds: no figure hides a rare one"),
+    ),
+    (tr_noop("frames right, ten sounds"), "accuracy", True, tr_noop("Share of frames that are right")),
+    (
+        tr_noop("clear vowels right"),
+        "vowel_accuracy",
+        True,
+        tr_noop("Share of frames of a, e, i, o and u that are right"),
+    ),
+    (
+        tr_noop("mouth shapes right"),
+        "viseme_accuracy",
+        True,
+        tr_noop("Share of frames with the right one of six mouth shapes"),
+    ),
+    (tr_noop("silence found"), "silence_recall", True, tr_noop("Share of silent frames that are called silence")),
+    (
+        tr_noop("speech called silence"),
+        "false_silence",
+        False,
+        tr_noop("Share of spoken frames that are called silence"),
+    ),
+    (
+        tr_noop("changes per second"),
+        "changes_per_s",
+        False,
+        tr_noop("How often the answer changes: flicker, where labels change less"),
+    ),
 )
 """Heading, name of the figure, whether more is better, and what it means."""
 
@@ -29,7 +55,7 @@ class FiguresTable(QTableWidget):
     def __init__(self, columns: Sequence[str], theme: Theme) -> None:
         super().__init__(len(ROWS), len(columns))
         self._theme = theme
-        self.setVerticalHeaderLabels([heading for heading, _, _, _ in ROWS])
+        self.setVerticalHeaderLabels([tr(heading) for heading, _, _, _ in ROWS])
         self.set_columns(columns)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
@@ -40,7 +66,7 @@ class FiguresTable(QTableWidget):
         self.verticalHeader().setDefaultSectionSize(22)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         for row, (_, _, _, tip) in enumerate(ROWS):
-            self.model().setHeaderData(row, Qt.Orientation.Vertical, tip, Qt.ItemDataRole.ToolTipRole)
+            self.model().setHeaderData(row, Qt.Orientation.Vertical, tr(tip), Qt.ItemDataRole.ToolTipRole)
 
     def set_columns(self, names: Sequence[str]) -> None:
         """Name what is compared."""

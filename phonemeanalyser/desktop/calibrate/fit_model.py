@@ -7,6 +7,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
@@ -49,8 +50,10 @@ class FitModel(QObject):
         """Why nothing can be fitted now, as a sentence; nothing where it can."""
         recogniser = self._preset.preset.recogniser
         if not spec_of(recogniser).fit:
-            return f"The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
-        return "" if self._workbench.features is not None else "Record takes or load labelled recordings first."
+            return tr(
+                "The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
+            ).format(recogniser=recogniser)
+        return "" if self._workbench.features is not None else tr("Record takes or load labelled recordings first.")
 
     def begin(self) -> None:
         """Search for better thresholds, or for better limits of the preset's own rules."""
@@ -65,7 +68,7 @@ class FitModel(QObject):
             now, found = self._preset.preset, report.preset
             self._preset.end_edit()
             fitted = {tuning.value: getattr(found, tuning) for tuning in spec_of(found.recogniser).tuned_by}
-            self._preset.edit(replace(now, successors=found.successors, **fitted), "fit")
+            self._preset.edit(replace(now, successors=found.successors, **fitted), tr("fit"))
         self.changed.emit()
 
     def refuse(self) -> None:

@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QV
 
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.fit_model import FitModel
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 
 
@@ -14,11 +15,15 @@ class FitPanel(QWidget):
     def __init__(self, fit: FitModel, theme: Theme) -> None:
         super().__init__()
         self._fit = fit
-        self.begin = QPushButton("Fit thresholds")
-        self.stop, self.accept, self.refuse = QPushButton("cancel"), QPushButton("accept"), QPushButton("refuse")
+        self.begin = QPushButton(tr("Fit thresholds"))
+        self.stop, self.accept, self.refuse = (
+            QPushButton(tr("cancel")),
+            QPushButton(tr("accept")),
+            QPushButton(tr("refuse")),
+        )
         self.progress = QProgressBar()
         self.words = QLabel()
-        self.figures = FiguresTable(("before", "after", "left out"), theme)
+        self.figures = FiguresTable((tr("before"), tr("after"), tr("left out")), theme)
         self._lay_out()
         self._connect()
         self.show_state()
@@ -28,14 +33,14 @@ class FitPanel(QWidget):
         fit, report, busy = self._fit, self._fit.report, self._fit.searching.busy
         self.begin.setEnabled(not busy and not fit.why_not)
         self.begin.setToolTip(
-            fit.why_not or "Search for thresholds that suit what is loaded, with those in use to begin with"
+            fit.why_not or tr("Search for thresholds that suit what is loaded, with those in use to begin with")
         )
         self.stop.setVisible(busy)
         self.progress.setVisible(busy)
         self.progress.setValue(round(100 * fit.searching.progress))
         self.accept.setVisible(report is not None and report.gains)
         self.refuse.setVisible(report is not None)
-        self.refuse.setText("refuse" if report is not None and report.gains else "close")
+        self.refuse.setText(tr("refuse") if report is not None and report.gains else tr("close"))
         self.figures.setVisible(report is not None)
         self.words.setText(self._said())
         if report is not None:
@@ -44,25 +49,29 @@ class FitPanel(QWidget):
     def _said(self) -> str:
         report = self._fit.report
         if self._fit.searching.busy:
-            return "Searching; you can go on working meanwhile."
+            return tr("Searching; you can go on working meanwhile.")
         if report is None:
-            return self._fit.why_not or "Finds the thresholds that name the most frames right in what is loaded."
+            return self._fit.why_not or tr("Finds the thresholds that name the most frames right in what is loaded.")
         if not report.gains:
-            return "Nothing better was found than what is in use."
+            return tr("Nothing better was found than what is in use.")
         if report.held_out is not None and report.held_out.macro_f1 < report.before.macro_f1:
-            return f"Better on what is loaded, but not on a {report.left_out} that was left out: load more of them."
-        return f"Better. The last column leaves each {report.left_out} out in turn, and fits without it."
+            return tr(
+                "Better on what is loaded, but not on a {left_out} that was left out: load more of them."
+            ).format(left_out=tr(report.left_out))
+        return tr("Better. The last column leaves each {left_out} out in turn, and fits without it.").format(
+            left_out=tr(report.left_out)
+        )
 
     def _lay_out(self) -> None:
-        self.stop.setToolTip("End the search; the preset stays as it is")
-        self.refuse.setToolTip("Leave the preset as it is")
+        self.stop.setToolTip(tr("End the search; the preset stays as it is"))
+        self.refuse.setToolTip(tr("Leave the preset as it is"))
         self.words.setWordWrap(True)
         row = QHBoxLayout()
         for widget in (self.begin, self.progress, self.stop, self.accept, self.refuse):
             widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             row.addWidget(widget)
         row.addStretch(1)
-        self.accept.setToolTip("Use what was found; Ctrl+Z takes it back")
+        self.accept.setToolTip(tr("Use what was found; Ctrl+Z takes it back"))
         column = QVBoxLayout(self)
         column.setContentsMargins(6, 6, 6, 4)
         column.addLayout(row)

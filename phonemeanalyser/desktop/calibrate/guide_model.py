@@ -11,6 +11,7 @@ from enum import StrEnum
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -71,20 +72,20 @@ class Step:
         """What it is called where there is little room."""
         if self.sentence is None:
             return self.phoneme.label
-        return "sentence" if self.teaches else "check"
+        return tr("sentence") if self.teaches else tr("check")
 
 
-QUIET = Step(Phoneme.SILENCE, "keep quiet", "two seconds of your room, with nobody speaking", 2.0)
+QUIET = Step(Phoneme.SILENCE, tr_noop("keep quiet"), tr_noop("two seconds of your room, with nobody speaking"), 2.0)
 SOUNDS = (
-    Step(Phoneme.A, "aaaa", "hold the a of “father”"),
-    Step(Phoneme.E, "eeee", "hold the e of “bed”"),
-    Step(Phoneme.I, "iiii", "hold the sound of “see”"),
-    Step(Phoneme.O, "oooo", "hold the o of “more”"),
-    Step(Phoneme.U, "uuuu", "hold the sound of “food”"),
-    Step(Phoneme.SZ, "ssss", "hold the s of “see”"),
-    Step(Phoneme.SCH, "shhh", "hold the sh of “she”"),
-    Step(Phoneme.M, "mmmm", "hum with your lips closed"),
-    Step(Phoneme.P, "p  p  p  p", "only the puff of the lips, quickly, with no vowel after it", 1.6),
+    Step(Phoneme.A, "aaaa", tr_noop("hold the a of “father”")),
+    Step(Phoneme.E, "eeee", tr_noop("hold the e of “bed”")),
+    Step(Phoneme.I, "iiii", tr_noop("hold the sound of “see”")),
+    Step(Phoneme.O, "oooo", tr_noop("hold the o of “more”")),
+    Step(Phoneme.U, "uuuu", tr_noop("hold the sound of “food”")),
+    Step(Phoneme.SZ, "ssss", tr_noop("hold the s of “see”")),
+    Step(Phoneme.SCH, "shhh", tr_noop("hold the sh of “she”")),
+    Step(Phoneme.M, "mmmm", tr_noop("hum with your lips closed")),
+    Step(Phoneme.P, "p  p  p  p", tr_noop("only the puff of the lips, quickly, with no vowel after it"), 1.6),
 )
 
 
@@ -98,7 +99,7 @@ def steps_of(language: str, *, by_sounds: bool) -> tuple[Step, ...]:
 
 def _reading(sentence: Sentence, *, teaches: bool) -> Step:
     seconds = len(sentence.sounds) / SOUNDS_PER_S
-    return Step(Phoneme.UNIDENTIFIED, "read aloud", sentence.text, seconds, sentence, teaches)
+    return Step(Phoneme.UNIDENTIFIED, tr_noop("read aloud"), sentence.text, seconds, sentence, teaches)
 
 
 class Phase(StrEnum):
@@ -187,9 +188,13 @@ class GuideModel(QObject):
         if self.outcome is None:
             return ""
         if self.outcome.cross_validated:
-            return f"on quarters of what was said, each held back in turn, {self.outcome.seconds:.0f} s"
+            return tr("on quarters of what was said, each held back in turn, {seconds:.0f} s").format(
+                seconds=self.outcome.seconds
+            )
         seconds = f"{self.outcome.seconds:.1f} s"
-        return f"on one sentence that was held back, {seconds}, labels aligned by the known text"
+        return tr("on one sentence that was held back, {seconds}, labels aligned by the known text").format(
+            seconds=seconds
+        )
 
     @property
     def share(self) -> float:
@@ -254,7 +259,7 @@ class GuideModel(QObject):
         if outcome is not None and outcome.gains:
             try:
                 self._preset.end_edit()
-                self._preset.edit(replace(outcome.preset, name=self._preset.preset.name), "calibration")
+                self._preset.edit(replace(outcome.preset, name=self._preset.preset.name), tr("calibration"))
             except EngineError as error:
                 self.error.emit(str(error))
         self.cancel()
@@ -301,7 +306,7 @@ class GuideModel(QObject):
             self._show(Phase.HEARING)
         elif len(sound) >= PATIENCE * rate:
             self._go_to(
-                self.index, advice="Nothing was heard that stands out from the room; say it louder or closer."
+                self.index, advice=tr("Nothing was heard that stands out from the room; say it louder or closer.")
             )
 
     def _has_ended(self, voice_at: float) -> bool:
@@ -329,7 +334,7 @@ class GuideModel(QObject):
             for fault in check_take(mono, room, Phoneme.A).faults.values():
                 raise TakeError(fault)
             if folder is None:
-                raise TakeError("No sound was kept before it; go back, and keep quiet for two seconds.")
+                raise TakeError(tr("No sound was kept before it; go back, and keep quiet for two seconds."))
             return keep_sentence(folder, samples, rate, mono, sentence, speaker, teaches=teaches)
 
         self._checks.replace(keep, self._take_sentence)

@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QTool
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.guide_model import Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
@@ -54,14 +56,14 @@ class CountdownRing(QWidget):
     def _words(self) -> str:
         guide = self._guide
         if guide.phase is Phase.LEARNING:
-            return "learning"
+            return tr("learning")
         if guide.phase is Phase.DONE:
-            return "done"
+            return tr("done")
         if guide.phase is Phase.CHECKING:
             return "…"
         if guide.phase is Phase.SHOWING:
-            return "again" if guide.advice else "✓"
-        return guide.step.say
+            return tr("again") if guide.advice else "✓"
+        return tr(guide.step.say)
 
 
 class StepsLine(QWidget):
@@ -114,7 +116,7 @@ class GuideView(QWidget):
         self.steps = StepsLine(calibration, theme)
         self.ring = CountdownRing(calibration, theme)
         self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
-        self.figures = FiguresTable(("before", "after"), theme)
+        self.figures = FiguresTable((tr("before"), tr("after")), theme)
         self.head = head
         self.language, self.sounds = QComboBox(), QToolButton()
         self.hear_old, self.hear_new, self.save = QToolButton(), QToolButton(), QToolButton()
@@ -185,36 +187,51 @@ class GuideView(QWidget):
 
     def _connect(self) -> None:
         guide = self._calibration.guide
-        self.language.addItems(LANGUAGES)
-        self.language.setToolTip("The language of the sentences that are read")
-        self.language.setAccessibleName("language of the sentences")
+        self.language.addItems([tr(name) for name in LANGUAGES])
+        self.language.setToolTip(tr("The language of the sentences that are read"))
+        self.language.setAccessibleName(tr("language of the sentences"))
         self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.language.activated.connect(lambda k: guide.choose(LANGUAGES[k], by_sounds=guide.by_sounds))
         self.sounds.setCheckable(True)
         for button, text, tip, act in (
             (
                 self.sounds,
-                "single sounds",
-                "Say nine single sounds in place of the sentence that is learned from",
+                tr("single sounds"),
+                tr("Say nine single sounds in place of the sentence that is learned from"),
                 lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
             ),
-            (self.back, "◀ back", "Say what came before once more (Backspace)", guide.back),
-            (self.again, "again", "Say this once more (R)", guide.again),
-            (self.skip, "skip ▶", "Go on without this (Right)", guide.skip),
-            (self.cancel, "cancel", "End the guide; what was recorded stays (Escape)", guide.cancel),
-            (self.refuse, "keep the old preset", "Leave the preset as it was; the takes stay (Escape)", guide.cancel),
-            (self.save, "use and save as…", "Change the preset, and save it under a name of its own", self._save),
-            (self.accept, "use the new preset", "Change the preset; Ctrl+Z takes it back (Return)", guide.accept),
+            (self.back, tr("◀ back"), tr("Say what came before once more (Backspace)"), guide.back),
+            (self.again, tr("again"), tr("Say this once more (R)"), guide.again),
+            (self.skip, tr("skip ▶"), tr("Go on without this (Right)"), guide.skip),
+            (self.cancel, tr("cancel"), tr("End the guide; what was recorded stays (Escape)"), guide.cancel),
+            (
+                self.refuse,
+                tr("keep the old preset"),
+                tr("Leave the preset as it was; the takes stay (Escape)"),
+                guide.cancel,
+            ),
+            (
+                self.save,
+                tr("use and save as…"),
+                tr("Change the preset, and save it under a name of its own"),
+                self._save,
+            ),
+            (
+                self.accept,
+                tr("use the new preset"),
+                tr("Change the preset; Ctrl+Z takes it back (Return)"),
+                guide.accept,
+            ),
             (
                 self.hear_old,
-                "▶ old preset",
-                "Hear the sentence, and see the head with the old preset",
+                tr("▶ old preset"),
+                tr("Hear the sentence, and see the head with the old preset"),
                 self._hear_old,
             ),
             (
                 self.hear_new,
-                "▶ new preset",
-                "Hear the sentence, and see the head with the new preset",
+                tr("▶ new preset"),
+                tr("Hear the sentence, and see the head with the new preset"),
                 self._hear_new,
             ),
         ):
@@ -255,8 +272,14 @@ class GuideView(QWidget):
         self.hint.setText(f"<span style='font-size: {24 if guide.reading else 16}px'>{self._hint()}</span>")
         self.advice.setText(self._advice())
         room = guide.room
-        said = f"room noise {_decibels(room.level):.0f} dB" if room is not None else "the room is not measured yet"
-        self.room.setText(f"{said}   ·   voice by {self._calibration.takes.speaker or 'me'}")
+        said = (
+            tr("room noise {decibels:.0f} dB").format(decibels=_decibels(room.level))
+            if room is not None
+            else tr("the room is not measured yet")
+        )
+        self.room.setText(
+            said + "   ·   " + tr("voice by {speaker}").format(speaker=self._calibration.takes.speaker or tr("me"))
+        )
         for widget in (self.skip, self.again, self.meter, self.room):
             widget.setVisible(asking)
         self.back.setVisible(asking or done)
@@ -266,7 +289,7 @@ class GuideView(QWidget):
         gains = done and guide.outcome is not None and guide.outcome.gains
         self.cancel.setVisible(not done)
         self.refuse.setVisible(done)
-        self.refuse.setText("keep the old preset" if gains else "close")
+        self.refuse.setText(tr("keep the old preset") if gains else tr("close"))
         self.accept.setVisible(gains)
         self.save.setVisible(gains)
         self.figures.setVisible(done and guide.outcome is not None)
@@ -283,36 +306,44 @@ class GuideView(QWidget):
     def _title(self) -> str:
         guide = self._calibration.guide
         if guide.phase is Phase.LEARNING:
-            return "Learning your voice"
+            return tr("Learning your voice")
         if guide.phase is Phase.DONE:
             better = guide.outcome is not None and guide.outcome.gains
-            return "It knows your voice better now" if better else "Nothing better was found"
+            return tr("It knows your voice better now") if better else tr("Nothing better was found")
         if guide.step.sentence is None:
-            return f"Sound {guide.index + 1} of {len(guide.steps) - 1}" if guide.by_sounds else "First your room"
-        return "Read this as you speak" if guide.step.teaches else "Now this one, to tell what was gained"
+            return (
+                tr("Sound {index} of {n}").format(index=guide.index + 1, n=len(guide.steps) - 1)
+                if guide.by_sounds
+                else tr("First your room")
+            )
+        return tr("Read this as you speak") if guide.step.teaches else tr("Now this one, to tell what was gained")
 
     def _hint(self) -> str:
         guide = self._calibration.guide
         if guide.phase is Phase.LEARNING:
-            return "this takes a few seconds"
+            return tr("this takes a few seconds")
         if guide.phase is Phase.DONE:
             return self._found()
         if not self._calibration.session.microphone.listening:
-            return f"{self._calibration.session.microphone.words} …"
-        return guide.step.hint
+            return f"{tr_engine(self._calibration.session.microphone.words)} …"
+        return tr(guide.step.hint)
 
     def _found(self) -> str:
         """Return what the figures are measured on, and how sure the room is told from speech."""
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""
-        sure = f"<br>{guide.outcome.silence_accuracy}" if guide.outcome.silence_accuracy is not None else ""
-        return f"Measured {guide.measured_on}.{sure}"
+        sure = (
+            f"<br>{tr_engine(str(guide.outcome.silence_accuracy))}"
+            if guide.outcome.silence_accuracy is not None
+            else ""
+        )
+        return tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure
 
     def _advice(self) -> str:
         outcome = self._calibration.guide.outcome
         done = self._calibration.guide.phase is Phase.DONE
-        return outcome.refusal if done and outcome is not None else self._calibration.guide.advice
+        return tr_engine(outcome.refusal if done and outcome is not None else self._calibration.guide.advice)
 
 
 def _click(*buttons: QToolButton) -> None:

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.phonemes import Phoneme
 
@@ -21,11 +22,13 @@ class MappingDialog(QDialog):
 
     def __init__(self, counts: dict[str, int], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Names in the labels")
+        self.setWindowTitle(tr("Names in the labels"))
         self.boxes: dict[str, QComboBox] = {}
         intro = QLabel(
-            "These names stand for no sound that is known here. Say what each one is; what stays unidentified counts "
-            "neither as right nor as wrong."
+            tr(
+                "These names stand for no sound that is known here. Say what each one is; what stays unidentified "
+                "counts neither as right nor as wrong."
+            )
         )
         intro.setWordWrap(True)
         body = QWidget()
@@ -37,7 +40,7 @@ class MappingDialog(QDialog):
             for phoneme in Phoneme:
                 box.addItem(phoneme.label, phoneme)
             box.setCurrentIndex(box.findData(Phoneme.UNIDENTIFIED))
-            box.setAccessibleName(f"sound of {name}")
+            box.setAccessibleName(tr("sound of {name}").format(name=name))
             for column, widget in enumerate((label, QLabel(f"{count} ×"), box)):
                 grid.addWidget(widget, row, column)
         grid.setRowStretch(len(counts), 1)

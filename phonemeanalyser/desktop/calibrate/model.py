@@ -10,6 +10,8 @@ from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes_model import TakeEdit, TakesModel
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeengine.phonemes import Phoneme
@@ -100,7 +102,9 @@ class CalibrationModel(QObject):
         samples, rate = self.capture.end()
         if not len(samples) and not self.session.microphone.listening:
             self.error.emit(
-                f"No take of {phoneme.label}: {self.session.microphone.words}; try again when it is heard."
+                tr("No take of {phoneme}: {state}; try again when it is heard.").format(
+                    phoneme=phoneme.label, state=tr_engine(self.session.microphone.words)
+                )
             )
             return
         self.takes.add(samples, rate, phoneme, self.session.microphone.name)
@@ -127,7 +131,7 @@ class CalibrationModel(QObject):
     def mark(self, *, end: bool) -> None:
         """Mark where the stretch of the opened file begins, or ends: where the file stands."""
         if self.session.source is not SoundSource.FILE or self.session.path is None:
-            self.error.emit("There is no file in hand; open one to mark a stretch of it.")
+            self.error.emit(tr("There is no file in hand; open one to mark a stretch of it."))
             return
         start, stop = self.selection or (0.0, self.session.duration)
         here = self.session.position

@@ -5,6 +5,7 @@ from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -26,10 +27,11 @@ class PhonemeButton(QToolButton):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         name = phoneme.label
-        self.setAccessibleName(f"record a take of {name}")
+        self.setAccessibleName(tr("record a take of {name}").format(name=name))
         self.setToolTip(
-            f"Hold the button, or the key {KEYS[phoneme]}, while you say {name}; or while it is heard in the "
-            "file that plays"
+            tr(
+                "Hold the button, or the key {key}, while you say {name}; or while it is heard in the file that plays"
+            ).format(key=KEYS[phoneme], name=name)
         )
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -74,14 +76,14 @@ class RecordPanel(QWidget):
         held = self._calibration.phoneme
         of_file = session.source is SoundSource.FILE and session.path is not None
         if held is not None:
-            text = f"<b>Taking {held.label}</b>: let go when it is said"
+            text = tr("<b>Taking {phoneme}</b>: let go when it is said").format(phoneme=held.label)
         elif of_file and selection is not None and not session.playing:
             start, end = (format_clock(seconds, True) for seconds in selection)
-            text = f"Marked <b>{start} – {end} s</b>: choose its sound"
+            text = tr("Marked <b>{start} – {end} s</b>: choose its sound").format(start=start, end=end)
         elif of_file and session.playing:
-            text = "Hold a key while its sound is heard"
+            text = tr("Hold a key while its sound is heard")
         else:
-            text = "Hold a key, or a button, and say the sound"
+            text = tr("Hold a key, or a button, and say the sound")
         self.hint.setText(text)
         for button in (self.start, self.end):
             button.setEnabled(of_file)
@@ -91,8 +93,8 @@ class RecordPanel(QWidget):
 
     def _lay_out(self) -> None:
         for button, text, tip in (
-            (self.start, "[", "The marked stretch of the file begins where the file stands ([)"),
-            (self.end, "]", "The marked stretch of the file ends where the file stands (])"),
+            (self.start, "[", tr("The marked stretch of the file begins where the file stands ([)")),
+            (self.end, "]", tr("The marked stretch of the file ends where the file stands (])")),
         ):
             button.setText(text)
             button.setToolTip(tip)

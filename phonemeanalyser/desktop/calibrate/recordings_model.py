@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
 from phonemeengine.errors import AudioError, UnknownPhonemeError
@@ -81,9 +82,9 @@ class RecordingsModel(QObject):
         self.utterances += fresh
         self.changed.emit()
         if refusals:
-            self.error.emit(f"{len(refusals)} sounds were left out; {refusals[0]}")
+            self.error.emit(tr("{n} sounds were left out; {refusal}").format(n=len(refusals), refusal=refusals[0]))
         elif sources:
-            self.info.emit(f"{len(fresh)} labelled recordings were loaded.")
+            self.info.emit(tr("{n} labelled recordings were loaded.").format(n=len(fresh)))
 
 
 def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]:

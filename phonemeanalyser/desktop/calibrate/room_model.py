@@ -5,6 +5,7 @@ from dataclasses import replace
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -51,7 +52,7 @@ class RoomModel(QObject):
         """Hear the room for two seconds; the microphone listens already."""
         self._capture.begin()
         self._listen(on=True)
-        self.info.emit(f"Keep quiet: the room is heard for {SECONDS:g} seconds …")
+        self.info.emit(tr("Keep quiet: the room is heard for {seconds:g} seconds …").format(seconds=SECONDS))
 
     def cancel(self) -> None:
         """End it; nothing changes."""
@@ -71,7 +72,9 @@ class RoomModel(QObject):
             return
         if not self._session.microphone.active:
             self.cancel()
-            self.error.emit("The room was not heard to the end, since the microphone was let go; measure it again.")
+            self.error.emit(
+                tr("The room was not heard to the end, since the microphone was let go; measure it again.")
+            )
         elif self._capture.seconds >= SECONDS:
             samples, rate = self._capture.end()
             self._listen(on=False)
@@ -85,8 +88,8 @@ class RoomModel(QObject):
             return
         try:
             self._preset.end_edit()
-            self._preset.edit(replace(preset, name=self._preset.preset.name), "room")
-            self.info.emit(f"Room of {room}: {sure}; Ctrl+Z takes it back.")
+            self._preset.edit(replace(preset, name=self._preset.preset.name), tr("room"))
+            self.info.emit(tr("Room of {room}: {sure}; Ctrl+Z takes it back.").format(room=room, sure=sure))
         except EngineError as error:
             self.error.emit(str(error))
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 
@@ -37,9 +38,9 @@ class SegmentList(QTableWidget):
     def __init__(self, name: str, words: str) -> None:
         super().__init__(0, 4)
         self.rows: list[SegmentRow] = []
-        self.setHorizontalHeaderLabels(["recording", "from (s)", "ms", words])
+        self.setHorizontalHeaderLabels([tr("recording"), tr("from (s)"), "ms", words])
         self.setAccessibleName(name)
-        self.setToolTip("Click a stretch to hear it, or choose one and press Return")
+        self.setToolTip(tr("Click a stretch to hear it, or choose one and press Return"))
         header = self.horizontalHeader()
         header.setFixedHeight(22)
         header.setHighlightSections(False)

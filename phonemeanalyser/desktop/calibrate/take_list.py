@@ -7,15 +7,17 @@ from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.takes.take import Take
 
-HEADINGS = ("sound", "speaker", "s", "dB", "check")
+HEADINGS = (tr_noop("sound"), tr_noop("speaker"), "s", "dB", tr_noop("check"))
 TIPS = (
-    "What was said", "Who said it", "How much of it counts, seconds",
-    "Level of that, dB below full scale (RMS)", "Whether it is good enough to calibrate with",
+    tr_noop("What was said"), tr_noop("Who said it"), tr_noop("How much of it counts, seconds"),
+    tr_noop("Level of that, dB below full scale (RMS)"), tr_noop("Whether it is good enough to calibrate with"),
 )  # fmt: skip
 NUMBER = Qt.ItemDataRole.UserRole
 
@@ -76,9 +78,9 @@ class TakeListView(QTableWidget):
             super().keyPressEvent(event)
 
     def _style(self) -> None:
-        self.setHorizontalHeaderLabels(list(HEADINGS))
+        self.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         for k, tip in enumerate(TIPS):
-            self.model().setHeaderData(k, Qt.Orientation.Horizontal, tip, Qt.ItemDataRole.ToolTipRole)
+            self.model().setHeaderData(k, Qt.Orientation.Horizontal, tr(tip), Qt.ItemDataRole.ToolTipRole)
         header = self.horizontalHeader()
         header.setMinimumSectionSize(20)
         header.setHighlightSections(False)
@@ -95,7 +97,7 @@ class TakeListView(QTableWidget):
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setShowGrid(False)
         self.setTabKeyNavigation(False)
-        self.setAccessibleName("takes")
+        self.setAccessibleName(tr("takes"))
 
     def _fill(self) -> None:
         takes, chosen = self._takes.now.takes, self.chosen
@@ -112,7 +114,7 @@ class TakeListView(QTableWidget):
     def _items_of(self, take: Take) -> list[QTableWidgetItem]:
         report = self._takes.now.reports.get(take.number)
         faults = report.faults if report else {}
-        verdict = "excluded" if take.excluded else next((str(fault) for fault in faults), "good")
+        verdict = tr("excluded") if take.excluded else next((tr(str(fault)) for fault in faults), tr("good"))
         level = f"{report.level:.0f}" if report else "–"
         words = (take.phoneme.label, take.speaker, f"{take.end - take.start:.2f}", level, verdict)
         items = [QTableWidgetItem(text) for text in words]
@@ -123,7 +125,7 @@ class TakeListView(QTableWidget):
         for column, item in enumerate(items):
             if column in {2, 3}:
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            item.setToolTip(" ".join(faults.values()) or f"{take.name}, {take.device}, {take.time}")
+            item.setToolTip(" ".join(map(tr_engine, faults.values())) or f"{take.name}, {take.device}, {take.time}")
             item.setForeground(QColor(judged if column == 4 else told))
             font = item.font()
             font.setStrikeOut(take.excluded and column < 4)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -42,8 +43,10 @@ class TakeWaveform(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setAccessibleName("trim the take")
-        self.setToolTip("Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end")
+        self.setAccessibleName(tr("trim the take"))
+        self.setToolTip(
+            tr("Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end")
+        )
         self.menu = PlotMenu(self, "take", lambda _at: table_of(self._columns()))
         takes.changed.connect(self._show)
         takes.sound_read.connect(self._show)
@@ -56,7 +59,7 @@ class TakeWaveform(QWidget):
         sound = self._takes.sound
         if take is None or self.ends is None or not len(sound):
             painter.setPen(QColor(self._theme.faint))
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, "choose a take to hear and trim it")
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, tr("choose a take to hear and trim it"))
             return
         left, right = (self._x_of(end) for end in self.ends)
         counting = QColor(PHONEME_COLOURS[take.phoneme])
@@ -67,7 +70,9 @@ class TakeWaveform(QWidget):
             painter.fillRect(QRectF(x - 4, (self.height() + HEADING) / 2 - 8, 8, 16), counting)
         painter.setPen(QColor(self._theme.text))
         set_size(painter, 10)
-        words = f"{take.name}   {self.ends[0]:.2f} – {self.ends[1]:.2f} s of {take.duration:.2f} s"
+        words = f"{take.name}   " + tr("{start:.2f} – {end:.2f} s of {duration:.2f} s").format(
+            start=self.ends[0], end=self.ends[1], duration=take.duration
+        )
         painter.drawText(self.rect().adjusted(6, 2, -4, 0), Qt.AlignmentFlag.AlignLeft, words)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -120,7 +125,7 @@ class TakeWaveform(QWidget):
 
     def _columns(self) -> dict[str, Float32Array | Float64Array]:
         sound = self._takes.sound
-        return {"time (s)": np.arange(len(sound)) / SAMPLE_RATE, "amplitude": sound}
+        return {tr("time (s)"): np.arange(len(sound)) / SAMPLE_RATE, "amplitude": sound}
 
     def _paint_sound(self, painter: QPainter, left: float, right: float) -> None:
         sound, width = self._takes.sound, max(1, self.width())

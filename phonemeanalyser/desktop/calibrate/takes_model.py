@@ -8,6 +8,8 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
@@ -56,7 +58,7 @@ class TakeEdit(QUndoCommand):
     """
 
     def __init__(self, takes: "TakesModel", what: str) -> None:
-        super().__init__(what)
+        super().__init__(tr_engine(what))
         self._takes = takes
         self._done = True
 
@@ -166,7 +168,9 @@ class TakesModel(QObject):
         """Keep a new take, shape (n, n_channels), and check it; it may take the place of another."""
         if len(samples) < LEAST_SECONDS * rate:
             self.error.emit(
-                f"Hold {phoneme.label} for as long as you say the sound: {len(samples) / rate:.2f} s were heard."
+                tr("Hold {phoneme} for as long as you say the sound: {seconds:.2f} s were heard.").format(
+                    phoneme=phoneme.label, seconds=len(samples) / rate
+                )
             )
             return
         speaker = self.speaker.strip() or UNNAMED
@@ -207,7 +211,11 @@ class TakesModel(QObject):
             return take
 
         if end - start < LEAST_SECONDS:
-            self.error.emit(f"The stretch of {path.name} lasts {max(0.0, end - start):.2f} s; mark a longer one.")
+            self.error.emit(
+                tr("The stretch of {path} lasts {seconds:.2f} s; mark a longer one.").format(
+                    path=path.name, seconds=max(0.0, end - start)
+                )
+            )
             return
         self._change(act, self._tell_added)
 
@@ -303,7 +311,7 @@ class TakesModel(QObject):
     def _show_emptied(self, found: tuple[int, Snapshot]) -> None:
         self._show(found[1])
         self.emptied.emit()
-        self.info.emit(f"Deleted takes removed from the disk: {found[0]}.")
+        self.info.emit(tr("Deleted takes removed from the disk: {n}.").format(n=found[0]))
 
     def _show(self, now: Snapshot) -> None:
         self.now = now
@@ -333,7 +341,7 @@ class TakesModel(QObject):
         self.added.emit(take.number)
         report = self.now.reports[take.number]
         for sentence in list(report.faults.values())[:1]:
-            self.error.emit(f"{take.name}: {sentence}")
+            self.error.emit(f"{take.name}: {tr_engine(sentence)}")
 
     def _show_sound(self, number: int | None, sound: Float32Array) -> None:
         if number == self.selected:
@@ -344,8 +352,10 @@ class TakesModel(QObject):
 def _write_labels(project: TakeProject | None, suffix: str, program: str) -> str:
     """Write label files beside all takes, and say how many."""
     if project is None or not project.takes:
-        raise TakeError("There are no takes yet whose labels could be written; record one first.")
+        raise TakeError(tr("There are no takes yet whose labels could be written; record one first."))
     aside, n = project.write_copies(suffix), len(project.takes)
-    files = f"{n} label file{'s' if n > 1 else ''} for {program} {'lie' if n > 1 else 'lies'} beside the takes"
-    kept = f"; what else was there is kept, such as {aside[0].name}" if aside else ""
-    return f"{files} in {project.folder / TAKES}{kept}."
+    one = tr("1 label file for {program} lies beside the takes in {folder}.")
+    many = tr("{n} label files for {program} lie beside the takes in {folder}.")
+    files = (one if n == 1 else many).format(n=n, program=program, folder=project.folder / TAKES)
+    kept = " " + tr("What else was there is kept, such as {name}.").format(name=aside[0].name) if aside else ""
+    return files + kept

@@ -11,6 +11,7 @@ from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.record_panel import RecordPanel
 from phonemeanalyser.desktop.calibrate.take_list import TakeListView
 from phonemeanalyser.desktop.calibrate.take_waveform import TakeWaveform
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
@@ -56,14 +57,26 @@ class TakesPanel(QWidget):
 
     def _fill(self) -> None:
         for button, text, tip in (
-            (self.open, "folder…", "Choose the folder of the takes, or write labels for other programs beside them"),
-            (self.add, "load", "Load labelled recordings: TextGrid, Audacity's labels, CSV"),
-            (self.clear, "✕", "Forget the labelled recordings; their files stay"),
-            (self.guide, "Guided calibration…", "Be led through silence and all sounds in under a minute (G)"),
-            (self.room, "room", "Measure the room: two seconds of quiet set silence and denoising of any recogniser"),
-            (self.play, "play", "Play what counts of the take (Return, or a double click)"),
-            (self.exclude, "exclude", "Let the take count for nothing for now, or count again (X)"),
-            (self.delete, "delete", "Delete the take (Delete); Ctrl+Z brings it back"),
+            (
+                self.open,
+                tr("folder…"),
+                tr("Choose the folder of the takes, or write labels for other programs beside them"),
+            ),
+            (self.add, tr("load"), tr("Load labelled recordings: TextGrid, Audacity's labels, CSV")),
+            (self.clear, "✕", tr("Forget the labelled recordings; their files stay")),
+            (
+                self.guide,
+                tr("Guided calibration…"),
+                tr("Be led through silence and all sounds in under a minute (G)"),
+            ),
+            (
+                self.room,
+                tr("room"),
+                tr("Measure the room: two seconds of quiet set silence and denoising of any recogniser"),
+            ),
+            (self.play, tr("play"), tr("Play what counts of the take (Return, or a double click)")),
+            (self.exclude, tr("exclude"), tr("Let the take count for nothing for now, or count again (X)")),
+            (self.delete, tr("delete"), tr("Delete the take (Delete); Ctrl+Z brings it back")),
         ):
             button.setText(text)
             button.setToolTip(tip)
@@ -71,16 +84,16 @@ class TakesPanel(QWidget):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._add_menu(
             self.add,
-            ("A Folder of Labelled Recordings…", lambda: self.import_asked.emit(True)),
-            ("Sounds with Labels Beside Them…", lambda: self.import_asked.emit(False)),
+            (tr("A Folder of Labelled Recordings…"), lambda: self.import_asked.emit(True)),
+            (tr("Sounds with Labels Beside Them…"), lambda: self.import_asked.emit(False)),
         )
         write = self._calibration.takes.write_labels
         self._add_menu(
             self.open,
-            ("Choose the Folder…", self.project_asked.emit),
-            ("Write Labels for Praat (TextGrid)", lambda: write(".TextGrid", "Praat")),
-            ("Write Labels for Audacity (txt)", lambda: write(".txt", "Audacity")),
-            ("Empty Deleted Takes…", self.empty_asked.emit),
+            (tr("Choose the Folder…"), self.project_asked.emit),
+            (tr("Write Labels for Praat (TextGrid)"), lambda: write(".TextGrid", "Praat")),
+            (tr("Write Labels for Audacity (txt)"), lambda: write(".txt", "Audacity")),
+            (tr("Empty Deleted Takes…"), self.empty_asked.emit),
         )
         self.guide.setSizePolicy(self.record.sizePolicy())
         for button in (self.guide, self.room):
@@ -90,10 +103,10 @@ class TakesPanel(QWidget):
             " border-radius: 4px; font-weight: bold }"
             f"QToolButton:disabled {{ background: {self._theme.line} }}"
         )
-        self.speaker.setToolTip("Who says the takes that are recorded from now on")
-        self.speaker.setAccessibleName("speaker")
-        self.phoneme.setToolTip("What the chosen take is: choose another sound to relabel it")
-        self.phoneme.setAccessibleName("sound of the take")
+        self.speaker.setToolTip(tr("Who says the takes that are recorded from now on"))
+        self.speaker.setAccessibleName(tr("speaker"))
+        self.phoneme.setToolTip(tr("What the chosen take is: choose another sound to relabel it"))
+        self.phoneme.setAccessibleName(tr("sound of the take"))
         self.phoneme.installEventFilter(LetterPassthrough(self.phoneme))
         for phoneme in KEYS:
             self.phoneme.addItem(phoneme.label, phoneme)
@@ -110,14 +123,14 @@ class TakesPanel(QWidget):
         column.setContentsMargins(8, 6, 6, 6)
         column.setSpacing(5)
         for row in (
-            (QLabel("<b>Takes</b>"), self.project, self.open),
-            (QLabel("Speaker"), self.speaker),
+            (QLabel(tr("<b>Takes</b>")), self.project, self.open),
+            (QLabel(tr("Speaker")), self.speaker),
             (self.guide, self.room),
             (self.record,),
             (self.list,),
             (self.wave,),
             (self.play, self.phoneme, self.exclude, self.delete),
-            (QLabel("<b>Recordings</b>"), self.recordings, self.clear, self.add),
+            (QLabel(tr("<b>Recordings</b>")), self.recordings, self.clear, self.add),
         ):
             line = QHBoxLayout()
             line.setSpacing(5)
@@ -172,26 +185,34 @@ class TakesPanel(QWidget):
 
     def _show_project(self) -> None:
         folder = self._calibration.takes.folder
-        self.project.setText(_short(folder) if folder else "none yet: the first take makes one")
-        self.project.setToolTip(str(folder) if folder else "Takes go into a folder that you may choose")
+        self.project.setText(_short(folder) if folder else tr("none yet: the first take makes one"))
+        self.project.setToolTip(str(folder) if folder else tr("Takes go into a folder that you may choose"))
 
     def _show_recordings(self) -> None:
         recordings = self._calibration.recordings
         n, speakers = len(recordings.utterances), recordings.n_speakers
-        text = f"{n} by {speakers} speaker{'s' if speakers > 1 else ''}" if n else "none loaded"
+        text = (
+            (tr("{n} by {speakers} speakers") if speakers > 1 else tr("{n} by 1 speaker")).format(
+                n=n, speakers=speakers
+            )
+            if n
+            else tr("none loaded")
+        )
         self.recordings.setText(text)
-        self.recordings.setToolTip("\n".join(map(str, recordings.sources)) or "Labelled recordings beside the takes")
+        self.recordings.setToolTip(
+            "\n".join(map(str, recordings.sources)) or tr("Labelled recordings beside the takes")
+        )
         self.clear.setEnabled(n > 0)
 
     def _show_room(self) -> None:
-        self.room.setText("keep quiet …" if self._calibration.room.listening else "room")
+        self.room.setText(tr("keep quiet …") if self._calibration.room.listening else tr("room"))
 
     def _show_take(self) -> None:
         takes = self._calibration.takes
         take = takes.take(takes.selected) if takes.selected is not None else None
         for widget in (self.play, self.exclude, self.delete, self.phoneme):
             widget.setEnabled(take is not None)
-        self.exclude.setText("include" if take is not None and take.excluded else "exclude")
+        self.exclude.setText(tr("include") if take is not None and take.excluded else tr("exclude"))
         if take is not None:
             with QSignalBlocker(self.phoneme):
                 self.phoneme.setCurrentIndex(self.phoneme.findData(take.phoneme))

@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QColor
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Lane, Timeline, TimelineView
@@ -14,7 +15,7 @@ from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-NAMES = ("said", "recognised")
+NAMES = (tr_noop("said"), tr_noop("recognised"))
 LABELS = np.array([phoneme.label for phoneme in Phoneme], object)
 
 
@@ -26,7 +27,7 @@ class ConfusionLanes(Timeline):
         self.confusion: Confusion | None = None
         self.names: list[str] = []
         self._colours = np.array([QColor(PHONEME_COLOURS[p]).rgb() for p in Phoneme], np.uint32)
-        self.show_lanes([Lane(name) for name in NAMES], 0.0)
+        self.show_lanes([Lane(tr(name)) for name in NAMES], 0.0)
 
     def lanes_of(self, confusion: Confusion) -> list[Lane]:
         """Return both lanes."""
@@ -40,7 +41,7 @@ class ConfusionLanes(Timeline):
         begins = np.flatnonzero(first)
         times = np.append(begins, len(codes)) * FRAME_PERIOD
         said = codes[begins]
-        return Lane(name, times[:-1], times[1:], LABELS[said].tolist(), self._colours[said])
+        return Lane(tr(name), times[:-1], times[1:], LABELS[said].tolist(), self._colours[said])
 
 
 class ConfusionTimeline(TimelineView):
@@ -59,15 +60,15 @@ class ConfusionTimeline(TimelineView):
         self.menu = PlotMenu(
             self.lanes, "said and recognised", lambda _at: table_of(self._columns()), self.show_whole
         )
-        self.setToolTip("Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms")
-        self.setAccessibleName("said and recognised")
+        self.setToolTip(tr("Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms"))
+        self.setAccessibleName(tr("said and recognised"))
         self.span_clicked.connect(self._choose)
 
     def show_confusion(self, confusion: Confusion | None, names: list[str]) -> None:
         """Show the answers to these recordings."""
         self.lanes.confusion, self.lanes.names = confusion, names
         if confusion is None:
-            self.show_lanes([Lane(name) for name in NAMES], 0.0)
+            self.show_lanes([Lane(tr(name)) for name in NAMES], 0.0)
             return
         starts = (confusion.edges[:-1] * FRAME_PERIOD).tolist()
         chapters = [Chapter(start, name) for start, name in zip(starts, names, strict=True)]

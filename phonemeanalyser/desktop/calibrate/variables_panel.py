@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
@@ -27,8 +28,8 @@ from phonemeengine.recognition.spec import spec_of
 NAME = Qt.ItemDataRole.UserRole
 
 
-ACTS = "It acts once a rule of the preset names it."
-NO_ACT = "it would be measured and drawn, and change no phoneme. The recogniser rules can use them."
+ACTS = tr_noop("It acts once a rule of the preset names it.")
+NO_ACT = tr_noop("it would be measured and drawn, and change no phoneme. The recogniser rules can use them.")
 
 
 class VariablesPanel(QWidget):
@@ -47,8 +48,8 @@ class VariablesPanel(QWidget):
         self._theme = theme
         self.table = QTableWidget(0, 2)
         self.one, self.other = QComboBox(), QComboBox()
-        self.search = QPushButton("suggest")
-        self.add = QPushButton("add")
+        self.search = QPushButton(tr("suggest"))
+        self.add = QPushButton(tr("add"))
         self.words = QLabel()
         self._lay_out()
         self._connect()
@@ -56,7 +57,7 @@ class VariablesPanel(QWidget):
 
     def _lay_out(self) -> None:
         self.setFixedWidth(216)
-        self.table.setHorizontalHeaderLabels(["variable", "separates"])
+        self.table.setHorizontalHeaderLabels([tr("variable"), tr("separates")])
         let_copy(self.table)
         header = self.table.horizontalHeader()
         header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
@@ -72,26 +73,29 @@ class VariablesPanel(QWidget):
         self.table.setShowGrid(False)
         self.table.setWordWrap(False)
         self.table.setTabKeyNavigation(False)
-        self.table.setAccessibleName("variables")
+        self.table.setAccessibleName(tr("variables"))
         self.table.setToolTip(
-            "The chance that of two frames of different sounds a threshold tells which is which: 50 % says nothing"
+            tr(
+                "The chance that of two frames of different sounds a threshold tells which is which: 50 % says "
+                "nothing"
+            )
         )
         self.table.installEventFilter(LetterPassthrough(self.table))
         for phoneme in KEYS:
             self.one.addItem(phoneme.label, phoneme)
             self.other.addItem(phoneme.label, phoneme)
-        self.other.addItem("all others", None)
+        self.other.addItem(tr("all others"), None)
         self.one.setCurrentIndex(self.one.findData(Phoneme.SZ))
         self.other.setCurrentIndex(self.other.findData(Phoneme.SCH))
         for box, name in (
-            (self.one, "Sound that is to be told apart"),
-            (self.other, "... from this one, or from all"),
+            (self.one, tr("Sound that is to be told apart")),
+            (self.other, tr("... from this one, or from all")),
         ):
             box.setToolTip(name)
             box.setAccessibleName(name)
             box.installEventFilter(LetterPassthrough(box))
-        self.search.setToolTip("Search for frequency ranges that part these two best")
-        self.add.setToolTip("Add the suggested variable to the preset; Ctrl+Z takes it back")
+        self.search.setToolTip(tr("Search for frequency ranges that part these two best"))
+        self.add.setToolTip(tr("Add the suggested variable to the preset; Ctrl+Z takes it back"))
         for button in (self.search, self.add):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         column = QVBoxLayout(self)
@@ -100,9 +104,9 @@ class VariablesPanel(QWidget):
         column.addWidget(self.table, 1)
         grid = QGridLayout()
         grid.setSpacing(4)
-        grid.addWidget(QLabel("part"), 0, 0)
+        grid.addWidget(QLabel(tr("part")), 0, 0)
         grid.addWidget(self.one, 0, 1)
-        grid.addWidget(QLabel("from"), 0, 2)
+        grid.addWidget(QLabel(tr("from")), 0, 2)
         grid.addWidget(self.other, 0, 3)
         grid.setColumnStretch(1, 1)
         grid.setColumnStretch(3, 1)
@@ -161,7 +165,9 @@ class VariablesPanel(QWidget):
 
     def _show_search(self) -> None:
         searching = self._workbench.searching
-        self.search.setText(f"stop {100 * searching.progress:.0f} %" if searching.busy else "suggest")
+        self.search.setText(
+            tr("stop {percent:.0f} %").format(percent=100 * searching.progress) if searching.busy else tr("suggest")
+        )
 
     def _search(self) -> None:
         if self._workbench.searching.busy:
@@ -192,17 +198,26 @@ class VariablesPanel(QWidget):
         if suggestion is not None:
             acts = spec_of(name).uses_own_variables
             colour = self._theme.faint if acts else self._theme.bad
-            note = ACTS if acts else f"The recogniser {name} cannot use variables of your own; {NO_ACT}"
+            note = (
+                tr(ACTS)
+                if acts
+                else tr("The recogniser {name} cannot use variables of your own; {why}").format(
+                    name=name, why=tr(NO_ACT)
+                )
+            )
             self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")
 
 
 def _range_of(variable: Variable) -> str:
-    return f"{variable.low:.0f}–{variable.high:.0f} Hz {variable.kind}"
+    return f"{variable.low:.0f}–{variable.high:.0f} Hz {tr(variable.kind.value)}"
 
 
 def _words_of(suggestion: Suggestion) -> str:
     variable = suggestion.variable
-    return (
-        f"{variable.kind} of {variable.low:.0f}–{variable.high:.0f} Hz of the {variable.source} spectrum, "
-        f"separates {suggestion.separation:.0%}"
+    return tr("{kind} of {low:.0f}–{high:.0f} Hz of the {source} spectrum, separates {separation:.0%}").format(
+        kind=tr(variable.kind.value),
+        low=variable.low,
+        high=variable.high,
+        source=tr(variable.source.value),
+        separation=suggestion.separation,
     )

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
@@ -152,7 +153,7 @@ class WorkbenchModel(QObject):
         """Search for variables that part two phonemes, or one from all others."""
         features, preset = self.features, self._preset.in_force
         if features is None:
-            self.error.emit("There is nothing to search in yet; record takes or load labelled recordings first.")
+            self.error.emit(tr("There is nothing to search in yet; record takes or load labelled recordings first."))
             return
         self.searching.replace(
             lambda progress: suggested_variables(features, preset, one, other, progress), self._take_suggestions
@@ -247,7 +248,9 @@ class WorkbenchModel(QObject):
         self.look_at(suggestions[0] if suggestions else None)
         self.suggested.emit()
         if not suggestions:
-            self.error.emit("No frequency range parts these two; record more takes of them, or choose another pair.")
+            self.error.emit(
+                tr("No frequency range parts these two; record more takes of them, or choose another pair.")
+            )
 
 
 def _looked_at(

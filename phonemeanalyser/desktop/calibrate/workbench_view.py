@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
 from phonemeanalyser.desktop.calibrate.timeline import ConfusionTimeline
 from phonemeanalyser.desktop.calibrate.variables_panel import VariablesPanel
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
@@ -42,11 +43,11 @@ class WorkbenchView(QWidget):
         self.distribution = DistributionView(workbench, theme)
         self.confusion = ConfusionView(theme)
         self.figures, self.cell = QLabel(), QLabel()
-        self.segments = SegmentList("stretches of the cell", "")
+        self.segments = SegmentList(tr("stretches of the cell"), "")
         self.fit = FitPanel(calibration.fit, theme)
         self.compare = ComparePanel(calibration.comparison, theme)
         self.tabs = QTabWidget()
-        self.tabs.tabBar().setAccessibleName("pages of the workbench")
+        self.tabs.tabBar().setAccessibleName(tr("pages of the workbench"))
         self.timeline = ConfusionTimeline(theme)
         self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
@@ -66,7 +67,11 @@ class WorkbenchView(QWidget):
         self.cell.setWordWrap(True)
         column.addWidget(self.cell)
         column.addWidget(self.segments, 1)
-        for widget, name in ((listed, "Stretches"), (Scrolled(self.fit), "Fit"), (Scrolled(self.compare), "Compare")):
+        for widget, name in (
+            (listed, tr("Stretches")),
+            (Scrolled(self.fit), tr("Fit")),
+            (Scrolled(self.compare), tr("Compare")),
+        ):
             self.tabs.addTab(widget, name)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.tabs.setMinimumWidth(TABS_WIDTH)
@@ -81,7 +86,7 @@ class WorkbenchView(QWidget):
             splitter.setChildrenCollapsible(False)
         self.figures.setContentsMargins(8, 3, 8, 3)
         self.figures.setToolTip(
-            "Macro F1 is the mean over the ten sounds. More changes a second than the labels have are flicker"
+            tr("Macro F1 is the mean over the ten sounds. More changes a second than the labels have are flicker")
         )
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
@@ -126,24 +131,25 @@ class WorkbenchView(QWidget):
     def _show_measuring(self) -> None:
         measuring = self._calibration.workbench.measuring
         if measuring.busy:
-            self.figures.setText(f"measuring … {100 * measuring.progress:.0f} %")
+            self.figures.setText(tr("measuring … {percent:.0f} %").format(percent=100 * measuring.progress))
 
     def _show_figures(self) -> None:
         confusion = self._calibration.workbench.confusion
         if confusion is None:
-            self.figures.setText(f"<span style='color:{self._theme.faint}'>nothing is loaded yet</span>")
+            self.figures.setText(f"<span style='color:{self._theme.faint}'>{tr('nothing is loaded yet')}</span>")
             return
         changes, of_labels = confusion.changes_per_s, confusion.label_changes_per_s
         calm = of_labels > 0 and changes <= 1.5 * of_labels
         colour = self._theme.good if calm else self._theme.bad
         ratio = f" ({changes / of_labels:.1f} ×)" if of_labels > 0 else ""
-        seconds = len(confusion.predicted) / 100
+        of_what = tr("{minutes:.1f} min in {n} recordings").format(
+            minutes=len(confusion.predicted) / 6000, n=confusion.n_recordings
+        )
         self.figures.setText(
-            f"accuracy <b>{_percent(confusion.accuracy)}</b> &nbsp; "
-            f"macro F1 <b>{_percent(confusion.macro_f1)}</b> &nbsp; "
-            f"changes a second <b style='color:{colour}'>{changes:.1f}</b>, labels {of_labels:.1f}{ratio} &nbsp; "
-            f"<span style='color:{self._theme.faint}'>{seconds / 60:.1f} min in {confusion.n_recordings} recordings"
-            "</span>"
+            f"{tr('accuracy')} <b>{_percent(confusion.accuracy)}</b> &nbsp; "
+            f"{tr('macro F1')} <b>{_percent(confusion.macro_f1)}</b> &nbsp; "
+            f"{tr('changes a second')} <b style='color:{colour}'>{changes:.1f}</b>, "
+            f"{tr('labels')} {of_labels:.1f}{ratio} &nbsp; <span style='color:{self._theme.faint}'>{of_what}</span>"
         )
 
     # -- what is chosen -----------------------------------------------------------------------------------
@@ -155,14 +161,16 @@ class WorkbenchView(QWidget):
     def _show_cell(self) -> None:
         workbench, cell = self._calibration.workbench, self.confusion.cell
         if cell is None or workbench.confusion is None:
-            self.cell.setText("Click a cell of the matrix to list what is in it.")
+            self.cell.setText(tr("Click a cell of the matrix to list what is in it."))
             self.segments.show_rows(())
             return
         truth, answer = self.confusion.phonemes_of(cell)
         found = workbench.segments_in(truth, answer)
         seconds = sum(p.end - p.start for p in found)
         self.cell.setText(
-            f"<b>{truth.label}</b> recognised as <b>{answer.label}</b>: {len(found)} stretches, {seconds:.2f} s"
+            tr("<b>{truth}</b> recognised as <b>{answer}</b>: {n} stretches, {seconds:.2f} s").format(
+                truth=truth.label, answer=answer.label, n=len(found), seconds=seconds
+            )
         )
         paths = [u.path for u in workbench.answered]
         self.segments.show_rows([SegmentRow(paths[p.recording], p.start, p.end) for p in found[:1000]])

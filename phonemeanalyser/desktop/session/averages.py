@@ -4,6 +4,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr_noop
 from phonemeengine.analyser import Analysis
 from phonemeengine.averaged_spectrum import (
     AveragedSpectrum,
@@ -48,7 +49,7 @@ class AveragesModel(QObject):
         return f"{self._cause} at {self._from:.2f} s of {self._sound}" if self.n_frames else ""
 
     def begin(self, cause: str, sound: str) -> None:
-        """Begin the running mean anew, of a sound of that name, and remember why; loaded curves stay."""
+        """Begin the running mean anew, of a sound of that name, and remember why, in English; loaded curves stay."""
         self._cause, self._sound = cause, sound
         self.settings = None
         self._average.clear()
@@ -57,7 +58,7 @@ class AveragesModel(QObject):
         """Take in a block of frames; those that other filters shaped begin a new mean."""
         known, given = self.settings, analysis.settings
         if known is not None and given is not known and given.front_end() != known.front_end():
-            self.begin("change of the filters", self._sound)
+            self.begin(tr_noop("change of the filters"), self._sound)
         if self.settings is None:
             self._from = analysis.start * FRAME_PERIOD
         self.settings = given

@@ -1,9 +1,11 @@
 """What the window makes of sounds: all that the engine converts them to, clips of a head, and reports."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeanalyser.rendering.subdivision import subdivided
@@ -11,11 +13,15 @@ from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.batch.conversion_work import ConversionWork
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion import CONVERSIONS, check_options, convert
 from phonemeengine.errors import ExportError
 from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.transcript import transcript_of
@@ -81,6 +87,51 @@ def check_order(order: ExportOrder) -> None:
         check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), ClipOptions().size)
 
 
+@dataclass(frozen=True)
+class ExportOrderWork:
+    """Makes what an order asks for, in processes and batches; work for `run_batch`.
+
+    Attributes
+    ----------
+    order : what sounds are turned into.
+    """
+
+    order: ExportOrder
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        order = self.order
+        if order.kind in CONVERSIONS:
+            return self._conversion().fingerprint()
+        return fingerprint_of("window", order.kind, for_files(order.preset), order.options, order.channel)
+
+    def known_of(self, job: Job) -> str:
+        """Return what the files beside a sound hold by which a report scores it."""
+        if self.order.kind not in CONVERSIONS and not EXPORT_KINDS[self.order.kind].moves_mouth:
+            return fingerprint_of(*(job.source.with_suffix(suffix) for suffix in LABEL_SUFFIXES))
+        return ""
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Give what makes one file."""
+        if self.order.kind in CONVERSIONS:
+            with self._conversion().opened() as act:
+                yield act
+        else:
+            yield self._make
+
+    def _conversion(self) -> ConversionWork:
+        order = self.order
+        return ConversionWork(order.kind, order.preset, order.options, order.channel, order.overwrite)
+
+    def _make(self, job: Job, _say: Say, progress: Progress) -> Made:
+        assert job.target is not None
+        with SoundReader(job.source, self.order.channel) as reader:
+            duration = reader.duration
+        EXPORT_KINDS[self.order.kind].make(job.source, job.target, self.order, progress)
+        return Made(duration)
+
+
 def _convert(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
     convert(
         source, target, order.kind, order.preset, order.options, channel=order.channel, overwrite=order.overwrite,
@@ -116,22 +167,29 @@ def _write_report(source: Path, target: Path, order: ExportOrder, progress: Prog
             file.write(page.encode())
     except OSError as error:
         fault = reason_of(error)
-        raise ExportError(f"{printable_name(target)}: cannot be written ({fault}); name another folder") from error
+        raise ExportError(
+            tr("{target}: cannot be written ({fault}); name another folder").format(
+                target=printable_name(target), fault=fault
+            )
+        ) from error
 
 
 def _refuse_another(target: Path, order: ExportOrder) -> None:
     """Leave alone a file that may be somebody else's."""
     if target.is_file() and not order.overwrite:
         raise ExportError(
-            f"{printable_name(target)}: the file that is there may be somebody else's; name another folder, or have "
-            "it replaced"
+            tr(
+                "{target}: the file that is there may be somebody else's; name another folder, or have it replaced"
+            ).format(target=printable_name(target))
         )
 
 
 EXPORT_KINDS: dict[str, ExportKind] = {
     **{name: ExportKind(c.words, c.ending, c.moves_mouth, _convert) for name, c in CONVERSIONS.items()},
-    "clip-mp4": ExportKind("a clip of the head with its sound", ".mp4", True, _make_clip, is_text=False),
-    "clip-gif": ExportKind("a clip of the head", ".gif", True, _make_clip, is_text=False),
-    "report-html": ExportKind("how right it is, by the labels beside it", ".report.html", False, _write_report),
+    "clip-mp4": ExportKind(tr_noop("a clip of the head with its sound"), ".mp4", True, _make_clip, is_text=False),
+    "clip-gif": ExportKind(tr_noop("a clip of the head"), ".gif", True, _make_clip, is_text=False),
+    "report-html": ExportKind(
+        tr_noop("how right it is, by the labels beside it"), ".report.html", False, _write_report
+    ),
 }
 """All kinds, by name."""

@@ -3,17 +3,20 @@
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, ExportOrderWork
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
+from phonemeengine.batch.work import Job, JobState, Outcome
 from phonemeengine.conversion import CONVERSIONS
-from phonemeengine.errors import EngineError
 from phonemeengine.measurement import save_stretch
 from phonemeengine.progress import Progress
 from phonemeengine.settings import Channel
@@ -27,11 +30,12 @@ SECONDS_PREVIEWED = 30.0
 class ExportState(StrEnum):
     """What became of a file."""
 
-    WAITING = "waiting"
-    WORKING = "at work"
-    DONE = "done"
-    FAILED = "failed"
-    CANCELLED = "cancelled"
+    WAITING = tr_noop("waiting")
+    WORKING = tr_noop("at work")
+    DONE = tr_noop("done")
+    SKIPPED = tr_noop("done before")
+    FAILED = tr_noop("failed")
+    CANCELLED = tr_noop("cancelled")
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,7 @@ class ExportJob:
 
 
 class ExportQueue(QObject):
-    """Works through a list of files; what fails is said, and the others go on.
+    """Works through a list of files, many of them on all cores; what fails is said, and the others go on.
 
     Signals
     -------
@@ -65,6 +69,7 @@ class ExportQueue(QObject):
     Attributes
     ----------
     jobs : the list.
+    progress : how much of the whole list is done, 0..1.
     """
 
     changed = Signal()
@@ -74,7 +79,9 @@ class ExportQueue(QObject):
     def __init__(self) -> None:
         super().__init__()
         self.jobs: list[ExportJob] = []
-        self._work = TaskQueue(self.previewed.emit)
+        self.progress = 0.0
+        self._numbers: dict[Job, int] = {}
+        self._work = TaskQueue(self._refuse)
         self._preview = TaskQueue(self.previewed.emit)
         self._work.changed.connect(self.changed)
         self._work.idle.connect(self.finished)
@@ -84,18 +91,21 @@ class ExportQueue(QObject):
         """Whether files are still to be made."""
         return self._work.busy
 
-    @property
-    def progress(self) -> float:
-        """How much of the whole list is done, 0..1."""
-        over = sum(job.state not in {ExportState.WAITING, ExportState.WORKING} for job in self.jobs)
-        at_work = self._work.progress if self._work.busy else 0.0
-        return (over + at_work) / max(1, len(self.jobs))
+    def start(self, targets: dict[Path, Path], order: ExportOrder, folder: Path | None = None) -> None:
+        """Turn sounds into the files that they are to become.
 
-    def start(self, targets: dict[Path, Path], order: ExportOrder) -> None:
-        """Turn sounds into the files that they are to become, in this order."""
+        Parameters
+        ----------
+        targets : the files, by sound.
+        order : what they are turned into.
+        folder : where all of them go, in which it is noted what was done, so that it is not done twice; None where
+            they go beside their sounds.
+        """
         self.jobs = [ExportJob(source, target) for source, target in targets.items()]
-        for k in range(len(self.jobs)):
-            self._work.submit(partial(self._convert, k, order))
+        self.progress = 0.0
+        jobs = [Job(source, target) for source, target in targets.items()]
+        self._numbers = {job: k for k, job in enumerate(jobs)}
+        self._work.submit(lambda progress: self._run(jobs, order, folder, progress))
         self.changed.emit()
 
     def cancel(self) -> None:
@@ -103,7 +113,7 @@ class ExportQueue(QObject):
         self._work.cancel()
         for k, job in enumerate(self.jobs):
             if job.state in {ExportState.WAITING, ExportState.WORKING}:
-                self._put(k, replace(job, state=ExportState.CANCELLED))
+                self.jobs[k] = replace(job, state=ExportState.CANCELLED)
         self.finished.emit()
 
     def preview(self, source: Path, order: ExportOrder) -> None:
@@ -115,27 +125,47 @@ class ExportQueue(QObject):
         self._work.close(CLOSE_TIMEOUT)
         self._preview.close(CLOSE_TIMEOUT)
 
-    def _convert(self, k: int, order: ExportOrder, progress: Progress) -> None:
-        job = replace(self.jobs[k], state=ExportState.WORKING)
-        self._put(k, job)
-        try:
-            with SoundReader(job.source) as reader:
-                job = replace(job, duration=reader.duration)
-            self._put(k, job)
-            EXPORT_KINDS[order.kind].make(job.source, job.target, order, progress)
-        except EngineError as error:
-            self._put(k, replace(job, state=ExportState.FAILED, words=str(error)))
-        else:
-            self._put(k, replace(job, state=ExportState.DONE))
+    def _refuse(self, sentence: str) -> None:
+        """Say of all files that were left why nothing becomes of them."""
+        for k, job in enumerate(self.jobs):
+            if job.state in {ExportState.WAITING, ExportState.WORKING}:
+                self.jobs[k] = replace(job, state=ExportState.FAILED, words=sentence)
+        self.finished.emit()
 
-    def _put(self, k: int, job: ExportJob) -> None:
-        self.jobs[k] = job
+    def _run(self, jobs: list[Job], order: ExportOrder, folder: Path | None, progress: Progress) -> None:
+        """Work in a thread of its own."""
+
+        def show(found: BatchProgress) -> bool:
+            self.progress = found.share
+            for job in found.at_hand:
+                self._put(job, state=ExportState.WORKING)
+            return progress(found.share)
+
+        options = BatchOptions(folder=folder)
+        outcomes = run_batch(jobs, ExportOrderWork(order), options, on_outcome=self._take, on_progress=show)
+        if folder is not None:
+            write_batch_report(outcomes, folder)
+
+    def _take(self, outcome: Outcome) -> None:
+        state, duration = _STATES[outcome.state], outcome.made.duration
+        self._put(outcome.job, state=state, duration=duration, words=outcome.words)
+
+    def _put(self, job: Job, **known: Any) -> None:
+        number = self._numbers[job]
+        self.jobs[number] = replace(self.jobs[number], **known)
         self.changed.emit()
+
+
+_STATES = {
+    JobState.DONE: ExportState.DONE,
+    JobState.SKIPPED: ExportState.SKIPPED,
+    JobState.FAILED: ExportState.FAILED,
+}
 
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     if not EXPORT_KINDS[order.kind].is_text:
-        return "A clip is seen once it is made; the page Talk shows the same head at once."
+        return tr("A clip is seen once it is made; the page Talk shows the same head at once.")
     with TemporaryDirectory() as folder:
         with SoundReader(source) as reader:
             is_long = reader.duration > SECONDS_PREVIEWED
@@ -149,7 +179,9 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     try:
         text = content.decode()
     except UnicodeDecodeError:
-        return f"{target.name}: {len(content):,} bytes that are no text".replace(",", " ")
+        return tr("{target}: {n} bytes that are no text").format(
+            target=target.name, n=f"{len(content):,}".replace(",", " ")
+        )
     return text[:MOST_PREVIEWED] + ("\n…" if is_long or len(text) > MOST_PREVIEWED else "")
 
 

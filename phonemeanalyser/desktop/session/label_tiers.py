@@ -8,6 +8,7 @@ from typing import NamedTuple
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from phonemeanalyser.desktop.language import tr
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
 from phonemeengine.calibration.scores.label_errors import LabelError, label_errors
 from phonemeengine.errors import CorpusError, EngineError, UnknownPhonemeError
@@ -166,7 +167,7 @@ class LabelTiers(QObject):
             self.error.emit(str(error))
             return False
         self.path, self._saved = path, self.tiers
-        self.info.emit(f"Saved the labels as {path}")
+        self.info.emit(tr("Saved the labels as {path}").format(path=path))
         self.changed.emit()
         return True
 
@@ -240,13 +241,14 @@ class LabelTiers(QObject):
     def move(self, label: ChosenLabel, seconds: float, *, end: bool) -> None:
         """Move a boundary of a label; all of it until the next `begin_move` is undone at once."""
         tier = moved(self.tiers[label.tier], label.label, end=end, seconds=seconds)
-        self._push(self._with(label.tier, tier), "move of a boundary", (label, end, self._n_moves))
+        self._push(self._with(label.tier, tier), tr("move of a boundary"), (label, end, self._n_moves))
         self.choose(label)
 
     def rename(self, label: ChosenLabel, name: str) -> None:
         """Have a label say something else."""
         self._try(
-            "change of a label", lambda: self._with(label.tier, renamed(self.tiers[label.tier], label.label, name))
+            tr("change of a label"),
+            lambda: self._with(label.tier, renamed(self.tiers[label.tier], label.label, name)),
         )
 
     def insert(self, tier: int | None, start: float, end: float, name: str) -> None:
@@ -259,11 +261,11 @@ class LabelTiers(QObject):
             first = inserted(Tier(FIRST_TIER, ()), start, end, name)
             return LabelState((*self.tiers, first), (*self.state.shown, n), n)
 
-        self._try("new label", act)
+        self._try(tr("new label"), act)
 
     def delete(self, label: ChosenLabel) -> None:
         """Delete a label."""
-        self._push(self._with(label.tier, deleted(self.tiers[label.tier], label.label)), "deletion of a label")
+        self._push(self._with(label.tier, deleted(self.tiers[label.tier], label.label)), tr("deletion of a label"))
 
     def put(self, state: LabelState) -> None:
         """Say this of the sound; that cannot be undone."""

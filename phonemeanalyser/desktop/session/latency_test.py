@@ -4,6 +4,8 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import EngineError
@@ -53,15 +55,23 @@ class LatencyTest(QObject):
             self.result = found
             self.info.emit(_sentence_of(found))
         else:
-            self.error.emit(f"The latency was not measured: {found}.")
+            self.error.emit(tr("The latency was not measured: {why}.").format(why=tr_engine(str(found))))
         self.ended.emit()
 
 
 def _sentence_of(found: Loopback) -> str:
-    share = f"{1000 * found.capture:.0f} ms of it are the microphone's, and the status line now counts with them"
+    share = tr("{ms:.0f} ms of it are the microphone's, and the status line now counts with them").format(
+        ms=1000 * found.capture
+    )
     if not found.capture:
-        share = "the card does not tell which part of it is the microphone's"
-    return (
-        f"A click comes back after {1000 * found.round_trip:.0f} ms ({found.n_heard} of {found.n_played} "
-        f"heard, within {1000 * found.spread:.0f} ms of each other); {share}."
+        share = tr("the card does not tell which part of it is the microphone's")
+    return tr(
+        "A click comes back after {ms:.0f} ms ({n_heard} of {n_played} "
+        "heard, within {spread:.0f} ms of each other); {share}."
+    ).format(
+        ms=1000 * found.round_trip,
+        n_heard=found.n_heard,
+        n_played=found.n_played,
+        spread=1000 * found.spread,
+        share=share,
     )

@@ -7,6 +7,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.latency_test import LatencyTest
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import Analysis
@@ -157,7 +159,7 @@ class Microphone(QObject):
     @property
     def name(self) -> str:
         """What is listened to, as the user chose it."""
-        return self.choice.label or "default microphone"
+        return self.choice.label or tr("default microphone")
 
     @property
     def active(self) -> bool:
@@ -178,7 +180,7 @@ class Microphone(QObject):
     def words(self) -> str:
         """What is going on, in words."""
         if self.latency_test.running:
-            return "measuring its latency"
+            return tr("measuring its latency")
         status, rate = self.listener.status, f"{self.listener.rate:,} Hz".replace(",", " ")
         return f"{status.words}, {rate}" if status.listening else status.words
 
@@ -273,7 +275,9 @@ class Microphone(QObject):
     def begin_recording(self) -> None:
         """Record what is heard from now on into a new file in the folder."""
         if self.latency_test.running:
-            self.error.emit("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
+            self.error.emit(
+                tr("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
+            )
         if not self.active or self.recording:
             return
         folder, suffix = self.folder, self.suffix
@@ -320,8 +324,10 @@ class Microphone(QObject):
         status = self.listener.status
         if status.listening:
             if self._troubled:
-                lost = f"{self.listener.lost_seconds:.1f} s could not be heard"
-                self.info.emit(f"The microphone is there: {status.words}; {lost}.")
+                lost = tr("{seconds:.1f} s could not be heard").format(seconds=self.listener.lost_seconds)
+                self.info.emit(
+                    tr("The microphone is there: {status}; {lost}.").format(status=tr_engine(status.words), lost=lost)
+                )
             self._troubled = self._words = ""
             return
         words, now = status.words.split(" since ")[0], time.monotonic()
@@ -329,8 +335,9 @@ class Microphone(QObject):
             self._words, self._since = words, now
         if words != self._troubled and now - self._since >= PATIENCE:
             self._troubled = words
-            waits = "; the recording waits for it" if self.recording else ""
-            self.error.emit(f"{words[0].upper()}{words[1:]}{waits}.")
+            waits = "; " + tr("the recording waits for it") if self.recording else ""
+            told = tr_engine(words)
+            self.error.emit(f"{told[0].upper()}{told[1:]}{waits}.")
 
     def _tell_recorded(self, recorder: Recorder) -> None:
         if recorder.failure:
@@ -340,7 +347,7 @@ class Microphone(QObject):
             for remark in _remarks(recorder):
                 self.info.emit(remark)
         else:
-            self.error.emit("Nothing was recorded, since no sound came; check the microphone.")
+            self.error.emit(tr("Nothing was recorded, since no sound came; check the microphone."))
 
 
 def _remarks(recorder: Recorder) -> list[str]:
@@ -348,5 +355,8 @@ def _remarks(recorder: Recorder) -> list[str]:
     earlier = [path.name for path in recorder.paths[:-1]]
     if not earlier:
         return list(recorder.notes)
-    files = " and ".join(earlier)
-    return [*recorder.notes, f"The microphone changed its form on the way, so what came before that is in {files}."]
+    files = tr(" and ").join(earlier)
+    return [
+        *recorder.notes,
+        tr("The microphone changed its form on the way, so what came before that is in {files}.").format(files=files),
+    ]

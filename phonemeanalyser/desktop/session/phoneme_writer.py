@@ -6,6 +6,8 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.arrays import Float32Array
@@ -52,14 +54,22 @@ class PhonemeWriter(QObject):
         open_sound : gives it from its beginning.
         target : its ending says in which format: .TextGrid, .txt (Audacity) or .csv (the corpus format).
         """
-        self.info.emit(f"The phonemes of {name} are looked for, and then saved in {target.name} …")
+        self.info.emit(
+            tr("The phonemes of {name} are looked for, and then saved in {target} …").format(
+                name=name, target=target.name
+            )
+        )
         self._work.submit(
             lambda progress: _write(open_sound, preset, target, progress),
             lambda heard: self._tell(name, target, heard),
         )
 
     def _tell(self, name: str, target: Path, heard: Preset) -> None:
-        self.info.emit(f"The phonemes of {name} are saved in {target}, heard with: {ear_in_words(heard)}.")
+        self.info.emit(
+            tr("The phonemes of {name} are saved in {target}, heard with: {ear}.").format(
+                name=name, target=target, ear=tr_engine(ear_in_words(heard))
+            )
+        )
         for warning in heard.warnings:
             self.error.emit(f"{name}: {warning}")
 

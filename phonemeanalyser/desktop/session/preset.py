@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from phonemeanalyser.desktop.language import tr
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
@@ -30,8 +31,6 @@ from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import Ear, Filter
 
-PRESET_FILTER = f"Presets ({' '.join('*' + suffix for suffix in PRESET_SUFFIXES)})"
-"""What a dialog that asks for a preset shows."""
 FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
     Filter.QUANTISE: ("quantise", "decimation"),
     Filter.PRE_EMPHASIS: ("pre_emphasis",),
@@ -197,7 +196,7 @@ class PresetModel(QObject):
     def revert(self) -> None:
         """Return to what the preset's file says, in one change."""
         self.end_edit()
-        self.edit(self._saved, "return to the file")
+        self.edit(self._saved, tr("return to the file"))
 
     def end_edit(self) -> None:
         """End a run of changes that undo takes back together, such as a drag."""
@@ -206,12 +205,16 @@ class PresetModel(QObject):
     def set_setting(self, name: str, value: Any) -> None:
         """Change one field of the settings; of an ordered pair, the other one gives way."""
         settings = self.preset.settings.with_number(name, value)
-        self.edit(replace(self.preset, settings=settings), f"change of {name.replace('_', ' ')}")
+        self.edit(
+            replace(self.preset, settings=settings), tr("change of {what}").format(what=tr(name.replace("_", " ")))
+        )
 
     def set_filter(self, step: Filter, on: bool) -> None:
         """Switch a filter on or off; one that would do nothing gets its usual strength."""
         settings = self.preset.settings.with_filter(step, on)
-        self.edit(replace(self.preset, settings=settings), f"{step.replace('_', ' ')} {'on' if on else 'off'}")
+        self.edit(
+            replace(self.preset, settings=settings), f"{tr(step.replace('_', ' '))} {tr('on') if on else tr('off')}"
+        )
 
     def reset_filter(self, step: Filter) -> None:
         """Reset a filter to what the preset's file says."""
@@ -220,19 +223,26 @@ class PresetModel(QObject):
         filters = self.preset.settings.filters
         changes["filters"] = filters | {step} if saved.has(step) else filters - {step}
         settings = replace(self.preset.settings, **changes)
-        self.edit(replace(self.preset, settings=settings), f"reset of {step.replace('_', ' ')}")
+        self.edit(
+            replace(self.preset, settings=settings), tr("reset of {what}").format(what=tr(step.replace("_", " ")))
+        )
 
     def reset_settings(self, names: tuple[str, ...]) -> None:
         """Reset some fields of the settings to what the preset's file says."""
         changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
         settings = replace(self.preset.settings, **changes)
-        self.edit(replace(self.preset, settings=settings), f"reset of {names[0].replace('_', ' ')}")
+        self.edit(
+            replace(self.preset, settings=settings), tr("reset of {what}").format(what=tr(names[0].replace("_", " ")))
+        )
 
     def tune(self, name: str, value: float) -> None:
         """Set one of the `controls`, if the recogniser takes the value."""
         self._kept_groups = self.control_groups
         try:
-            self.edit(self.controls[name].write(self.preset, value), f"change of {name.replace('_', ' ')}")
+            self.edit(
+                self.controls[name].write(self.preset, value),
+                tr("change of {what}").format(what=tr(name.replace("_", " "))),
+            )
         except (RecogniserError, SettingsError) as error:
             self.rejected.emit(str(error))
             self.changed.emit()  # whoever shows the refused number shows the old one again
@@ -248,14 +258,14 @@ class PresetModel(QObject):
         """
         tuned = self._tuned_for(name)
         left = {self.preset.recogniser: self.preset}
-        self.edit(tuned, f"recogniser {name}")
+        self.edit(tuned, tr("recogniser {name}").format(name=name))
         self._left |= left
 
     def set_file_ear(self, ear: Ear) -> None:
         """Have files heard with another ear; one that cannot be had is said, and nothing changes."""
         heard = for_files(self.preset, ear)
         if heard.ear is ear:
-            self.edit(replace(self.preset, file_ear=ear), "ear for files")
+            self.edit(replace(self.preset, file_ear=ear), tr("ear for files"))
         else:
             self.rejected.emit(heard.warnings[-1])
 
@@ -269,12 +279,12 @@ class PresetModel(QObject):
     def add_variable(self, variable: Variable) -> None:
         """Add a user's own variable; EngineError where the name is taken."""
         preset = replace(self.preset, variables=(*self.preset.variables, variable))
-        self.edit(preset, f"variable {variable.name}")
+        self.edit(preset, tr("variable {name}").format(name=variable.name))
 
     def remove_variable(self, name: str) -> None:
         """Remove a user's own variable."""
         kept = tuple(v for v in self.preset.variables if v.name != name)
-        self.edit(replace(self.preset, variables=kept), f"removal of {name}")
+        self.edit(replace(self.preset, variables=kept), tr("removal of {name}").format(name=name))
 
     def _tuned_for(self, name: str) -> Preset:
         preset, source = self.preset, self._left.get(name)
@@ -307,6 +317,11 @@ class PresetModel(QObject):
         self.preset = preset
         self._groups = self._kept_groups
         self.changed.emit()
+
+
+def preset_filter() -> str:
+    """Return what a dialog that asks for a preset shows."""
+    return tr("Presets ({endings})").format(endings=" ".join("*" + suffix for suffix in PRESET_SUFFIXES))
 
 
 def _factory_thresholds() -> tuple[Thresholds, ...]:

@@ -4,6 +4,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.whole_file import WholeFile
 from phonemeengine.errors import EngineError
@@ -12,7 +13,7 @@ from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.whole_sound import FrameRange
 
-NO_SECOND = "There is no second preset yet; choose one by Analysis > Second Preset."
+NO_SECOND = tr_noop("There is no second preset yet; choose one by Analysis > Second Preset.")
 
 
 class SecondPreset(QObject):
@@ -68,7 +69,7 @@ class SecondPreset(QObject):
         """Hear with the second preset, or with the first again."""
         if self.preset is None:
             if on:
-                self.error.emit(NO_SECOND)
+                self.error.emit(tr(NO_SECOND))
             self.changed.emit()
         elif on is not self.is_in_force:
             self.is_in_force = on

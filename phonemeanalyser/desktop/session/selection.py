@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -19,7 +20,7 @@ from phonemeengine.measurement import (
 )
 from phonemeengine.progress import Progress
 
-NOTHING_SELECTED = "Nothing is selected; drag with Shift over the file's sonagram, then try again."
+NOTHING_SELECTED = tr_noop("Nothing is selected; drag with Shift over the file's sonagram, then try again.")
 
 
 class Selection(QObject):
@@ -45,7 +46,7 @@ class Selection(QObject):
         """What is selected of the file in hand; None, after saying so, where that is nothing."""
         span = self._session.view.selection
         if span is None or self._session.seen_sound is None:
-            self.error.emit(NOTHING_SELECTED)
+            self.error.emit(tr(NOTHING_SELECTED))
             return None
         return span
 
@@ -88,7 +89,11 @@ class Selection(QObject):
             path, channel = seen
             self._work.submit(
                 lambda _: save_stretch(path, *span, target, channel=channel),
-                lambda _: self.info.emit(f"Saved {span.seconds:.2f} s of {path.name} as {target}"),
+                lambda _: self.info.emit(
+                    tr("Saved {seconds:.2f} s of {path} as {target}").format(
+                        seconds=span.seconds, path=path.name, target=target
+                    )
+                ),
             )
 
     def average(self) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.formant_track import FormantTrack
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.loudspeaker import Loudspeaker
@@ -38,10 +39,10 @@ QUIETEST_DB = -60.0
 class SoundSource(StrEnum):
     """Where the sound comes from."""
 
-    FILE = "file"
-    MICROPHONE = "microphone"
-    TONE = "tone"
-    TEXT = "text"
+    FILE = tr_noop("file")
+    MICROPHONE = tr_noop("microphone")
+    TONE = tr_noop("tone")
+    TEXT = tr_noop("text")
 
     @property
     def live(self) -> bool:
@@ -180,8 +181,8 @@ class Session(QObject):
     def name(self) -> str:
         """What is in hand: the file's name, the microphone, the tone or the text."""
         if self.source is SoundSource.FILE:
-            return self._file.path.name if self._file else "no sound"
-        return str(self.source)
+            return self._file.path.name if self._file else tr("no sound")
+        return tr(self.source.value)
 
     @property
     def description(self) -> str:
@@ -189,13 +190,13 @@ class Session(QObject):
         if self.source is SoundSource.MICROPHONE:
             return self.microphone.words
         if self.source is SoundSource.TONE:
-            return self.tone.kind.replace("_", " ")
+            return tr(self.tone.kind.replace("_", " "))
         if self.source is SoundSource.TEXT:
-            return "a text that a voice speaks"
+            return tr("a text that a voice speaks")
         if self._file is None:
-            return "no sound"
+            return tr("no sound")
         n = self._file.n_file_channels
-        channels = {1: "mono", 2: "stereo"}.get(n, f"{n} channels")
+        channels = {1: "mono", 2: "stereo"}.get(n, tr("{n} channels").format(n=n))
         return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.notes])
 
     @property
@@ -277,7 +278,7 @@ class Session(QObject):
             return
         self._detach()
         self.source = source
-        self._forget("Opening")
+        self._forget(tr_noop("Opening"))
         if source is SoundSource.TONE:
             self._tone_reader = ToneReader(self.tone)
             self._attach(Player(self._tone_reader, self.preset.in_force, self.loudspeaker.open))
@@ -316,7 +317,7 @@ class Session(QObject):
         past = None if self.microphone.heard is None else self.microphone.heard.snapshot()
         if self.source is not SoundSource.MICROPHONE or past is None:
             failure = self.microphone.heard.failure if self.microphone.heard is not None else None
-            self.error.emit(failure or "The microphone heard nothing yet; listen to it, then look back.")
+            self.error.emit(failure or tr("The microphone heard nothing yet; listen to it, then look back."))
             return
         with SoundReader(past) as reader:
             self._past = past
@@ -356,7 +357,7 @@ class Session(QObject):
         self._player = player
         player.set_speed(self.speed)
         self.set_volume(self.volume)
-        self._forget("Opening")
+        self._forget(tr_noop("Opening"))
         self.opened.emit()
         self.transport_changed.emit()
 
@@ -382,7 +383,7 @@ class Session(QObject):
         if self.source is not SoundSource.MICROPHONE and self._player is None:
             return
         if self.position == 0:
-            self.averages.begin("Play", self.name)
+            self.averages.begin(tr_noop("Play"), self.name)
         if self.source is SoundSource.MICROPHONE:
             self.microphone.listen(self.preset.in_force)
         elif self._player is not None:
@@ -424,7 +425,7 @@ class Session(QObject):
             self.play()
             self.microphone.begin_recording()
             if self.microphone.recording:
-                self.averages.begin("Record", self.name)
+                self.averages.begin(tr_noop("Record"), self.name)
         self.transport_changed.emit()
 
     def seek(self, seconds: float) -> None:
@@ -507,7 +508,7 @@ class Session(QObject):
         """Forget spectra, averages, sonagram and extremes."""
         self._leave_past()
         self.microphone.forget_heard()
-        self._forget("Clear")
+        self._forget(tr_noop("Clear"))
 
     def close(self) -> None:
         """Let everything go."""

@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, QSettings, QTimer
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import EngineError
@@ -49,7 +50,7 @@ class UnsavedChanges(QObject):
         base, changed = Path(str(self._settings.value(self._of, ""))), load_preset(self.path)
         if base.is_file() and base != self._preset.path:
             self._preset.load(base)
-        self._preset.edit(changed, "changes of the last time")
+        self._preset.edit(changed, tr("changes of the last time"))
         return self._preset.has_unsaved_changes
 
     def keep(self) -> None:
@@ -61,7 +62,9 @@ class UnsavedChanges(QObject):
         try:
             save_preset(self._preset.preset, self.path)
         except EngineError as error:
-            self._preset.rejected.emit(f"The unsaved changes cannot be kept for the next start: {error}")
+            self._preset.rejected.emit(
+                tr("The unsaved changes cannot be kept for the next start: {error}").format(error=error)
+            )
 
     def forget(self) -> None:
         """Forget what was written."""

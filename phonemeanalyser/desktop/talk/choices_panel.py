@@ -3,6 +3,7 @@
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.times_view import TransitionTimesView
@@ -13,8 +14,12 @@ from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeengine.mouth.morpher import Detail
 
-DETAILS = {Detail.PHONEMES: "all phonemes", Detail.LOUDNESS: "loudness only", Detail.TWO_STATES: "open and shut"}
-OWN = "own table …"
+DETAILS = {
+    Detail.PHONEMES: tr_noop("all phonemes"),
+    Detail.LOUDNESS: tr_noop("loudness only"),
+    Detail.TWO_STATES: tr_noop("open and shut"),
+}
+OWN = tr_noop("own table …")
 FASTEST_PERCENT, SLOWEST_PERCENT, STEP_PERCENT = 10, 1000, 10
 
 WIDE = ElidedLabel | QComboBox | TransitionTimesView
@@ -38,37 +43,47 @@ class ChoicesPanel(QWidget):
         self._talking = talking
         self._theme = theme
         self.face = ElidedLabel()
-        self.own = _button("Own Mesh…", "Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
-        self.shipped = _button("Program’s Own", "Show the head that ships with the program")
+        self.own = _button(
+            tr("Own Mesh…"), tr("Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
+        )
+        self.shipped = _button(tr("Program’s Own"), tr("Show the head that ships with the program"))
         self.table, self.detail = QComboBox(), QComboBox()
         self.attack, self.release = NumberField(), NumberField()
         self.times = TransitionTimesView(talking, theme)
-        self.blinks, self.motion, self.random = QCheckBox("blinks"), QCheckBox("head motion"), QCheckBox("randomness")
+        self.blinks, self.motion, self.random = (
+            QCheckBox(tr("blinks")),
+            QCheckBox(tr("head motion")),
+            QCheckBox(tr("randomness")),
+        )
         self._describe()
         self._lay_out()
         self._connect()
         self._show_state()
 
     def _describe(self) -> None:
-        self.table.setAccessibleName("mouth table")
-        self.table.setToolTip("Which mouth shape each phoneme has, and which movestates make it")
-        self.detail.setAccessibleName("level of detail")
-        self.detail.setToolTip("How much of the speech the mouth follows: faces that are far away need less")
+        self.table.setAccessibleName(tr("mouth table"))
+        self.table.setToolTip(tr("Which mouth shape each phoneme has, and which movestates make it"))
+        self.detail.setAccessibleName(tr("level of detail"))
+        self.detail.setToolTip(tr("How much of the speech the mouth follows: faces that are far away need less"))
         for detail, words in DETAILS.items():
-            self.detail.addItem(words, detail)
-        for box, what in ((self.attack, "attack"), (self.release, "release")):
+            self.detail.addItem(tr(words), detail)
+        for box, what in ((self.attack, tr("attack")), (self.release, tr("release"))):
             box.setRange(FASTEST_PERCENT, SLOWEST_PERCENT)
             box.setSingleStep(STEP_PERCENT)
             box.setSuffix(" %")
-            box.setAccessibleName(f"how long every {what} is")
-            box.setToolTip(f"How long every {what} is: 100 % as the table has it, less is faster, more is slower")
+            box.setAccessibleName(tr("how long every {what} is").format(what=what))
+            box.setToolTip(
+                tr("How long every {what} is: 100 % as the table has it, less is faster, more is slower").format(
+                    what=what
+                )
+            )
             box.setKeyboardTracking(False)
             box.installEventFilter(NumberFieldKeys(self))
         for combo in (self.table, self.detail):
             combo.installEventFilter(LetterPassthrough(self))
-        self.blinks.setToolTip("The eyes blink at human intervals")
-        self.motion.setToolTip("The head moves with pitch and loudness of the voice")
-        self.random.setToolTip("Shapes and times vary a little, as they do in people")
+        self.blinks.setToolTip(tr("The eyes blink at human intervals"))
+        self.motion.setToolTip(tr("The head moves with pitch and loudness of the voice"))
+        self.random.setToolTip(tr("Shapes and times vary a little, as they do in people"))
 
     def _lay_out(self) -> None:
         grid = QGridLayout(self)
@@ -76,11 +91,20 @@ class ChoicesPanel(QWidget):
         grid.setVerticalSpacing(5)
         grid.setHorizontalSpacing(8)
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
-            ("Face", (self.face, self.own, self.shipped)),
-            ("Table", (self.table, QLabel("detail"), self.detail)),
-            ("Times", (QLabel("attack"), self.attack, QLabel("release"), self.release, QLabel("of the table’s"))),
+            (tr("Face"), (self.face, self.own, self.shipped)),
+            (tr("Table"), (self.table, QLabel(tr("detail")), self.detail)),
+            (
+                tr("Times"),
+                (
+                    QLabel(tr("attack")),
+                    self.attack,
+                    QLabel(tr("release")),
+                    self.release,
+                    QLabel(tr("of the table’s")),
+                ),
+            ),
             ("", (self.times,)),
-            ("Life", (self.blinks, self.motion, self.random)),
+            (tr("Life"), (self.blinks, self.motion, self.random)),
         )
         for number, (name, widgets) in enumerate(rows):
             label = QLabel(name)
@@ -139,7 +163,7 @@ class ChoicesPanel(QWidget):
         """List the tables of the program that move this face, the user's own, and the way to another one."""
         talking = self._talking
         listed = talking.face.tables | {talking.table_name: talking.table.name}
-        wanted = [*((words, name) for name, words in listed.items()), (OWN, None)]
+        wanted = [*((tr(words), name) for name, words in listed.items()), (tr(OWN), None)]
         if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
             self.table.clear()
             for words, name in wanted:

@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
@@ -17,11 +18,12 @@ from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.performance.choice import ExampleChoice
 
-MESHES = f"Meshes and movestates ({' '.join(f'*{kind}' for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))})"
-TABLES = "Mouth tables (*.toml)"
-LEXICONS = "Lexicons (*.toml *.csv)"
-PERFORMANCES = "Tables of recorded faces (*.sqlite)"
-EXPRESSIONS = "Recorded faces, Live Link Face (*.csv)"
+MESHES = tr_noop("Meshes and movestates ({endings})")
+MESH_ENDINGS = " ".join(f"*{kind}" for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))
+TABLES = tr_noop("Mouth tables (*.toml)")
+LEXICONS = tr_noop("Lexicons (*.toml *.csv)")
+PERFORMANCES = tr_noop("Tables of recorded faces (*.sqlite)")
+EXPRESSIONS = tr_noop("Recorded faces, Live Link Face (*.csv)")
 WORDS = "Praat TextGrid (*.TextGrid)"
 SPEECH = "WAV (*.wav)"
 MOST_KEPT = 10_000
@@ -45,7 +47,9 @@ class TalkDialogs(QObject):
     def ask_mesh(self) -> None:
         """Let the user choose a mesh, with its movestates if they are in a file of their own."""
         folder = str(self._settings.value("folder/mesh", str(Path.home())))
-        names, _ = QFileDialog.getOpenFileNames(self._window, "A mesh, and its movestates", folder, MESHES)
+        names, _ = QFileDialog.getOpenFileNames(
+            self._window, tr("A mesh, and its movestates"), folder, tr(MESHES).format(endings=MESH_ENDINGS)
+        )
         paths = [Path(name) for name in names]
         if paths:
             self._settings.setValue("folder/mesh", str(paths[0].parent))
@@ -64,7 +68,7 @@ class TalkDialogs(QObject):
     def ask_table(self) -> None:
         """Let the user choose a mouth table of his own."""
         folder = str(self._settings.value("folder/table", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, "A mouth table", folder, TABLES)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("A mouth table"), folder, tr(TABLES))
         if name:
             self._settings.setValue("folder/table", str(Path(name).parent))
             self._talking.set_table(name)
@@ -72,7 +76,7 @@ class TalkDialogs(QObject):
     def ask_lexicon(self) -> None:
         """Let the user choose a lexicon."""
         folder = str(self._settings.value("folder/lexicon", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, "A lexicon", folder, LEXICONS)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("A lexicon"), folder, tr(LEXICONS))
         if name:
             self._settings.setValue("folder/lexicon", str(Path(name).parent))
             self._talking.text.set_lexicon(Path(name))
@@ -80,7 +84,7 @@ class TalkDialogs(QObject):
     def ask_performance(self) -> None:
         """Let the user choose a table of recorded faces."""
         folder = str(self._settings.value("folder/performance", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, "A table of recorded faces", folder, PERFORMANCES)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("A table of recorded faces"), folder, tr(PERFORMANCES))
         if name:
             self._settings.setValue("folder/performance", str(Path(name).parent))
             self._talking.text.drivers.performance.open(Path(name))
@@ -88,7 +92,7 @@ class TalkDialogs(QObject):
     def ask_expression(self) -> None:
         """Let the user choose a recorded face that is shown beside the speech."""
         folder = str(self._settings.value("folder/expression", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, "A recorded expression", folder, EXPRESSIONS)
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("A recorded expression"), folder, tr(EXPRESSIONS))
         if name:
             self._settings.setValue("folder/expression", str(Path(name).parent))
             self._talking.expression.set_file(Path(name))
@@ -97,13 +101,13 @@ class TalkDialogs(QObject):
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
         sound = self._talking.text.words.sound
         suggested = Path.home() / "text.TextGrid" if sound is None else sound.with_suffix(".TextGrid")
-        path = self._ask_target("Save the words", suggested, WORDS)
+        path = self._ask_target(tr("Save the words"), suggested, WORDS)
         return path is not None and self._talking.text.save_words(path)
 
     def ask_save_speech(self) -> None:
         """Let the user choose a WAV file to have the text spoken to."""
         folder = Path(str(self._settings.value("folder/speech", str(Path.home()))))
-        path = self._ask_target("Save the spoken text", folder / "text.wav", SPEECH)
+        path = self._ask_target(tr("Save the spoken text"), folder / "text.wav", SPEECH)
         if path is not None:
             self._settings.setValue("folder/speech", str(path.parent))
             self._talking.text.save_speech(path)
@@ -123,7 +127,8 @@ class TalkDialogs(QObject):
             return True
         buttons = QMessageBox.StandardButton
         answer = QMessageBox.question(
-            self._window, "Unsaved words", f"Save the words of {words.sound.name}, whose boundaries you moved?",
+            self._window, tr("Unsaved words"),
+            tr("Save the words of {sound}, whose boundaries you moved?").format(sound=words.sound.name),
             buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
         )  # fmt: skip
         return self.ask_save_words() if answer == buttons.Save else answer == buttons.Discard

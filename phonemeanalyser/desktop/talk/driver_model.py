@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.performance_model import MeasuredSound, PerformanceModel
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
@@ -119,7 +120,7 @@ class DriverModel(QObject):
         self._follow_again()
         looked_up = self._spoken is not None or self._sound is not None
         if self._utterance is not None and self.wants_table and not looked_up:
-            self.info.emit("Say the text once more: a recorded face is looked up while it is spoken.")
+            self.info.emit(tr("Say the text once more: a recorded face is looked up while it is spoken."))
 
     def _follow_again(self) -> None:
         utterance = self._utterance
@@ -153,6 +154,6 @@ class DriverModel(QObject):
         except TextError:
             if FaceDriver.PINYIN in wanted:
                 self.error.emit(
-                    "Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver."
+                    tr("Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver.")
                 )
             return None

@@ -2,6 +2,7 @@
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.osc import OscAddress
@@ -46,11 +47,18 @@ class ExpressionInput(QObject):
     def words(self) -> str:
         """What is going on, in words."""
         if self.stream is None:
-            return "off" if not self.on else "opening …"
+            return tr("off") if not self.on else tr("opening …")
         names = self.stream.names
         if not names:
-            return "listening"
-        return f"heard {names[0]}" + (f" and {len(names) - 1} more" if len(names) > 1 else "")
+            return tr("listening")
+        if len(names) == 1:
+            return tr("heard {name}").format(name=names[0])
+        return tr("heard {name} and {n} more").format(name=names[0], n=len(names) - 1)
+
+    @property
+    def hears(self) -> bool:
+        """Whether another program has sent an expression."""
+        return self.stream is not None and bool(self.stream.names)
 
     def set_on(self, on: bool) -> None:
         """Begin or end to listen."""

@@ -14,13 +14,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.heading import heading
 
 COLUMNS = 2
-RECORDING = "Show a face that Live Link Face recorded (CSV) beside the speech, in step with the sound in hand"
+RECORDING = tr_noop(
+    "Show a face that Live Link Face recorded (CSV) beside the speech, in step with the sound in hand"
+)
 PERCENT_WIDTH = 40
 METER_HEIGHT = 10
 
@@ -45,30 +48,35 @@ class ExpressionPanel(QWidget):
         super().__init__()
         self._theme = theme
         self._talking, self._model = talking, talking.expression
-        self.sliders = {name: _slider(f"how far the face shows {name}") for name in self._model.shares}
+        self.sliders = {
+            name: _slider(tr("how far the face shows {name}").format(name=tr(name))) for name in self._model.shares
+        }
         self._percents = {name: _percent() for name in self._model.shares}
-        self.priority = _slider("priority of speech")
+        self.priority = _slider(tr("priority of speech"))
         self.priority.setToolTip(
-            "How much of lips and jaw speech has; the expression has the rest. 50 % gives each all that it asks for"
+            tr(
+                "How much of lips and jaw speech has; the expression has the rest. 50 % gives each all that it asks "
+                "for"
+            )
         )
         self.meter = QProgressBar()
         self.meter.setRange(0, 100)
         self.meter.setTextVisible(False)
         self.meter.setFixedHeight(METER_HEIGHT)
-        self.meter.setAccessibleName("how far speech holds the expression back")
+        self.meter.setAccessibleName(tr("how far speech holds the expression back"))
         self.meter.setToolTip(
-            "How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s"
+            tr("How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s")
         )
-        self.neutral = _button("Neutral", "Set all sliders back to 0")
-        self.file = _button("Recording…", RECORDING)
+        self.neutral = _button(tr("Neutral"), tr("Set all sliders back to 0"))
+        self.file = _button(tr("Recording…"), tr(RECORDING))
         self.recorded, self.state = ElidedLabel(), ElidedLabel()
-        self.switch, self.address = QCheckBox("Listen (OSC) at"), QLineEdit()
+        self.switch, self.address = QCheckBox(tr("Listen (OSC) at")), QLineEdit()
         self.switch.setToolTip(
-            "Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)"
+            tr("Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)")
         )
         self.address.setPlaceholderText("HOST:PORT")
-        self.address.setAccessibleName("where expressions are listened for")
-        self.address.setToolTip("HOST:PORT at which other programs are heard, such as 127.0.0.1:39540")
+        self.address.setAccessibleName(tr("where expressions are listened for"))
+        self.address.setToolTip(tr("HOST:PORT at which other programs are heard, such as 127.0.0.1:39540"))
         self._lay_out(theme)
         self._connect()
         self._show_state()
@@ -82,12 +90,12 @@ class ExpressionPanel(QWidget):
         if words != self.state.text():
             self.state.setText(words)
             self.state.setToolTip(words)
-            colour = self._theme.good if words.startswith("heard") else self._theme.faint
+            colour = self._theme.good if self._model.input.hears else self._theme.faint
             self.state.setStyleSheet(f"color: {colour}")
 
     def _lay_out(self, theme: Theme) -> None:
         head = QHBoxLayout()
-        head.addWidget(heading("Expression"), 1)
+        head.addWidget(heading(tr("Expression")), 1)
         head.addWidget(self.neutral)
         grid = QGridLayout()
         grid.setVerticalSpacing(3)
@@ -95,12 +103,12 @@ class ExpressionPanel(QWidget):
         n_rows = -(-len(self.sliders) // COLUMNS)
         for k, (name, slider) in enumerate(self.sliders.items()):
             column = 3 * (k // n_rows)
-            for offset, widget in enumerate((QLabel(name), slider, self._percents[name])):
+            for offset, widget in enumerate((QLabel(tr(name)), slider, self._percents[name])):
                 grid.addWidget(widget, k % n_rows, column + offset)
             grid.setColumnStretch(column + 1, 1)
         below = QHBoxLayout()
         below.setSpacing(8)
-        for words, widget in (("speech priority", self.priority), ("held back", self.meter)):
+        for words, widget in ((tr("speech priority"), self.priority), (tr("held back"), self.meter)):
             label = QLabel(words)
             label.setStyleSheet(f"color: {theme.faint}")
             below.addWidget(label)
@@ -150,8 +158,12 @@ class ExpressionPanel(QWidget):
             self.priority.setValue(round(100 * self._model.priority))
         self.neutral.setEnabled(any(self._model.shares.values()))
         path, heard = self._model.path, self._model.input
-        self.file.setText("Recording…" if path is None else "No Recording")
-        self.file.setToolTip(RECORDING if path is None else f"{path} is shown beside the speech; do without it")
+        self.file.setText(tr("Recording…") if path is None else tr("No Recording"))
+        self.file.setToolTip(
+            tr(RECORDING)
+            if path is None
+            else tr("{path} is shown beside the speech; do without it").format(path=path)
+        )
         self.recorded.setText("" if path is None else path.name)
         with QSignalBlocker(self.switch):
             self.switch.setChecked(heard.on)

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
@@ -76,7 +77,7 @@ class FaceModel(QObject):
     @property
     def name(self) -> str:
         """What the face is called."""
-        return self._shown.mesh.name if self._shown.mesh else "the program's own head"
+        return self._shown.mesh.name if self._shown.mesh else tr("the program's own head")
 
     @property
     def is_shipped(self) -> bool:
@@ -167,7 +168,9 @@ def _loaded(files: FaceFiles) -> MorphMesh:
     if files.movestates is None:
         if not morph_mesh.states:
             raise MeshError(
-                f"{morph_mesh.mesh.name}: this mesh has no movestates; choose its .3dm file together with it"
+                tr("{mesh}: this mesh has no movestates; choose its .3dm file together with it").format(
+                    mesh=morph_mesh.mesh.name
+                )
             )
         return morph_mesh
     return MorphMesh(morph_mesh.mesh, matched(load_morph_targets(files.movestates), morph_mesh.mesh).states)

@@ -3,6 +3,8 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.moving_head import MovingHead
@@ -25,7 +27,7 @@ class CaptionedHead(QWidget):
         self.view = HeadView(head, theme)
         self.caption = ElidedLabel()
         self.caption.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.caption.setAccessibleName("what moves the head")
+        self.caption.setAccessibleName(tr("what moves the head"))
         self.caption.setContentsMargins(6, 2, 6, 2)
         self.caption.setStyleSheet(f"background: {theme.base}")
         column = QVBoxLayout(self)
@@ -36,7 +38,7 @@ class CaptionedHead(QWidget):
 
     def show_state(self) -> None:
         """Say what moves it."""
-        self.caption.setText(self._head.caption)
+        self.caption.setText(tr_engine(self._head.caption))
         self.caption.setToolTip("\n".join((self._head.caption, *self._head.notes)))
         self.caption.setVisible(bool(self._head.caption))
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.head_surface import (
     GlSurface,
     PictureSurface,
@@ -35,7 +36,7 @@ ARROWS = {
     Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
 }  # fmt: skip
 ZOOMS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
-HINT = (
+HINT = tr_noop(
     "Drag to go round the head, with Shift or the right button to move it; turn the wheel to come nearer. "
     "By keys: arrows, + and −, Home to go back, W for the wireframe, comma and full stop for the light"
 )
@@ -71,7 +72,7 @@ class HeadView(QWidget):
         self._shown = -1
         self._from: QPointF | None = None
         self._pressed = QPointF()
-        self._message = QLabel("loading the head …")
+        self._message = QLabel(tr("loading the head …"))
         self._work = TaskQueue(self._give_up)
         self._lay_out(theme)
         self.menu = PlotMenu(self, "head", lambda _at: self._values())
@@ -215,8 +216,8 @@ class HeadView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMinimumSize(160, 160)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setToolTip(HINT)
-        self.setAccessibleName("the head")
+        self.setToolTip(tr(HINT))
+        self.setAccessibleName(tr("the head"))
         self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message.setWordWrap(True)
         self._message.setMargin(16)
@@ -248,7 +249,7 @@ class HeadView(QWidget):
         self._give_up(sentence)
 
     def _give_up(self, sentence: str) -> None:
-        self.trouble = f"The head cannot be shown: {sentence}."
+        self.trouble = tr("The head cannot be shown: {sentence}.").format(sentence=sentence)
         self._message.setText(self.trouble)
         self._stack.setCurrentWidget(self._message)
 

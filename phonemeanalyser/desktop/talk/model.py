@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.face_model import FaceModel
@@ -384,15 +385,25 @@ class TalkModel(QObject):
         if not self.face.moved_by(self.table) and self.face.states is not None:
             names = ", ".join(self.face.states.names[:4])
             self.error.emit(
-                f"No table of the program moves the movestates of this face ({names} …); write a table for them, "
-                "and load it as your own table."
+                tr(
+                    "No table of the program moves the movestates of this face ({names} …); write a table for them, "
+                    "and load it as your own table."
+                ).format(names=names)
             )
 
     def _take_table(self, name: str, table: MouthTable) -> None:
         if self.face.states is not None and not self.face.moved_by(table):
             names = ", ".join(self.face.tables)
-            known = f"choose one of {names}" if names else "write one for it, as your own table"
-            self.error.emit(f"{Path(name).name}: this face has none of the table's movestates; {known}.")
+            known = (
+                tr("choose one of {names}").format(names=names)
+                if names
+                else tr("write one for it, as your own table")
+            )
+            self.error.emit(
+                tr("{name}: this face has none of the table's movestates; {known}.").format(
+                    name=Path(name).name, known=known
+                )
+            )
             self.changed.emit()
             return
         self.table_name, self._written = name, table

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
@@ -37,7 +38,10 @@ class MovestateBars(QWidget):
         self.rows: list[tuple[str, tuple[str, ...]]] = []
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setToolTip(
-            "How far each movestate of the face is on now: of two sides, the left one above and the right one below"
+            tr(
+                "How far each movestate of the face is on now: of two sides, the left one above and the right one "
+                "below"
+            )
         )
         self.menu = PlotMenu(self, "movestates", lambda _at: self._values())
         talking.changed.connect(self._list_states)

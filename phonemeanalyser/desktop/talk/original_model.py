@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
@@ -70,12 +71,16 @@ class OriginalModel(QObject):
             face, duration, reader = found
             if reader is None:
                 self.error.emit(
-                    f"The sound of {printable(unit.recording)} is not beside its table any more, so only its face is "
-                    f"shown; put the recordings where they were: {printable(str(_folder_of(table)))}."
+                    tr(
+                        "The sound of {recording} is not beside its table any more, so only its face is "
+                        "shown; put the recordings where they were: {folder}."
+                    ).format(recording=printable(unit.recording), folder=printable(str(_folder_of(table))))
                 )
             start, end = (0.0, duration) if whole else (unit.source_start - AROUND, unit.source_end + AROUND)
             self._begin(face, reader, max(0.0, start), min(duration, end))
-            self.caption = f"{printable(unit.recording)}, as recorded: {table.about.title}"
+            self.caption = tr("{recording}, as recorded: {title}").format(
+                recording=printable(unit.recording), title=table.about.title
+            )
             self.changed.emit()
 
         self._work.replace(act, take)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, Qt, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.expression.composer import Expression
@@ -65,16 +66,21 @@ class OscModel(QObject):
         return self._wanted is not None
 
     @property
+    def sending(self) -> bool:
+        """Whether messages go out."""
+        return self.on and self._mouth is not None and not self._mouth.failure
+
+    @property
     def words(self) -> str:
         """What is going on, in words."""
         if not self.on:
-            return "off"
+            return tr("off")
         if self._mouth is None:
-            return "looking for the receiver …"
+            return tr("looking for the receiver …")
         if self._mouth.failure:
-            return "not reached"
+            return tr("not reached")
         n = f"{self._mouth.n_sent:,}".replace(",", " ")
-        return f"sending, {n} packets"
+        return tr("sending, {n} packets").format(n=n)
 
     def set_on(self, on: bool) -> None:
         """Begin or end to send."""

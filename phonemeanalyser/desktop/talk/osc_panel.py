@@ -3,11 +3,17 @@
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEdit, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.osc_model import AS_THE_HEAD, TABLES, OscModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
-NAMES = {AS_THE_HEAD: "as the head", "arkit": "ARKit 52", "vrm": "VRM A I U E O", "oculus": "Oculus 15"}
+NAMES = {
+    AS_THE_HEAD: tr_noop("as the head"),
+    "arkit": "ARKit 52",
+    "vrm": "VRM A I U E O",
+    "oculus": "Oculus 15",
+}
 
 
 class OscPanel(QWidget):
@@ -17,7 +23,7 @@ class OscPanel(QWidget):
         super().__init__()
         self._osc = osc
         self._theme = theme
-        self.switch = QCheckBox("Send the mouth (OSC) to")
+        self.switch = QCheckBox(tr("Send the mouth (OSC) to"))
         self.address = QLineEdit()
         self.table = QComboBox()
         self.state = QLabel()
@@ -32,24 +38,26 @@ class OscPanel(QWidget):
         """Show how it goes."""
         if self._osc.words != self.state.text():
             self.state.setText(self._osc.words)
-            colour = self._theme.good if self._osc.words.startswith("sending") else self._theme.faint
+            colour = self._theme.good if self._osc.sending else self._theme.faint
             self.state.setStyleSheet(f"color: {colour}")
 
     def _lay_out(self) -> None:
         self.switch.setToolTip(
-            "Send phonemes, mouth shapes and the weights of the movestates over the network, as OSC messages of the "
-            "VMC protocol, which VTuber programs understand"
+            tr(
+                "Send phonemes, mouth shapes and the weights of the movestates over the network, as OSC messages of "
+                "the VMC protocol, which VTuber programs understand"
+            )
         )
         self.address.setPlaceholderText("HOST:PORT")
-        self.address.setAccessibleName("receiver of the OSC messages")
-        self.address.setToolTip("HOST:PORT of the program that shall receive the mouth, such as 127.0.0.1:39539")
-        self.table.setAccessibleName("movestates that are sent")
+        self.address.setAccessibleName(tr("receiver of the OSC messages"))
+        self.address.setToolTip(tr("HOST:PORT of the program that shall receive the mouth, such as 127.0.0.1:39539"))
+        self.table.setAccessibleName(tr("movestates that are sent"))
         self.table.setToolTip(
-            "The movestates of the avatar that receives them: those of the head’s table, or another set"
+            tr("The movestates of the avatar that receives them: those of the head’s table, or another set")
         )
         self.table.installEventFilter(LetterPassthrough(self))
         for name in TABLES:
-            self.table.addItem(NAMES[name], name)
+            self.table.addItem(tr(NAMES[name]), name)
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setVerticalSpacing(4)

@@ -16,6 +16,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
 from phonemeanalyser.desktop.talk.head_pair import HeadPair
@@ -35,10 +37,10 @@ from phonemeengine.mouth.face_driver import FaceDriver
 
 PANEL_WIDTH = 480
 COMPARISONS = {
-    None: "One Head",
-    FaceDriver.RULES: "With Sounds, by the Mouth Table",
-    FaceDriver.PINYIN: "With Letters of Pinyin",
-    FaceDriver.TABLE: "With a Table of Recorded Faces",
+    None: tr_noop("One Head"),
+    FaceDriver.RULES: tr_noop("With Sounds, by the Mouth Table"),
+    FaceDriver.PINYIN: tr_noop("With Letters of Pinyin"),
+    FaceDriver.TABLE: tr_noop("With a Table of Recorded Faces"),
 }
 """What a second head can be moved by."""
 BARS_EVERY = 2
@@ -80,17 +82,17 @@ class TalkPage(QWidget):
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
         self.keys = HeldKeys(talking, self)
-        self.open = _button("Open Sound…", "Open a sound file, and have the head say it at once")
-        self.play = _button("Play", "Play or pause (Space)")
-        self.stop = _button("Stop", "Stop (Escape)")
-        self.preset = _button("Load Preset…", "Load a preset or PhonemeData file (Ctrl+Shift+O)")
-        self.save = _button("Save ▾", "Save words and phones, or the text as a voice says it")
-        self.wireframe = QCheckBox("wireframe")
-        self.wireframe.setToolTip("Draw the edges of the mesh alone (W)")
-        self.compare = _button("Compare ▾", "Show a second head in step, which other means move")
-        self.home = _button("⌂", "Look at the whole head from the front (Home, or a double click)")
-        self.light_left = _button("☀ ◂", "Move the light to the left (,)")
-        self.light_right = _button("▸", "Move the light to the right (.)")
+        self.open = _button(tr("Open Sound…"), tr("Open a sound file, and have the head say it at once"))
+        self.play = _button(tr("Play"), tr("Play or pause (Space)"))
+        self.stop = _button(tr("Stop"), tr("Stop (Escape)"))
+        self.preset = _button(tr("Load Preset…"), tr("Load a preset or PhonemeData file (Ctrl+Shift+O)"))
+        self.save = _button(tr("Save ▾"), tr("Save words and phones, or the text as a voice says it"))
+        self.wireframe = QCheckBox(tr("wireframe"))
+        self.wireframe.setToolTip(tr("Draw the edges of the mesh alone (W)"))
+        self.compare = _button(tr("Compare ▾"), tr("Show a second head in step, which other means move"))
+        self.home = _button("⌂", tr("Look at the whole head from the front (Home, or a double click)"))
+        self.light_left = _button("☀ ◂", tr("Move the light to the left (,)"))
+        self.light_right = _button("▸", tr("Move the light to the right (.)"))
         self.said = ElidedLabel()
         self.heard = PhonemeChip(talking, theme)
         self._fill_save_menu()
@@ -113,10 +115,10 @@ class TalkPage(QWidget):
     def _fill_save_menu(self) -> None:
         menu = QMenu(self)
         menu.setToolTipsVisible(True)
-        self.save_words = menu.addAction("Words and Phones…", self.words_asked.emit)
-        self.save_words.setToolTip("Of the sound file in hand, as a TextGrid, which exports take")
-        self.save_speech = menu.addAction("Spoken Text as Sound…", self.speech_asked.emit)
-        self.save_speech.setToolTip("As WAV, with words and phones as a TextGrid beside it")
+        self.save_words = menu.addAction(tr("Words and Phones…"), self.words_asked.emit)
+        self.save_words.setToolTip(tr("Of the sound file in hand, as a TextGrid, which exports take"))
+        self.save_speech = menu.addAction(tr("Spoken Text as Sound…"), self.speech_asked.emit)
+        self.save_speech.setToolTip(tr("As WAV, with words and phones as a TextGrid beside it"))
         self.save.setMenu(menu)
         self.save.setStyleSheet("QToolButton::menu-indicator { image: none }")  # it would lie on the text
         self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -125,7 +127,7 @@ class TalkPage(QWidget):
         menu = QMenu(self)
         self.comparisons = QActionGroup(menu)
         for driver, words in COMPARISONS.items():
-            action = self.comparisons.addAction(words)
+            action = self.comparisons.addAction(tr(words))
             action.setCheckable(True)
             action.setData(driver)
             menu.addAction(action)
@@ -155,7 +157,7 @@ class TalkPage(QWidget):
 
     def _show_state(self) -> None:
         session = self._talking.session
-        self.play.setText("Pause" if session.playing else "Play")
+        self.play.setText(tr("Pause") if session.playing else tr("Play"))
         texts = self._talking.text
         compared = texts.drivers.compared
         for action in self.comparisons.actions():
@@ -165,7 +167,7 @@ class TalkPage(QWidget):
         self.save_words.setEnabled(texts.editable and texts.utterance is not None)
         self.save_speech.setEnabled(bool(texts.text.strip()))
         self.said.setText(session.name)
-        self.said.setToolTip(f"{session.name}: {session.description}")
+        self.said.setToolTip(f"{session.name}: {tr_engine(session.description)}")
 
     def _lay_out(self) -> None:
         left = QWidget()
@@ -207,8 +209,8 @@ class TalkPage(QWidget):
         column.setContentsMargins(10, 8, 10, 8)
         column.setSpacing(8)
         parts: tuple[tuple[QWidget, ...], ...] = (
-            (self.choices,), (self.visemes,), (self.expression,), (heading("Movestates"), self.bars),
-            (heading("Network"), self.osc),
+            (self.choices,), (self.visemes,), (self.expression,), (heading(tr("Movestates")), self.bars),
+            (heading(tr("Network")), self.osc),
         )  # fmt: skip
         for k, part in enumerate(parts):
             if k:
@@ -216,7 +218,7 @@ class TalkPage(QWidget):
             for widget in part:
                 column.addWidget(widget)
         column.addStretch(1)
-        hint = QLabel(f"{HINT}.")
+        hint = QLabel(f"{tr(HINT)}.")
         hint.setWordWrap(True)
         hint.setStyleSheet(f"color: {self._theme.faint}")
         column.addWidget(hint)

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array
@@ -137,8 +138,10 @@ class PerformanceModel(QObject):
     def progress(self) -> str:
         """What is going on, in words; nothing where that is nothing."""
         if self._opening.busy:
-            return "opening a table …"
-        return f"looking the face up, {self._work.progress:.0%}" if self._work.busy else ""
+            return tr("opening a table …")
+        return (
+            tr("looking the face up, {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
+        )
 
     @property
     def name(self) -> str:
@@ -263,7 +266,7 @@ class PerformanceModel(QObject):
             self._ready = 0.0, 0.0
         self.face, self.units = face, units
         if notes and notes != self.notes and self._table is not None:
-            more = f"; and {len(notes) - 1} more, below the head" if len(notes) > 1 else ""
+            more = "; " + tr("and {n} more, below the head").format(n=len(notes) - 1) if len(notes) > 1 else ""
             self.info.emit(f"{self._table.about.name}: {notes[0]}{more}.")
         self.notes = notes
         self.looked_up.emit()

@@ -4,6 +4,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeengine.phonemes import Phoneme
@@ -25,8 +26,8 @@ class PhonemeChip(QWidget):
         self._theme = theme
         self.phoneme, self.intensity = Phoneme.SILENCE, 0.0
         self.setFixedSize(WIDTH, HEIGHT)
-        self.setToolTip("The phoneme that is heard now, and its intensity")
-        self.setAccessibleName("the phoneme that is heard")
+        self.setToolTip(tr("The phoneme that is heard now, and its intensity"))
+        self.setAccessibleName(tr("the phoneme that is heard"))
 
     def refresh(self) -> None:
         """Show what is heard now."""

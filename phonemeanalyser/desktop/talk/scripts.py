@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis, analyse_file
@@ -107,7 +108,9 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
         raise
     except (OSError, ValueError) as error:
         raise AudioError(
-            f"{printable_name(path)}: cannot be written ({reason_of(error)}); choose another folder"
+            tr("{path}: cannot be written ({reason_of}); choose another folder").format(
+                path=printable_name(path), reason_of=reason_of(error)
+            )
         ) from error
     write_text(format_utterance(said), path.with_suffix(LABELS))
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.talk.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.original_model import OriginalModel
@@ -150,7 +151,7 @@ class TextModel(QObject):
         """How far the work is, in words; nothing where there is none."""
         if self.busy:
             return f"{self._work.progress:.0%}"
-        return "saving the spoken text …" if self._saving.busy else self.drivers.performance.progress
+        return tr("saving the spoken text …") if self._saving.busy else self.drivers.performance.progress
 
     @property
     def summary(self) -> str:
@@ -159,10 +160,10 @@ class TextModel(QObject):
         if utterance is None:
             return ""
         n, n_bad = len(utterance.words), sum(map(fits_badly, utterance.words))
-        said = f"{n} word{'s' * (n != 1)}"
+        said = tr_count("{n} word", "{n} words", n)
         if not self.editable:
-            return f"{said}; boundaries fixed by the voice"
-        return f"{said}, {n_bad} fit{'s' * (n_bad == 1)} badly" if n_bad else said
+            return tr("{said}; boundaries fixed by the voice").format(said=said)
+        return f"{said}, " + tr_count("{n} fits badly", "{n} fit badly", n_bad) if n_bad else said
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
@@ -195,7 +196,7 @@ class TextModel(QObject):
         if self.busy:
             self._work.cancel()
         elif session.source is not SoundSource.FILE or session.path is None:
-            self.error.emit("There is no sound file in hand; open the recording of this text, then align.")
+            self.error.emit(tr("There is no sound file in hand; open the recording of this text, then align."))
         elif self._may_read():
             script = ScriptedSound(
                 session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon
@@ -226,7 +227,7 @@ class TextModel(QObject):
     def save_words(self, path: Path) -> bool:
         """Write the words of the sound file in hand as a TextGrid; says whether that went well."""
         if self.words.utterance is None:
-            self.error.emit("There are no words to save; open a sound and align its text.")
+            self.error.emit(tr("There are no words to save; open a sound and align its text."))
             return False
         try:
             write_text(format_utterance(self.words.utterance), path)
@@ -234,7 +235,7 @@ class TextModel(QObject):
             self.error.emit(str(error))
             return False
         self.words.note_saved()
-        self.info.emit(f"Saved words and phones as {path}.")
+        self.info.emit(tr("Saved words and phones as {path}.").format(path=path))
         return True
 
     def move_boundary(self, unit: LabelUnit, boundary: int, seconds: float) -> None:
@@ -247,7 +248,7 @@ class TextModel(QObject):
             self.error.emit(str(error))
             self.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
         else:
-            self.words.edit(moved, f"boundary of a {unit}", by_hand=True)
+            self.words.edit(moved, tr("boundary of a {unit}").format(unit=tr(unit.value)), by_hand=True)
 
     def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
         """Play what a unit of the face was taken from, or the whole recording."""
@@ -308,9 +309,9 @@ class TextModel(QObject):
     def _may_read(self, *, by_voice: bool = False) -> bool:
         """Return whether there is a text and its language; say so if not."""
         if not self.text.strip():
-            self.error.emit("There is no text; write what is said into the field below the head.")
+            self.error.emit(tr("There is no text; write what is said into the field below the head."))
         elif not self._language_of_text and not (by_voice and self.voice.choice.by_program):
-            self.error.emit("The language of a text is not guessed; choose it below the text.")
+            self.error.emit(tr("The language of a text is not guessed; choose it below the text."))
         else:
             self.error.emit("")  # what was wrong before is right now
             return True
@@ -336,13 +337,14 @@ class TextModel(QObject):
         if script.sound != self.words.sound:
             return
         if is_other_text(found):
-            self.error.emit("Another text is said in this sound; check the text and its language.")
+            self.error.emit(tr("Another text is said in this sound; check the text and its language."))
             return
         if found.skipped:
             words = " ".join(printable(word) for word in found.skipped[:SHOWN_WORDS])
             more = len(found.skipped) - SHOWN_WORDS
-            self.info.emit(f"Nobody says: {words}{f' and {more} more words' if more > 0 else ''}.")
-        self.words.edit(found, "alignment", by_hand=False)
+            words += " " + tr("and {n} more words").format(n=more) if more > 0 else ""
+            self.info.emit(tr("Nobody says: {words}.").format(words=words))
+        self.words.edit(found, tr("alignment"), by_hand=False)
 
     @property
     def _voice(self) -> VoiceChoice:

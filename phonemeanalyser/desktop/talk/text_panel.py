@@ -4,6 +4,8 @@ from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QTextCursor
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.voice_panel import VoiceButton
@@ -12,11 +14,13 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 
 N_LINES = 2
-NO_LANGUAGE = "language?"
-INVITATION = "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
+NO_LANGUAGE = tr_noop("language?")
+INVITATION = tr_noop(
+    "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
+)
 
-EDITABLE = "Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms"
-FIXED = (
+EDITABLE = tr_noop("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
+FIXED = tr_noop(
     "Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag "
     "boundaries, save the spoken text and open that"
 )
@@ -36,8 +40,8 @@ class TextField(QPlainTextEdit):
     def __init__(self) -> None:
         super().__init__()
         self.setTabChangesFocus(True)
-        self.setPlaceholderText(INVITATION)
-        self.setAccessibleName("text")
+        self.setPlaceholderText(tr(INVITATION))
+        self.setAccessibleName(tr("text"))
         self.setFixedHeight(self.sizeHint().height())
 
     def sizeHint(self) -> QSize:
@@ -82,9 +86,11 @@ class TextPanel(QWidget):
         self.field = TextField()
         self.language = QComboBox()
         self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
-        self.lexicon = _button("Lexicon…", "A file that says how words are pronounced; without one, the voice knows")
-        self.align = _button("Align", "Find the words of the text in the sound (Ctrl+Shift+Return)")
-        self.say = _button("Say", "Have a voice say the text (Ctrl+Return); Escape stops it")
+        self.lexicon = _button(
+            tr("Lexicon…"), tr("A file that says how words are pronounced; without one, the voice knows")
+        )
+        self.align = _button(tr("Align"), tr("Find the words of the text in the sound (Ctrl+Shift+Return)"))
+        self.say = _button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
         self._lay_out()
@@ -98,8 +104,8 @@ class TextPanel(QWidget):
         self.lanes.show_position(self._talking.session.position)
 
     def _lay_out(self) -> None:
-        self.language.setToolTip("The language of the text, which is not guessed")
-        self.language.setAccessibleName("language of the text")
+        self.language.setToolTip(tr("The language of the text, which is not guessed"))
+        self.language.setAccessibleName(tr("language of the text"))
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         row = QHBoxLayout()
         row.setSpacing(6)
@@ -140,28 +146,30 @@ class TextPanel(QWidget):
                 self.field.replace_text(texts.text)
         self._show_languages()
         self._show_lexicon()
-        self.align.setText("Cancel" if texts.busy else "Align")
+        self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
         self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
-        lack = "" if texts.voice.choice.by_program else texts.voice.lack
+        lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
         self.state.setText(texts.progress or lack)
         self.state.setToolTip(texts.progress or lack)
         self.lanes.setVisible(texts.utterance is not None)
-        self.lanes.setToolTip(EDITABLE if texts.editable else FIXED)
+        self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
 
     def _show_languages(self) -> None:
         languages = self._texts.voice.installed.languages
         if self.language.count() != 1 + len(languages):  # which are learnt once
             self.language.clear()
-            self.language.addItem(NO_LANGUAGE, "")
-            for language in sorted(languages, key=lambda language: language.name):
-                self.language.addItem(_short(language.name), language.tag)
+            self.language.addItem(tr(NO_LANGUAGE), "")
+            for language in sorted(languages, key=lambda language: tr(_short(language.name))):
+                self.language.addItem(tr(_short(language.name)), language.tag)
         self.language.setCurrentIndex(max(0, self.language.findData(self._texts.language)))
 
     def _show_lexicon(self) -> None:
         path = self._texts.lexicon_path
-        self.lexicon.setText("Lexicon…" if path is None else "No Lexicon")
-        tip = "A file that says how words are pronounced; without one, the voice knows"
-        self.lexicon.setToolTip(tip if path is None else f"{path} says how words are pronounced; do without it")
+        self.lexicon.setText(tr("Lexicon…") if path is None else tr("No Lexicon"))
+        tip = tr("A file that says how words are pronounced; without one, the voice knows")
+        self.lexicon.setToolTip(
+            tip if path is None else tr("{path} says how words are pronounced; do without it").format(path=path)
+        )
 
 
 def _short(name: str) -> str:

@@ -4,6 +4,7 @@ from PySide6.QtCore import QRectF, QSize, Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -11,10 +12,10 @@ from phonemeengine.mouth.table import SPEAKING, TABLES
 from phonemeengine.phonemes import Phoneme
 
 ROW, NAMES_WIDTH, LINE = 15, 46, 2
-MEANING = (
-    "<p>Attack: until the mouth has gone nine tenths of the way to the sound’s shape. Release: nine tenths of the "
-    f"way back, when silence follows. They stand under [times] in the table: copy one from {TABLES}, change it, and "
-    "choose it as your own table.</p>"
+MEANING = tr_noop(
+    "Attack: until the mouth has gone nine tenths of the way to the sound’s shape. Release: nine tenths of the way "
+    "back, when silence follows. They stand under [times] in the table: copy one from {tables}, change it, and "
+    "choose it as your own table."
 )
 
 
@@ -26,7 +27,7 @@ class TransitionTimesView(QWidget):
         self._talking = talking
         self._theme = theme
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName("attack and release of each sound")
+        self.setAccessibleName(tr("attack and release of each sound"))
         talking.changed.connect(self._show_times)
         self._show_times()
 
@@ -39,7 +40,7 @@ class TransitionTimesView(QWidget):
         painter = QPainter(self)
         set_size(painter, 11)
         width = (self.width() - NAMES_WIDTH) / len(SPEAKING)
-        for row, text in enumerate(("ms", "attack", "release")):
+        for row, text in enumerate(("ms", tr("attack"), tr("release"))):
             self._write(painter, row, 0, NAMES_WIDTH, text, self._theme.faint)
         for k, phoneme in enumerate(SPEAKING):
             left = NAMES_WIDTH + k * width
@@ -60,6 +61,7 @@ class TransitionTimesView(QWidget):
         painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, shown)
 
     def _show_times(self) -> None:
-        rows = [f"{phoneme.label}: {' and '.join(self.milliseconds(phoneme))} ms" for phoneme in SPEAKING]
-        self.setToolTip(MEANING + "<br>".join(rows))
+        rows = [f"{phoneme.label}: {tr(' and ').join(self.milliseconds(phoneme))} ms" for phoneme in SPEAKING]
+        meaning = tr(MEANING).format(tables=TABLES)
+        self.setToolTip(f"<p>{meaning}</p>" + "<br>".join(rows))
         self.update()

@@ -16,6 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
@@ -25,10 +26,10 @@ from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.table import MouthTable
 
 MODES = {
-    Mode.NONE: "others stay",
-    Mode.RESET: "others to 0",
-    Mode.FORCE_RESET: "others and blinks to 0",
-    Mode.INTERACT: "others share 100 %",
+    Mode.NONE: tr_noop("others stay"),
+    Mode.RESET: tr_noop("others to 0"),
+    Mode.FORCE_RESET: tr_noop("others and blinks to 0"),
+    Mode.INTERACT: tr_noop("others share 100 %"),
 }
 COLUMNS = 2
 PERCENT_WIDTH = 40
@@ -46,9 +47,10 @@ class VisemeButton(QToolButton):
         self.setMinimumWidth(122)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setAccessibleName(f"hold the mouth shape {shape}")
-        named = f", or the key {' or '.join(keys)}," if keys else ""
-        self.setToolTip(f"Hold this{named} to see the mouth shape {shape}, whatever is said")
+        self.setAccessibleName(tr("hold the mouth shape {shape}").format(shape=shape))
+        held = tr("Hold this to see the mouth shape {shape}, whatever is said")
+        by_key = tr("Hold this, or the key {keys}, to see the mouth shape {shape}, whatever is said")
+        self.setToolTip((by_key if keys else held).format(keys=tr(" or ").join(keys), shape=shape))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint the shape's name at the left, and its keys at the right."""
@@ -84,8 +86,8 @@ class VisemePanel(QWidget):
         self._percents: dict[str, QLabel] = {}
         self.mode = QComboBox()
         self.leave = QToolButton()
-        self.leave.setText("Leave It to the Speech")
-        self.leave.setToolTip("Set all sliders back to 0")
+        self.leave.setText(tr("Leave It to the Speech"))
+        self.leave.setToolTip(tr("Set all sliders back to 0"))
         self.leave.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.leave.clicked.connect(lambda _checked: talking.clear_visemes())
         self._lay_out()
@@ -96,16 +98,19 @@ class VisemePanel(QWidget):
 
     def _lay_out(self) -> None:
         for mode, words in MODES.items():
-            self.mode.addItem(words, mode.value)
-        self.mode.setAccessibleName("what becomes of everything else when a slider is pulled")
+            self.mode.addItem(tr(words), mode.value)
+        self.mode.setAccessibleName(tr("what becomes of everything else when a slider is pulled"))
         self.mode.setToolTip(
-            "What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all stay, "
-            "and movements add up; all but blinks go to 0; blinks as well; or first the speech and then other shapes "
-            "shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while they are held"
+            tr(
+                "What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all "
+                "stay, and movements add up; all but blinks go to 0; blinks as well; or first the speech and then "
+                "other shapes shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while "
+                "they are held"
+            )
         )
         self.mode.installEventFilter(LetterPassthrough(self))
         head = QHBoxLayout()
-        head.addWidget(heading("Mouth shapes"), 1)
+        head.addWidget(heading(tr("Mouth shapes")), 1)
         head.addWidget(self.mode)
         head.addWidget(self.leave)
         self._body = QWidget()
@@ -149,8 +154,12 @@ class VisemePanel(QWidget):
         slider.setRange(0, 100)
         slider.setPageStep(10)
         slider.setMinimumWidth(44)
-        slider.setAccessibleName(f"share of the mouth shape {shape}")
-        slider.setToolTip(f"How far the mouth takes the shape {shape}; with all at 0 it is left to the speech")
+        slider.setAccessibleName(tr("share of the mouth shape {shape}").format(shape=shape))
+        slider.setToolTip(
+            tr("How far the mouth takes the shape {shape}; with all at 0 it is left to the speech").format(
+                shape=shape
+            )
+        )
         slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
         percent = self._percents[shape] = QLabel()
         percent.setFixedWidth(PERCENT_WIDTH)

@@ -4,6 +4,7 @@ from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QComboBox, QFormLayout, QFrame, QLabel, QLineEdit, QToolButton, QWidget
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.voice_model import FASTEST, SLOWEST, VoiceModel
 from phonemeanalyser.desktop.theme import Theme
@@ -13,24 +14,24 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.speech.program import OUTPUT, TEXT
 
 WIDTH = 420
-OWN_VOICE, OWN_PROGRAM = "the language’s own", "a program of your own"
-KINDS = {"m": "man", "f": "woman"}
+OWN_VOICE, OWN_PROGRAM = tr_noop("the language’s own"), tr_noop("a program of your own")
+KINDS = {"m": tr_noop("man"), "f": tr_noop("woman")}
 """What the voices are that are a letter and a number."""
 DRIVERS = {
-    FaceDriver.AUTO: "automatic: recorded faces, pinyin, sounds",
+    FaceDriver.AUTO: tr_noop("automatic: recorded faces, pinyin, sounds"),
     FaceDriver.PINYIN: FaceDriver.PINYIN.caption,
-    FaceDriver.TABLE: "a table of recorded faces",
+    FaceDriver.TABLE: tr_noop("a table of recorded faces"),
     FaceDriver.RULES: FaceDriver.RULES.caption,
 }
 CHOICES = {
-    ExampleChoice.VITERBI: "those that fit and join best (Viterbi)",
-    ExampleChoice.NEAREST: "those of the nearest duration",
-    ExampleChoice.BAND: "any within 15 % of the duration",
-    ExampleChoice.RANDOM: "any",
+    ExampleChoice.VITERBI: tr_noop("those that fit and join best (Viterbi)"),
+    ExampleChoice.NEAREST: tr_noop("those of the nearest duration"),
+    ExampleChoice.BAND: tr_noop("any within 15 % of the duration"),
+    ExampleChoice.RANDOM: tr_noop("any"),
 }
-NO_TABLE, OTHER_TABLE = "none", "open a table…"
-MEANING = (
-    f"{OUTPUT} is the WAV file that it shall write, {TEXT} the text; without {TEXT}, the program reads the text from "
+NO_TABLE, OTHER_TABLE = tr_noop("none"), tr_noop("open a table…")
+MEANING = tr_noop(
+    "{output} is the WAV file that it shall write, {text} the text; without {text}, the program reads the text from "
     "its standard input. A TextGrid that it writes beside the sound tells the times."
 )
 EXAMPLE = f"my-voice --file {OUTPUT} {TEXT}"
@@ -51,10 +52,10 @@ class VoicePanel(QFrame):
         self._voice, self._drivers, self._button = voice, drivers, button
         self.setObjectName("voice")
         self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
-        self.setAccessibleName("voice")
+        self.setAccessibleName(tr("voice"))
         self.name, self.driver, self.table, self.choice = QComboBox(), QComboBox(), QComboBox(), QComboBox()
         self.rate, self.program = NumberField(), QLineEdit()
-        self._hint = QLabel(MEANING)
+        self._hint = QLabel(tr(MEANING).format(output=OUTPUT, text=TEXT))
         self._hint.setWordWrap(True)
         self._hint.setStyleSheet(f"color: {theme.faint}")
         self._describe()
@@ -105,35 +106,38 @@ class VoicePanel(QFrame):
         self.move(place)
 
     def _describe(self) -> None:
-        self.name.setAccessibleName("voice")
-        self.name.setToolTip("Who says the text: a voice of espeak-ng, or a text-to-speech program of your own")
-        self.rate.setAccessibleName("rate")
-        self.rate.setToolTip("How fast a voice of espeak-ng speaks: people say four to five syllables a second")
+        self.name.setAccessibleName(tr("voice"))
+        self.name.setToolTip(tr("Who says the text: a voice of espeak-ng, or a text-to-speech program of your own"))
+        self.rate.setAccessibleName(tr("rate"))
+        self.rate.setToolTip(tr("How fast a voice of espeak-ng speaks: people say four to five syllables a second"))
         self.rate.setDecimals(1)
         self.rate.setRange(SLOWEST, FASTEST)
         self.rate.setSingleStep(0.1)
-        self.rate.setSuffix(" syllables/s")
+        self.rate.setSuffix(" " + tr("syllables/s"))
         self.rate.setKeyboardTracking(False)
-        self.driver.setAccessibleName("what moves the mouth")
-        self.driver.setToolTip("By what the mouth moves where the words are known, of a voice or of a recording")
+        self.driver.setAccessibleName(tr("what moves the mouth"))
+        self.driver.setToolTip(tr("By what the mouth moves where the words are known, of a voice or of a recording"))
         for driver, words in DRIVERS.items():
-            self.driver.addItem(words, driver)
-        self.table.setAccessibleName("table of recorded faces")
-        self.table.setToolTip("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one")
-        self.choice.setAccessibleName("choice among recordings")
-        self.choice.setToolTip("Which of several recordings of the same sounds are taken")
+            self.driver.addItem(tr(words), driver)
+        self.table.setAccessibleName(tr("table of recorded faces"))
+        self.table.setToolTip(
+            tr("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one")
+        )
+        self.choice.setAccessibleName(tr("choice among recordings"))
+        self.choice.setToolTip(tr("Which of several recordings of the same sounds are taken"))
         for choice, words in CHOICES.items():
-            self.choice.addItem(words, choice)
-        self.program.setAccessibleName("command")
-        self.program.setToolTip(f"The command that speaks, such as: {EXAMPLE}")
+            self.choice.addItem(tr(words), choice)
+        self.program.setAccessibleName(tr("command"))
+        self.program.setToolTip(tr("The command that speaks, such as: {example}").format(example=EXAMPLE))
         self.program.setPlaceholderText(EXAMPLE)
 
     def _lay_out(self) -> None:
         self._rows = QFormLayout(self)
         self._rows.setContentsMargins(10, 10, 10, 10)
         for words, widget in (
-            ("Voice", self.name), ("Rate", self.rate), ("Command", self.program), ("", self._hint),
-            ("Mouth moves by", self.driver), ("Recorded faces", self.table), ("Of several, take", self.choice),
+            (tr("Voice"), self.name), (tr("Rate", "of speech"), self.rate), (tr("Command"), self.program),
+            ("", self._hint), (tr("Mouth moves by"), self.driver), (tr("Recorded faces"), self.table),
+            (tr("Of several, take"), self.choice),
         ):  # fmt: skip
             self._rows.addRow(words, widget)
         self.setFixedWidth(WIDTH)
@@ -168,8 +172,8 @@ class VoicePanel(QFrame):
     def _show_tables(self) -> None:
         """List the tables that were opened; those of synthetic performers are named so."""
         performance = self._drivers.performance
-        wanted = [(NO_TABLE, None), *((about.title, path) for path, about in performance.tables.items())]
-        wanted.append((OTHER_TABLE, None))
+        wanted = [(tr(NO_TABLE), None), *((about.title, path) for path, about in performance.tables.items())]
+        wanted.append((tr(OTHER_TABLE), None))
         if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
             self.table.clear()
             for words, path in wanted:
@@ -184,11 +188,11 @@ class VoicePanel(QFrame):
         names = sorted(self._voice.installed.voices, key=lambda name: (not _kind_of(name), name.lower()))
         if self.name.count() != len(names) + 2:
             self.name.clear()
-            self.name.addItem(OWN_VOICE, "")
+            self.name.addItem(tr(OWN_VOICE), "")
             for name in names:
                 kind = _kind_of(name)
-                self.name.addItem(f"{name} ({kind})" if kind else name, name)
-            self.name.addItem(OWN_PROGRAM, None)
+                self.name.addItem(f"{name} ({tr(kind)})" if kind else name, name)
+            self.name.addItem(tr(OWN_PROGRAM), None)
 
 
 class VoiceButton(QToolButton):
@@ -203,8 +207,8 @@ class VoiceButton(QToolButton):
         super().__init__()
         self._voice, self._drivers = voice, drivers
         self.panel = VoicePanel(voice, drivers, theme, self)
-        self.setText("Voice && Face…")
-        self.setAccessibleName("voice, rate and mouth of a spoken text")
+        self.setText(tr("Voice && Face…"))
+        self.setAccessibleName(tr("voice, rate and mouth of a spoken text"))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(lambda _checked: self.panel.show_beside())
         for part in (voice, drivers):
@@ -213,11 +217,21 @@ class VoiceButton(QToolButton):
 
     def _show_state(self) -> None:
         choice = self._voice.choice
-        who = OWN_PROGRAM if choice.by_program else f"{choice.name or OWN_VOICE}, {choice.rate:g} syllables a second"
-        moved = (
-            self._drivers.performance.name if self._drivers.main is FaceDriver.TABLE else DRIVERS[self._drivers.main]
+        who = (
+            tr(OWN_PROGRAM)
+            if choice.by_program
+            else tr("{name}, {rate:g} syllables a second").format(name=choice.name or tr(OWN_VOICE), rate=choice.rate)
         )
-        self.setToolTip(f"Who says the text, how fast, and what moves the mouth (now: {who}; {moved})")
+        moved = (
+            self._drivers.performance.name
+            if self._drivers.main is FaceDriver.TABLE
+            else tr(DRIVERS[self._drivers.main])
+        )
+        self.setToolTip(
+            tr("Who says the text, how fast, and what moves the mouth (now: {who}; {moved})").format(
+                who=who, moved=moved
+            )
+        )
 
 
 def _kind_of(name: str) -> str:

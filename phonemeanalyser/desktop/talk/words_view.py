@@ -5,6 +5,7 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtGui import QColor
 
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.text_model import TextModel, fits_badly
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -18,8 +19,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PlanKind, PlanRow
 from phonemeengine.speech.pinyin.track import PinyinTrack
 
-NAMES = ("words", "syllables", "phones")
-LETTERS, PERFORMED = "letters", "units"
+NAMES = (tr_noop("words"), tr_noop("syllables"), tr_noop("phones"))
+LETTERS, PERFORMED = tr_noop("letters"), tr_noop("units")
 UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
@@ -29,7 +30,7 @@ UNIT_COLOURS = {
     UnitKind.BOUNDARY_DIPHONE: "#8a6d1a", UnitKind.RIGHT_HALF: "#9c3d54", UnitKind.LEFT_HALF: "#7d3a6e",
 }  # fmt: skip
 """Of the sets, from the longest units to the shortest."""
-HEARD = "Click to hear and see it as it was recorded, twice for the whole recording"
+HEARD = tr_noop("Click to hear and see it as it was recorded, twice for the whole recording")
 SCALE = 2.0
 """Pixels of a frame to begin with: most phones have room for their names."""
 SHADE = 130
@@ -50,7 +51,7 @@ class WordsTimeline(TimelineView):
         self._shown: tuple[object, ...] = ()
         self._units: list[UsedUnit] = []
         self.menu = PlotMenu(self.lanes, "what is said", lambda _at: table_of(self._columns()), self.show_whole)
-        self.setAccessibleName("what is said when")
+        self.setAccessibleName(tr("what is said when"))
         self.span_clicked.connect(self._play)
         self.span_double_clicked.connect(self._play_recording)
         self.boundary_moved.connect(self._move)
@@ -69,7 +70,7 @@ class WordsTimeline(TimelineView):
         self._shown = known
         utterance = texts.utterance
         if utterance is None:
-            self.show_lanes([Lane(name) for name in NAMES], 0.0)
+            self.show_lanes([Lane(tr(name)) for name in NAMES], 0.0)
         else:
             lanes = lanes_of(utterance, letters, movable=texts.editable)
             self._units = _in_a_row(units)
@@ -145,7 +146,7 @@ def _lane_of_letters(letters: PinyinTrack) -> Lane:
     parts = [part for row in rows for part in _parts_of(row)]
     starts, ends = (np.array([part[k] for part in parts]) for k in (0, 1))
     colours = [SYLLABLE_COLOUR if part[3] else RIME_COLOUR for part in parts]
-    return Lane(LETTERS, starts, ends, [part[2] for part in parts], _rgb(colours))
+    return Lane(tr(LETTERS), starts, ends, [part[2] for part in parts], _rgb(colours))
 
 
 def _in_a_row(units: Sequence[UsedUnit]) -> list[UsedUnit]:
@@ -163,13 +164,16 @@ def _lane_of_units(units: Sequence[UsedUnit]) -> Lane:
     ends = np.minimum([unit.end for unit in units], np.append(starts[1:], np.inf))
     colours = _rgb([UNIT_COLOURS[unit.kind] for unit in units])
     return Lane(
-        PERFORMED, starts, ends, [" ".join(unit.names) for unit in units], colours, tips=list(map(_tip_of, units))
+        tr(PERFORMED), starts, ends, [" ".join(unit.names) for unit in units], colours, tips=list(map(_tip_of, units))
     )
 
 
 def _tip_of(unit: UsedUnit) -> str:
-    source = f"{unit.recording}, {unit.source_start:.2f} to {unit.source_end:.2f} s"
-    return f"{unit.kind} [{' '.join(unit.names)}] of {source}. {HEARD}"
+    source = tr("{kind} [{names}] of {recording}, {start:.2f} to {end:.2f} s.").format(
+        kind=tr(unit.kind.value), names=" ".join(unit.names), recording=unit.recording, start=unit.source_start,
+        end=unit.source_end,
+    )  # fmt: skip
+    return f"{source} {tr(HEARD)}"
 
 
 def _parts_of(row: PlanRow) -> list[tuple[float, float, str, bool]]:
@@ -183,7 +187,7 @@ def _lane(
     marked: frozenset[int] = frozenset(), *, movable: bool,
 ) -> Lane:  # fmt: skip
     starts, ends = (np.array([getattr(span, edge) for span in spans], float) for edge in ("start", "end"))
-    return Lane(name, starts, ends, texts, _rgb(colours), marked, movable)
+    return Lane(tr(name), starts, ends, texts, _rgb(colours), marked, movable)
 
 
 def _rgb(colours: Sequence[str]) -> UInt32Array:

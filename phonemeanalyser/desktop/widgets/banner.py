@@ -6,6 +6,8 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 
 SHOWN_MS = 15_000
@@ -38,13 +40,13 @@ class Banner(QWidget):
         self.dismiss = dismiss = QToolButton()
         dismiss.setText("✕")
         dismiss.setAutoRaise(True)
-        dismiss.setToolTip("Dismiss")
-        dismiss.setAccessibleName("dismiss the message")
+        dismiss.setToolTip(tr("Dismiss"))
+        dismiss.setAccessibleName(tr("dismiss the message"))
         dismiss.clicked.connect(lambda _checked: self._dismiss())
         self._row = row = QHBoxLayout(self)
         row.setContentsMargins(10, 4, 6, 4)
         self.action = QToolButton()
-        self.action.setToolTip("What can be done about it")
+        self.action.setToolTip(tr("What can be done about it"))
         self.action.clicked.connect(self._act)
         self._offer: tuple[str, str, Callable[[], object]] | None = None
         row.addWidget(self.label, 1)
@@ -67,13 +69,13 @@ class Banner(QWidget):
         """Show what went wrong; an empty sentence takes that away, but not an offer."""
         if sentence:
             _log.warning("%s", sentence)
-            self._show(sentence, self._theme.bad, SHOWN_MS)
+            self._show(tr_engine(sentence), self._theme.bad, SHOWN_MS)
         else:
             self._go_back()
 
     def show_info(self, sentence: str) -> None:
         """Show what is going on, or went well."""
-        self._show(sentence, self._theme.accent, SHOWN_MS)
+        self._show(tr_engine(sentence), self._theme.accent, SHOWN_MS)
 
     def offer(self, sentence: str, action: str, act: Callable[[], object]) -> None:
         """Show something that can be acted upon, until the user does so or dismisses it, whatever else is said."""

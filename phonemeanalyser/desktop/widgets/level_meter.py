@@ -8,6 +8,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.theme import Theme
 from phonemeengine.audio.level import Level
@@ -35,11 +36,13 @@ class LevelMeterView(QWidget):
         self._theme = theme
         self.setMinimumSize(200, 28)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName("level of the microphone")
+        self.setAccessibleName(tr("level of the microphone"))
         self.setToolTip(
-            "Peak level in dB below full scale, with the highest of the last 1.5 s, and how the microphone's gain "
-            "suits it: turn that up where it says soft, down where it says loud. "
-            "The light tells for a minute that the microphone was too loud"
+            tr(
+                "Peak level in dB below full scale, with the highest of the last 1.5 s, and how the microphone's "
+                "gain suits it: turn that up where it says soft, down where it says loud. The light tells for a "
+                "minute that the microphone was too loud"
+            )
         )
 
     def paintEvent(self, _event: Any) -> None:
@@ -91,7 +94,7 @@ def words_of(ago: float | None, held: float = 0.0) -> str:
     if ago is None or ago >= FORGOTTEN:
         decibels = 20 * math.log10(max(held, 1e-6))
         if decibels <= LOWEST_DB:
-            return "no clipping"
-        suits = "loud" if decibels > LOUD_DB else "soft" if decibels < SOFT_DB else "good"
+            return tr("no clipping")
+        suits = tr("loud") if decibels > LOUD_DB else tr("soft") if decibels < SOFT_DB else tr("good")
         return f"{decibels:.0f} dB, {suits}".replace("-", "−")
-    return "CLIPPED" if ago < 1 else f"clipped {ago:.0f} s ago"
+    return tr("CLIPPED") if ago < 1 else tr("clipped {seconds:.0f} s ago").format(seconds=ago)

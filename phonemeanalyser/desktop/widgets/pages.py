@@ -6,6 +6,8 @@ from typing import Generic, TypeVar
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QStackedWidget, QToolButton, QWidget
 
+from phonemeanalyser.desktop.language import tr
+
 Page = TypeVar("Page", bound=QWidget)
 
 
@@ -78,7 +80,7 @@ class PageSwitch(QWidget):
         for number, (button, name) in enumerate(zip(self.buttons, names, strict=True)):
             button.setText(name)
             button.setCheckable(True)
-            button.setToolTip(f"The page {name} (Ctrl+{number + 1})")
+            button.setToolTip(tr("The page {name} (Ctrl+{number})").format(name=name, number=number + 1))
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             self._group.addButton(button, number)
             row.addWidget(button)

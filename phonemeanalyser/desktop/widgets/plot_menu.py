@@ -7,6 +7,8 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QMenu, QWidget
 
+from phonemeanalyser.desktop.language import tr
+
 Reset = Callable[[], object]
 
 
@@ -39,12 +41,12 @@ class PlotMenu(QMenu):
         self._values, self._reset = values, reset
         self.at = QPoint()
         if reset is not None:
-            self.addAction("Reset Zoom", reset)
+            self.addAction(tr("Reset Zoom"), reset)
             surface = plot.viewport() if isinstance(plot, QAbstractScrollArea) else plot
             surface.installEventFilter(self)
-        self.addAction("Copy Values", self._copy_values)
-        self.addAction("Copy Picture", lambda: QApplication.clipboard().setPixmap(plot.grab()))
-        self.addAction("Save Picture…", lambda: self.save_asked.emit(plot, name))
+        self.addAction(tr("Copy Values"), self._copy_values)
+        self.addAction(tr("Copy Picture"), lambda: QApplication.clipboard().setPixmap(plot.grab()))
+        self.addAction(tr("Save Picture…"), lambda: self.save_asked.emit(plot, name))
         plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         plot.customContextMenuRequested.connect(self.open_at)
 

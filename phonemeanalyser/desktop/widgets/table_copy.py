@@ -4,10 +4,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QShortcut
 from PySide6.QtWidgets import QTableWidget, QTableWidgetItem
 
+from phonemeanalyser.desktop.language import tr
+
 
 def let_copy(table: QTableWidget) -> None:
     """Have a table copy itself, headings and all."""
-    copy = QAction("Copy Table", table)
+    copy = QAction(tr("Copy Table"), table)
     copy.triggered.connect(lambda: QGuiApplication.clipboard().setText(text_of(table)))
     key = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), table, copy.trigger)
     key.setContext(Qt.ShortcutContext.WidgetShortcut)

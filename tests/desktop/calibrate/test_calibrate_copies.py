@@ -76,7 +76,7 @@ def test_what_somebody_put_there_is_kept_and_said(calibrator):
     path = calibrator.model.takes.path_of(take).with_suffix(".TextGrid")
     path.write_text("mine")
     choose(calibrator, 2)
-    assert calibrator.booth.banner.endswith("; what else was there is kept, such as a-1 (2).TextGrid.")
+    assert calibrator.booth.banner.endswith("What else was there is kept, such as a-1 (2).TextGrid.")
     assert path.with_name("a-1 (2).TextGrid").read_text() == "mine"
 
 

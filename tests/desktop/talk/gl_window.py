@@ -25,6 +25,7 @@ def main() -> None:
     head_view.has_graphics_card = lambda: True
     with tempfile.TemporaryDirectory() as folder:
         settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
+        settings.setValue("language", "en")
         microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "takes")
         desktop = Desktop(app, settings, lambda _n: ClockOutput(), microphone)
         desktop.window.show()

@@ -14,6 +14,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, VRM
 from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import SPEAKING, TABLES, MouthTable, load_table, shipped_tables, table_of
+from phonemeengine.mouth.table_writing import table_to_toml
 from phonemeengine.phonemes import MOUTH_SHAPES, Phoneme
 
 GOOD = (TABLES / "vrm.toml").read_text(encoding="utf-8")
@@ -228,3 +229,8 @@ def test_no_damage_to_a_table_is_more_than_refused(start: int, length: int, inst
     with suppress(MouthError):
         table = table_of(GOOD[:start] + instead + GOOD[start + length :])
         assert np.isfinite(table.weights()).all()
+
+
+@pytest.mark.parametrize("name", shipped_tables())
+def test_a_table_that_is_written_reads_as_the_same_table(name: str) -> None:
+    assert table_of(table_to_toml(load_table(name))) == load_table(name)

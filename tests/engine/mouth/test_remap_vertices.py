@@ -2,6 +2,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
+from numpy.typing import NDArray
 
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import Mesh, mesh_of
@@ -78,3 +80,16 @@ def test_a_face_whose_numbers_fit_is_left_as_it_is_and_another_is_renumbered():
     assert matched(own, mesh_of(POINTS)) is own
     assert matched(own, mesh_of(POINTS[::-1])).states[0].numbers.tolist() == [*range(10, 40)]
     assert matched(own, mesh_of(np.vstack((POINTS[30:], POINTS[:30])))).numbers.tolist() == [*range(10, 40)]
+
+
+@given(
+    points=hnp.arrays(np.float32, (12, 3), elements=st.floats(-2, 2, width=32)),
+    steps=hnp.arrays(np.float32, (12, 3), elements=st.sampled_from([0, 0.25, -0.25, 0.5])),
+)
+def test_a_vertex_is_wherever_another_is_within_the_tolerance(
+    points: NDArray[np.float32], steps: NDArray[np.float32]
+) -> None:
+    mesh = mesh_of(np.vstack((points, points + steps)))
+    targets = morph_targets_of(mesh_of(points), [movestate_of("a", np.ones((12, 3)))])
+    apart = np.linalg.norm(points[:, np.newaxis].astype(float) - mesh.positions, axis=2)
+    assert remap_vertices(targets, mesh, 0.3).numbers.tolist() == np.flatnonzero((apart <= 0.3).any(axis=0)).tolist()

@@ -8,7 +8,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.exports.livelink import COLUMNS, COUNT
+from phonemeengine.mouth.exports.livelink import COUNT, HEADER
 from tests.glb_faces import face_with_targets, glb_of
 
 TIMES = (0.0, 0.5, 2.0)
@@ -27,7 +27,7 @@ def ramp(n: int = 31, channel: str = "jawOpen", rate: float = 60.0) -> Animation
 def livelink_of(codes: Sequence[str], weights: Float32Array) -> str:
     """Give a recording of Live Link Face with these time codes, and values as the telephone writes them."""
     rows = (f"{code},{COUNT},{','.join(f'{x:.10f}' for x in row)}" for code, row in zip(codes, weights, strict=True))
-    return "\n".join([",".join(COLUMNS), *rows]) + "\n"
+    return "\n".join([HEADER, *rows]) + "\n"
 
 
 def animated_face(

@@ -3,8 +3,8 @@ import pytest
 
 from phonemeengine import CorpusError
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.exports.livelink import COLUMNS, COUNT, lines_of, timecode_of
+from phonemeengine.mouth.blendshape_names import ARKIT, LIVE_LINK_COLUMNS
+from phonemeengine.mouth.exports.livelink import COUNT, HEADER, lines_of, timecode_of
 from phonemeengine.performance.livelink import CHANNELS, parse_livelink
 from tests.engine.performance.faces import livelink_of, ramp
 
@@ -62,7 +62,7 @@ def test_frames_that_stand_there_twice_count_once() -> None:
 
 def test_columns_are_known_by_their_names_in_any_order_and_case() -> None:
     weights = _counting(3)
-    header = ",".join([*COLUMNS[:2], *(name.upper() for name in COLUMNS[:1:-1])])
+    header = ",".join([*LIVE_LINK_COLUMNS[:2], *(name.upper() for name in LIVE_LINK_COLUMNS[:1:-1])])
     rows = [
         f"{code},61,{','.join(map(str, row[::-1]))}" for code, row in zip(_codes([0, 1, 2]), weights, strict=True)
     ]
@@ -75,7 +75,7 @@ def test_columns_are_known_by_their_names_in_any_order_and_case() -> None:
     [
         ("", "this is no recording of Live Link Face"),
         ("start_s,end_s,phone,class,certainty\n", "this is no recording of Live Link Face"),
-        (",".join(COLUMNS) + "\n", "there is no frame under the header"),
+        (HEADER + "\n", "there is no frame under the header"),
         (livelink_of(["0:00"], _counting(1)), "a time code is like 12:27:47:31.169, found '0:00'"),
         (livelink_of(["00:00:00:00"], _counting(1)), "it needs two frames or more within an hour, found 1"),
         (livelink_of(["00:00:00:999"], _counting(1)), "counts up to 240 frames a second, found 999"),

@@ -1,5 +1,6 @@
 """A folder that was shipped builds and runs as it is, and nothing that was changed there is lost."""
 
+import os
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -153,3 +154,21 @@ def test_a_folder_that_cannot_be_written_is_refused_in_a_sentence(tmp_path: Path
     (tmp_path / "file").write_text("x", encoding="utf-8")
     with pytest.raises(ExportError, match=r"cannot be (read|written)"):
         ship(load_preset("thesis"), tmp_path / "file")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="the compiler's stand-in is a shell script")
+@pytest.mark.parametrize("target", ["unity", "godot"])
+def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, target: str
+) -> None:
+    compiler = tmp_path / "zig"  # what the real one makes is tried by make test-csharp
+    compiler.write_text("#!/bin/sh\nprintf 'a library of zig' > made\n", encoding="utf-8")
+    compiler.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    files = ship(load_preset("thesis"), tmp_path / target, target)
+    assert {path.name for path in files} >= {"Ear.cs", "TalkingFace.cs", "libear.so", "ear.dll", "libear.dylib"}
+    assert sum(path.read_bytes().startswith(b"EAR\x1a") for path in files) == 1
+    readme = (tmp_path / target / "README.md").read_text(encoding="utf-8")
+    named = [path for path in files if path.suffix == ".cs" or path.name.startswith("preset")]
+    assert len(named) >= 5
+    assert all(path.name in readme for path in named)

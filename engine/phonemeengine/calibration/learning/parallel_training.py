@@ -2,9 +2,8 @@
 
 import multiprocessing
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor, wait
-from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, TypeVar
@@ -17,6 +16,7 @@ from phonemeengine.calibration.learning.training import TrainingConfig, train
 from phonemeengine.calibration.learning.validation import anchors_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.processes import single_threaded
 from phonemeengine.recognition.model import Model, load_model, save_model
 
 HESITATION = 0.2
@@ -63,7 +63,7 @@ def train_parts(
     """
     spawned = multiprocessing.get_context("spawn")
     done = spawned.Array("d", len(parts))
-    with _single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _share, (done,)) as pool:
+    with single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _share, (done,)) as pool:
         jobs = [
             pool.submit(_train_without, k, part, examples, weights, answers_of) for k, part in enumerate(parts)
         ]  # fmt: skip
@@ -106,19 +106,3 @@ def _hesitant(model: Model) -> Model:
     less = np.zeros(len(Phoneme), np.float32)
     less[Phoneme.UNIDENTIFIED] = HESITATION
     return replace(model, heads=tuple(replace(head, bias=head.bias - less) for head in model.heads))
-
-
-@contextmanager
-def _single_threaded() -> Iterator[None]:
-    """Let processes that are started have one thread each for their matrices: there is one for every core."""
-    names = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
-    before = {name: os.environ.get(name) for name in names}
-    os.environ.update(dict.fromkeys(names, "1"))
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value

@@ -161,6 +161,16 @@ def score(
             if on_skipped is None:
                 raise
             on_skipped(error)
+    return corpus_scores_of(preset, predictions, delay)
+
+
+def corpus_scores_of(preset: Preset, predictions: Sequence[Predictions], delay: float = 0.0) -> CorpusScores:
+    """Return how right answers of a preset are, which were taken to come late by some seconds.
+
+    Raises
+    ------
+    CorpusError : there is nothing to score.
+    """
     if not any(len(prediction.phonemes) for prediction in predictions):
         raise CorpusError("there is no labelled sound that can be scored; name recordings that can be read")
     return CorpusScores(

@@ -18,10 +18,8 @@ from collections.abc import Iterator, Sequence
 from phonemeengine.arrays import Float32Array
 from phonemeengine.files import begins_like
 from phonemeengine.mouth.cues import Cue
+from phonemeengine.mouth.curves_file import FORMAT, HEAD
 from phonemeengine.mouth.exports.export import Export
-
-FORMAT = "phonemeanalyser curves 1"
-HEAD = ("yaw", "pitch", "roll")
 
 owns = begins_like(b'{\n "format": "%s",\n' % FORMAT.encode())
 

@@ -10,18 +10,14 @@ import numpy as np
 
 from phonemeengine.files import begins_like
 from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.number_lines import number_lines
 
-ANGLES = (
-    "HeadYaw", "HeadPitch", "HeadRoll", "LeftEyeYaw", "LeftEyePitch", "LeftEyeRoll", "RightEyeYaw", "RightEyePitch",
-    "RightEyeRoll",
-)  # fmt: skip
-COLUMNS = ("Timecode", "BlendShapeCount", *(name[0].upper() + name[1:] for name in ARKIT), *ANGLES)
-COUNT = len(COLUMNS) - 2
+HEADER = ",".join(LIVE_LINK_COLUMNS)
+COUNT = len(LIVE_LINK_COLUMNS) - 2
 
-owns = begins_like(b"%s\n00:00:00:00\\.000,%d(?:,-?\\d\\.\\d{5}){%d}\n" % (",".join(COLUMNS).encode(), COUNT, COUNT))
+owns = begins_like(b"%s\n00:00:00:00\\.000,%d(?:,-?\\d\\.\\d{5}){%d}\n" % (HEADER.encode(), COUNT, COUNT))
 """Whether the content of a file was written here: the recording of an actor begins at the time of day, and has more
 digits."""
 
@@ -33,8 +29,8 @@ def write(export: Export) -> Iterator[str]:
 
 def lines_of(animation: Animation) -> Iterator[str]:
     """Return the lines of a file: the header, and a row for each frame of an animation of ARKit's movestates."""
-    yield ",".join(COLUMNS) + "\n"
-    eyes = np.zeros((len(animation.weights), len(ANGLES) - 3), np.float32)
+    yield HEADER + "\n"
+    eyes = np.zeros((len(animation.weights), len(LIVE_LINK_ANGLES) - 3), np.float32)
     rows = np.hstack((animation.weights, np.radians(animation.head), eyes))
     for frame, line in enumerate(number_lines(rows)):
         yield f"{timecode_of(frame, animation.rate)},{COUNT},{line}\n"

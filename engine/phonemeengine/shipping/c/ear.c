@@ -593,9 +593,14 @@ typedef void convolution(const product *of, const float *const *taps, size_t wid
 typedef float vector4 __attribute__((vector_size(16), aligned(4), may_alias));
 typedef float vector8 __attribute__((vector_size(32), aligned(4), may_alias));
 #define ANY_TARGET
+#ifdef __wasm__
+enum { VECTORS_OF_3 = 2 }; /* engines keep registers for themselves, and what does not fit is stored at every step */
+#else
+enum { VECTORS_OF_3 = 4 };
+#endif
 DEFINE_CONVOLUTION(convolve_1, ANY_TARGET, vector4, 8, 1)
 DEFINE_CONVOLUTION(convolve_2, ANY_TARGET, vector4, 4, 2)
-DEFINE_CONVOLUTION(convolve_3, ANY_TARGET, vector4, 4, 3)
+DEFINE_CONVOLUTION(convolve_3, ANY_TARGET, vector4, VECTORS_OF_3, 3)
 #else
 DEFINE_CONVOLUTION(convolve_1, , float, 8, 1)
 DEFINE_CONVOLUTION(convolve_2, , float, 8, 2)

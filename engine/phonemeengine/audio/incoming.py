@@ -1,0 +1,183 @@
+"""A sound that comes in pieces, such as over a network, as mono samples at 44.1 kHz, however its bytes are cut."""
+
+import functools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE, mono_of
+from phonemeengine.audio.ogg_opus import OPUS_RATE, OggOpusDecoder
+from phonemeengine.audio.resampling import Resampler
+from phonemeengine.errors import AudioError
+from phonemeengine.settings import SAMPLE_RATE, Channel
+
+MOST_STREAM_CHANNELS = 8
+FULL_SCALE = np.float32(1 << 15)
+"""The integer that stands for 1.0."""
+LOUDEST = 100.0
+"""Full scale is 1; what is so far above it is no sound, but bytes of another encoding."""
+PIECE = 0.2
+"""Seconds of sound that are given at once at the most."""
+
+
+class Encoding(StrEnum):
+    """How samples stand in bytes: little-endian integers of 16 bits, floats of 32 bits ±1, or Opus in Ogg pages."""
+
+    S16 = "s16"
+    F32 = "f32"
+    OPUS = "opus"
+
+
+_TYPES: dict[Encoding, np.dtype[Any]] = {Encoding.S16: np.dtype("<i2"), Encoding.F32: np.dtype("<f4")}
+
+
+@dataclass(frozen=True)
+class StreamFormat:
+    """What the bytes of a sound are that comes in pieces.
+
+    Attributes
+    ----------
+    encoding : how samples stand in them.
+    rate : samples per second, 1000..768000; Opus says it itself, and is decoded at 48000.
+    n_channels : samples at each time, one after the other, 1..8, of which the mean is heard; Opus says it itself.
+
+    Raises
+    ------
+    AudioError : a number lies outside its range.
+    """
+
+    encoding: Encoding = Encoding.S16
+    rate: int = SAMPLE_RATE
+    n_channels: int = 1
+
+    def __post_init__(self) -> None:
+        if not LOWEST_RATE <= self.rate <= HIGHEST_RATE:
+            raise AudioError(f"the sample rate must lie in {LOWEST_RATE}..{HIGHEST_RATE} Hz, got {self.rate}")
+        if not 1 <= self.n_channels <= MOST_STREAM_CHANNELS:
+            raise AudioError(
+                f"a stream has 1..{MOST_STREAM_CHANNELS} channels, got {self.n_channels}; send fewer, or mix them"
+            )
+
+    @property
+    def decoded_rate(self) -> int:
+        """Samples per second once it is decoded."""
+        return OPUS_RATE if self.encoding is Encoding.OPUS else self.rate
+
+
+class IncomingSound:
+    """Follows one sound: takes its bytes as they come, gives its samples.
+
+    Parameters
+    ----------
+    form : what the bytes are.
+
+    Raises
+    ------
+    AudioError : Opus is asked for, and what decodes it is not installed.
+    """
+
+    def __init__(self, form: StreamFormat) -> None:
+        self._rate = form.decoded_rate
+        is_opus = form.encoding is Encoding.OPUS
+        self._decoder = OggOpusDecoder() if is_opus else PcmDecoder(_TYPES[form.encoding], form)
+        self._resampler = Resampler(self._rate, 1, steady=True) if self._rate != SAMPLE_RATE else None
+        self._n_frames = self._n_given = 0
+
+    @property
+    def seconds(self) -> float:
+        """How much has come."""
+        return self._n_frames / self._rate
+
+    @property
+    def delay(self) -> float:
+        """How much is held back by the resampler, seconds, as soon as it runs."""
+        return _steady_delay(self._rate) if self._resampler is not None else 0.0
+
+    def pieces(self, data: bytes | bytearray) -> Iterator[Float32Array]:
+        """Take the next bytes; give the samples that they complete, float32, shape (n,), 44.1 kHz, ±1.
+
+        What comes is decoded when it is asked for, at most 0.2 s at once: bytes of a few may hold hours.
+
+        Raises
+        ------
+        AudioError : they are not what the format says, or hold NaN, infinity or samples far beyond ±1.
+        """
+        for block in self._decoder.blocks(data):
+            self._check(block)
+            self._n_frames += len(block)
+            mono = mono_of(block, Channel.MIX)
+            if self._resampler is not None:
+                mono = self._resampler.resample(mono[:, np.newaxis])[:, 0]
+            self._n_given += len(mono)
+            yield mono
+
+    def finish(self) -> Float32Array:
+        """Return what was held back, since the sound has ended.
+
+        Raises
+        ------
+        AudioError : it ends in the midst of a sample or a page.
+        """
+        if not self._decoder.is_whole:
+            raise AudioError(
+                f"the sound is cut off after {self.seconds:.3f} s, in the midst of a sample or a page; send all of it"
+            )
+        n_missing = max(0, round(self.seconds * SAMPLE_RATE) - self._n_given)
+        if self._resampler is None or not n_missing:
+            return np.zeros(0, np.float32)
+        rest = self._resampler.resample(np.zeros((0, 1), np.float32), last=True)[:n_missing, 0]
+        return np.pad(rest, (0, n_missing - len(rest)))
+
+    def _check(self, block: Float32Array) -> None:
+        sane = np.abs(block) <= LOUDEST  # NaN is not
+        if sane.all():
+            return
+        first = int((~sane).any(axis=1).argmax())
+        when, value = self.seconds + first / self._rate, block[first][~sane[first]][0]
+        raise AudioError(
+            f"samples must be finite numbers within ±1, found {value:g} at {when:.3f} s; check the format, or "
+            "repair the sound"
+        )
+
+
+@functools.cache
+def _steady_delay(rate: int) -> float:
+    """Measure how much the steady resampler holds back, seconds."""
+    resampler = Resampler(rate, 1, steady=True)
+    resampler.resample(np.zeros((rate // 4, 1), np.float32))
+    return resampler.delay
+
+
+class PcmDecoder:
+    """Reads samples out of bytes that are cut anywhere.
+
+    Parameters
+    ----------
+    kind : of the numbers.
+    form : how many there are.
+    """
+
+    def __init__(self, kind: np.dtype[Any], form: StreamFormat) -> None:
+        self._kind, self._n_channels = kind, form.n_channels
+        self._n_bytes = kind.itemsize * form.n_channels
+        self._most = max(1, int(form.rate * PIECE)) * self._n_bytes
+        self._rest = b""
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether the sound may end here."""
+        return not self._rest
+
+    def blocks(self, data: bytes | bytearray) -> Iterator[Float32Array]:
+        """Take the next bytes; give the samples in them, shape (n, n_channels), a fifth of a second at most."""
+        held = self._rest + data
+        end = len(held) // self._n_bytes * self._n_bytes
+        self._rest = bytes(held[end:])
+        for first in range(0, end, self._most):
+            part = held[first : min(first + self._most, end)]
+            samples = np.frombuffer(part, self._kind).reshape(-1, self._n_channels)
+            yield np.asarray(samples / FULL_SCALE if self._kind.kind == "i" else samples, np.float32)

@@ -1,0 +1,141 @@
+"""Work as it goes to another process, and how a file is worked on there."""
+
+import copyreg
+import errno
+import logging
+import pickle
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager, suppress
+from dataclasses import dataclass, field
+from functools import lru_cache
+from pathlib import Path
+from types import MappingProxyType
+
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.batch.remote import fetched, is_remote
+from phonemeengine.batch.work import Act, Job, JobState, Made, Outcome, Work
+from phonemeengine.errors import EngineError
+from phonemeengine.files import is_portable, printable_name, reason_of
+from phonemeengine.progress import Cancelled, Progress
+
+FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
+"""Why nothing else can be written either."""
+
+_log = logging.getLogger(__name__)
+
+copyreg.pickle(MappingProxyType, lambda mapping: (MappingProxyType, (dict(mapping),)))  # presets have some
+
+
+@dataclass(frozen=True)
+class Order:
+    """Work, pickled once; two orders are the same if their fingerprints are.
+
+    Attributes
+    ----------
+    digest : the fingerprint.
+    content : the pickle; may be left out where it is known already.
+    """
+
+    digest: str
+    content: bytes = field(default=b"", compare=False, repr=False)
+
+
+def order_of(work: Work) -> Order:
+    """Return work as it is sent."""
+    return Order(work.fingerprint(), pickle.dumps(work))
+
+
+def act_of(order: Order) -> Act:
+    """Open the work of an order, and keep it open as long as this process has no other.
+
+    Raises
+    ------
+    EngineError : what it needs cannot be opened.
+    """
+    return _opened(order)[1]
+
+
+@lru_cache(maxsize=1)
+def _opened(order: Order) -> tuple[AbstractContextManager[Act], Act]:
+    work: Work = pickle.loads(order.content)  # noqa: S301 - from the process that started this one, or its cluster
+    manager = work.opened()
+    return manager, manager.__enter__()
+
+
+def worked_through(
+    act: Act, jobs: Sequence[Job], progress_of: Callable[[int], Progress], *, recorded: bool
+) -> list[Outcome]:
+    """Do what is to be done to some files; ends before the end where it is cancelled.
+
+    Parameters
+    ----------
+    progress_of : told of the share that is done of the file of this number.
+    recorded : whether it is asked what the files are, so that they can be told from others later.
+    """
+    found: list[Outcome] = []
+    for number, job in enumerate(jobs):
+        progress = progress_of(number)
+        if not progress(0.0):
+            break
+        try:
+            found.append(worked_on(act, job, progress, recorded=recorded))
+        except Cancelled:
+            break
+        if found[-1].is_fatal:
+            break
+    return found
+
+
+def worked_on(act: Act, job: Job, progress: Progress, *, recorded: bool) -> Outcome:
+    """Do what is to be done to one file, and tell what came of it.
+
+    Raises
+    ------
+    Cancelled : `progress` did not want to go on.
+    """
+    notes: list[tuple[str, str]] = []
+    if recorded and not is_portable((job.target or job.source).name):
+        words = "not every system can write this name; rename the sound before its files go to others"
+        notes.append((printable_name(job.source), words))
+    try:
+        with fetched(job) as here:
+            made = act(here.job, lambda name, note: notes.append((name, note)), progress)
+            here.send()
+            states = here.states() if recorded else ()
+        return Outcome(job, JobState.DONE, made, tuple(notes), "", False, *states)
+    except Cancelled:
+        raise
+    except EngineError as error:
+        return failed(job, str(error), tuple(notes), is_fatal=_is_full(error))
+    except OSError as error:  # of a name that this system cannot even ask for, such as one that is too long
+        words = f"its file cannot be written ({reason_of(error)}); rename the sound, or choose another folder"
+        return failed(job, f"{printable_name(job.source)}: {words}", tuple(notes), is_fatal=_is_full(error))
+    except Exception as error:
+        if not recorded:
+            raise
+        _log.exception("a file crashed: %s", printable_name(job.source))
+        kind = f"{type(error).__name__}: {error}".splitlines()[0][:200]
+        words = f"{printable_name(job.source)}: the program itself failed at it ({kind}); send it in with --log FILE"
+        return failed(job, words, tuple(notes), is_fatal=_is_full(error))
+
+
+def failed(job: Job, words: str, notes: tuple[tuple[str, str], ...] = (), *, is_fatal: bool = False) -> Outcome:
+    """Return what is known of a job that could not be done."""
+    return Outcome(job, JobState.FAILED, Made(_duration_of(job.source)), notes, words, is_fatal)
+
+
+def _duration_of(path: Path) -> float:
+    """Return the length of a sound, seconds; 0 where it cannot be read."""
+    if is_remote(path):
+        return 0.0
+    with suppress(EngineError), SoundReader(path) as reader:
+        return reader.duration
+    return 0.0
+
+
+def _is_full(error: BaseException | None) -> bool:
+    while error is not None:
+        if isinstance(error, OSError) and error.errno in FULL:
+            return True
+        error = error.__cause__
+    return False

@@ -1,0 +1,197 @@
+"""Speech that comes in pieces, and what is known of each of its sounds at most 60 ms after it has come."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from phonemeengine.alignment.evidence import evidence_of
+from phonemeengine.alignment.growing import GrowingAligner, GrownWords
+from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, push_together
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.incoming import IncomingSound, StreamFormat
+from phonemeengine.errors import EngineError
+from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.mouth.morpher import Morpher
+from phonemeengine.mouth.table import MouthTable
+from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.spec import spec_of
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
+from phonemeengine.text.pronunciation import ScriptWord
+from phonemeengine.visemes import viseme_phones
+
+MOST_LATE = 0.06
+"""Seconds from when the last sample of a frame has come to when it is known what it is, work included."""
+WORK = 0.005
+"""Seconds of these that are left for the work."""
+BEYOND = (WINDOW - HOP) / 2 / SAMPLE_RATE
+"""Seconds by which the window of a frame reaches beyond its end."""
+LOOK = 25
+"""Frames from one look at the words of the text to the next."""
+
+
+@dataclass(frozen=True)
+class HeardPiece:
+    """What is known since a piece came.
+
+    Attributes
+    ----------
+    analysis : the frames that it completed; often none.
+    weights : of the movestates of the mouth table when each frame begins, float32, shape (n_frames, n_movestates);
+        None without a table.
+    words : what is known of the words of the text by now; None where nobody has looked again.
+    """
+
+    analysis: Analysis
+    weights: Float32Array | None = None
+    words: GrownWords | None = None
+
+
+class IncomingSpeech:
+    """Follows one sound, and tells frame by frame what is said.
+
+    Parameters
+    ----------
+    preset : what to recognise with; it looks ahead only as far as 60 ms allow.
+    form : what the bytes of the sound are.
+    table : the mouth that moves with it.
+    with_text : whether words of a text will come, before what says them or soon after.
+
+    Raises
+    ------
+    EngineError : the preset's recogniser cannot be made, or the format cannot be read here.
+
+    Attributes
+    ----------
+    analyser : what analyses it.
+    is_foreign : whether a recogniser of another package does.
+    n_unlooked : frames in which no words of the text have been looked for yet.
+    """
+
+    def __init__(
+        self, preset: Preset, form: StreamFormat, table: MouthTable | None = None, *, with_text: bool = False
+    ) -> None:
+        self._sound = IncomingSound(form)
+        self.analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
+        self.is_foreign = spec_of(preset.recogniser).entry is not None
+        self._morpher = Morpher(table) if table is not None else None
+        self._aligner = GrowingAligner() if with_text else None
+        self._unlooked: list[Analysis] = []
+        self.n_unlooked = 0
+
+    @property
+    def seconds(self) -> float:
+        """How much sound has come."""
+        return self._sound.seconds
+
+    @property
+    def latency(self) -> float:
+        """From the last sample of a frame to its phoneme, without the work, seconds."""
+        return BEYOND + self._sound.delay + self.analyser.recogniser.look_ahead * FRAME_PERIOD
+
+    @property
+    def is_other_text(self) -> bool:
+        """Whether another text is said, as far as that is known by now."""
+        return self._aligner is not None and self._aligner.fit.is_wrong
+
+    def add_words(self, words: Sequence[ScriptWord]) -> None:
+        """Take the next words of the text, see `words_of`; it was announced when this was made.
+
+        Raises
+        ------
+        TextError : a word is endless.
+        """
+        assert self._aligner is not None
+        self._aligner.add_words(words)
+
+    def pieces(self, data: bytes | bytearray) -> Iterator[Float32Array]:
+        """Take the next bytes, and give pieces of sound to `hear`; see `IncomingSound.pieces`.
+
+        Raises
+        ------
+        AudioError : they are not what the format says.
+        """
+        return self._sound.pieces(data)
+
+    def hear(self, piece: Float32Array) -> HeardPiece:
+        """Return what is known since the next piece came."""
+        heard = self.known_of(self.analyser.push(piece))
+        return replace(heard, words=self.look()) if self.n_unlooked >= LOOK else heard
+
+    def finish(self) -> Iterator[HeardPiece]:
+        """Return what is known of the rest, since the sound has ended.
+
+        Raises
+        ------
+        AudioError : it ends in the midst of a sample or a page.
+        """
+        yield self.hear(self._sound.finish())
+        rest = self.known_of(self.analyser.finish())
+        if self._aligner is not None:
+            self._take_evidence(self._aligner)
+            rest = replace(rest, words=self._aligner.finish(self.seconds))
+        yield rest
+
+    def known_of(self, analysis: Analysis) -> HeardPiece:
+        """Return what is known since the next frames were analysed, but for words: `look` finds them."""
+        if self._aligner is not None and len(analysis):
+            self._unlooked.append(analysis)
+            self.n_unlooked += len(analysis)
+        return HeardPiece(analysis, None if self._morpher is None else _weights(self._morpher, analysis))
+
+    def look(self) -> GrownWords | None:
+        """Return what is known of the words of the text by now; None where no text was announced."""
+        if self._aligner is None:
+            return None
+        self._take_evidence(self._aligner)
+        return self._aligner.look()
+
+    def _take_evidence(self, aligner: GrowingAligner) -> None:
+        if self._unlooked:
+            aligner.push(evidence_of(concatenate_analyses(self._unlooked)))
+        self._unlooked, self.n_unlooked = [], 0
+
+
+def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list[HeardPiece | EngineError]:
+    """Return what is known of several sounds since the next piece of each came, or why one cannot be heard.
+
+    Words are left out: `IncomingSpeech.look` finds them, whenever there is time. Many sounds at once cost far less
+    than one after the other, see `push_together`.
+    """
+    together = [(speech, piece) for speech, piece in pieces if not speech.is_foreign]
+    analyses = iter(push_together([(speech.analyser, piece) for speech, piece in together]))
+    return [
+        _heard_alone(speech, piece) if speech.is_foreign else speech.known_of(next(analyses))
+        for speech, piece in pieces
+    ]
+
+
+def _heard_alone(speech: IncomingSpeech, piece: Float32Array) -> HeardPiece | EngineError:
+    """Return what is known by a recogniser of another package, which may fail."""
+    try:
+        return speech.known_of(speech.analyser.push(piece))
+    except EngineError as error:
+        return error
+
+
+def in_time(preset: Preset, delay: float) -> Preset:
+    """Return the preset that looks ahead as far as live sound may, and no further than 60 ms allow.
+
+    Parameters
+    ----------
+    delay : seconds that are held back before the sound is analysed.
+    """
+    settings = for_live_use(preset).settings
+    left = max(0.0, MOST_LATE - WORK - BEYOND - delay)
+    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, left)))
+
+
+def _weights(morpher: Morpher, analysis: Analysis) -> Float32Array:
+    """Return the weights of the movestates when each frame begins, shape (n_frames, n_movestates)."""
+    weights = np.empty((len(analysis), len(morpher.movestates)), np.float32)
+    columns = (analysis.phonemes.tolist(), analysis.intensities.tolist(), viseme_phones(analysis.visemes))
+    for k, (phoneme, intensity, phone) in enumerate(zip(*columns, strict=True)):
+        time = (analysis.start + k) * FRAME_PERIOD
+        morpher.hear(time, phoneme, intensity, phone)
+        weights[k] = morpher.weights(time)
+    return weights

@@ -1,0 +1,45 @@
+"""Processes that share the cores of a machine."""
+
+import ctypes
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+
+LARGEST_BLOCK = 32 << 20
+"""Bytes of an array whose memory is kept."""
+_M_TRIM_THRESHOLD, _M_MMAP_THRESHOLD = -1, -3  # malloc.h
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
+"""What libraries of matrices ask for how many threads they have."""
+
+
+def threads_allowed() -> int:
+    """Return how many threads work on something here: as many as there are cores, unless each has its process."""
+    asked = os.environ.get(THREADS[0], "")
+    return int(asked) if asked.isdecimal() and int(asked) else os.cpu_count() or 1
+
+
+def keep_memory() -> None:
+    """Have the system's library keep the memory of arrays that are gone, for the next ones.
+
+    Dask has it given back at once (``MALLOC_TRIM_THRESHOLD_``), which makes blocks of a sound take twice as long. Of
+    libraries other than glibc, nothing is asked.
+    """
+    with suppress(OSError, AttributeError, TypeError):
+        library = ctypes.CDLL(None)
+        library.mallopt(_M_MMAP_THRESHOLD, LARGEST_BLOCK)
+        library.mallopt(_M_TRIM_THRESHOLD, 2 * LARGEST_BLOCK)
+
+
+@contextmanager
+def single_threaded() -> Iterator[None]:
+    """Let processes that are started have one thread each for their matrices: there is one for every core."""
+    before = {name: os.environ.get(name) for name in THREADS}
+    os.environ.update(dict.fromkeys(THREADS, "1"))
+    try:
+        yield
+    finally:
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value

@@ -1,0 +1,245 @@
+// Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: the functions of ear.h.
+//
+// A model may be listened with by any number of ears, each on a thread of its own. An ear, and a mouth, belongs to one
+// thread at a time. Push and Weights allocate nothing, so the thread of the sound may call them.
+
+using System;
+using System.Collections.Generic;
+using System.Runtime.InteropServices;
+using System.Text;
+
+namespace PhonemeEar
+{
+    /// <summary>What a frame can be.</summary>
+    public enum Phoneme { Silence, Unidentified, Sz, Sch, M, P, I, A, E, U, O }
+
+    /// <summary>What lips and tongue show; None where nobody knows.</summary>
+    public enum Viseme { Sil, PP, FF, TH, DD, KK, CH, SS, NN, RR, AA, E, IH, OH, OU, None = 255 }
+
+    /// <summary>What cannot be done, in a sentence.</summary>
+    public sealed class EarException : Exception
+    {
+        public EarException(string message) : base(message) { }
+    }
+
+#pragma warning disable 0649 // the library writes these
+    /// <summary>What was heard in 10 ms.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Frame
+    {
+        /// <summary>It lasts from Number x 10 ms of the sound to 10 ms later.</summary>
+        public readonly uint Number;
+        public readonly Phoneme Phoneme;
+        public readonly Viseme Viseme;
+        /// <summary>How loud, 0..1.</summary>
+        public readonly float Intensity;
+        /// <summary>The share of such answers that are right, 0..1; NaN where nobody knows.</summary>
+        public readonly float Confidence;
+        private readonly float silence, unidentified, sz, sch, m, p, i, a, e, u, o;
+
+        /// <summary>Seconds.</summary>
+        public double Time => Number / 100.0;
+
+        /// <summary>How likely a phoneme is; 0 with rules, which name one only.</summary>
+        public float ScoreOf(Phoneme phoneme)
+        {
+            switch (phoneme)
+            {
+                case Phoneme.Silence: return silence;
+                case Phoneme.Unidentified: return unidentified;
+                case Phoneme.Sz: return sz;
+                case Phoneme.Sch: return sch;
+                case Phoneme.M: return m;
+                case Phoneme.P: return p;
+                case Phoneme.I: return i;
+                case Phoneme.A: return a;
+                case Phoneme.E: return e;
+                case Phoneme.U: return u;
+                default: return o;
+            }
+        }
+    }
+#pragma warning restore 0649
+
+    /// <summary>A preset, and what it knows.</summary>
+    public sealed class EarModel : IDisposable
+    {
+        internal IntPtr Handle { get; private set; }
+
+        /// <summary>Open the bytes of an .ear file; they are not needed afterwards.</summary>
+        public EarModel(byte[] preset)
+        {
+            Native.Check(Native.ear_model_open(preset, (UIntPtr)preset.Length, IntPtr.Zero, UIntPtr.Zero, out var handle));
+            Handle = handle;
+        }
+
+        public string Name => Native.Text(Native.ear_model_name(Handle));
+
+        /// <summary>For how long it waits before it says what a frame is, seconds.</summary>
+        public double LookAhead => Native.ear_model_look_ahead(Handle) / 100.0;
+
+        /// <summary>The number of a mouth table, such as "arkit".</summary>
+        public int FindTable(string name)
+        {
+            var number = Native.ear_table_find(Handle, Encoding.UTF8.GetBytes(name + "\0"));
+            if (number < 0)
+                throw new EarException($"the preset has no mouth table {name}; ship it with --table {name}, or choose another");
+            return number;
+        }
+
+        /// <summary>The blend shapes that a table moves, in the order of all weights.</summary>
+        public IReadOnlyList<string> Movestates(int table)
+        {
+            var names = new string[Native.ear_table_movestates(Handle, table)];
+            for (var k = 0; k < names.Length; k++)
+                names[k] = Native.Text(Native.ear_table_movestate(Handle, table, k));
+            return names;
+        }
+
+        /// <summary>The names of the shapes of a table, such as "B": for drawings.</summary>
+        public IReadOnlyList<string> Shapes(int table)
+        {
+            var names = new string[Native.ear_table_shapes(Handle, table)];
+            for (var k = 0; k < names.Length; k++)
+                names[k] = Native.Text(Native.ear_table_shape_name(Handle, table, k));
+            return names;
+        }
+
+        /// <summary>Which of a table's shapes goes with what was heard.</summary>
+        public int ShapeOf(int table, in Frame frame) =>
+            Native.ear_table_shape(Handle, table, (int)frame.Phoneme, (int)frame.Viseme);
+
+        public void Dispose()
+        {
+            Native.ear_model_close(Handle);
+            Handle = IntPtr.Zero;
+        }
+    }
+
+    /// <summary>Listens to one sound, mono, +-1, at any rate of 1..768 kHz. Close it before its model.</summary>
+    public sealed class Ear : IDisposable
+    {
+        private IntPtr handle;
+        private readonly int rate;
+
+        public Ear(EarModel model, int rate)
+        {
+            this.rate = rate;
+            Native.Check(Native.ear_open(model.Handle, (uint)Math.Max(0, rate), IntPtr.Zero, UIntPtr.Zero, out handle));
+        }
+
+        /// <summary>From the middle of a frame to when it is known, on the average, seconds.</summary>
+        public double Latency => Native.ear_latency(handle);
+
+        /// <summary>At least as many frames as come of n samples at once, and as Finish gives.</summary>
+        public int MostFrames(int n) => Math.Max(32, (int)((long)n * 100 / rate) + 2);
+
+        /// <summary>Take the first n samples, put the frames that became known into `frames`, and return their number.</summary>
+        public int Push(float[] samples, int n, Frame[] frames)
+        {
+            if (n > samples.Length)
+                throw new EarException($"{n} samples were promised, and there are {samples.Length}; hand in fewer");
+            Native.Check(Native.ear_push(handle, samples, (UIntPtr)n, frames, (UIntPtr)frames.Length, out var count));
+            return (int)count;
+        }
+
+        /// <summary>The sound is over: give its last frames, at most 32. Then the ear is as new.</summary>
+        public int Finish(Frame[] frames)
+        {
+            Native.Check(Native.ear_finish(handle, frames, (UIntPtr)frames.Length, out var count));
+            return (int)count;
+        }
+
+        /// <summary>Forget the sound, and begin another one.</summary>
+        public void Reset() => Native.ear_reset(handle);
+
+        public void Dispose()
+        {
+            Native.ear_close(handle);
+            handle = IntPtr.Zero;
+        }
+    }
+
+    /// <summary>Moves smoothly from shape to shape; equal seeds make equal mouths. Close it before its model.</summary>
+    public sealed class Mouth : IDisposable
+    {
+        private IntPtr handle;
+
+        public IReadOnlyList<string> Movestates { get; }
+
+        public Mouth(EarModel model, int table, int seed = 1)
+        {
+            Movestates = model.Movestates(table);
+            Native.Check(Native.ear_mouth_open(model.Handle, table, (uint)seed, IntPtr.Zero, UIntPtr.Zero, out handle));
+        }
+
+        /// <summary>Take what is heard from a time on, seconds of a clock of yours, which never goes back.</summary>
+        public void Hear(double time, in Frame frame) =>
+            Native.ear_mouth_hear(handle, time, (int)frame.Phoneme, (int)frame.Viseme, frame.Intensity);
+
+        /// <summary>Put the weights of its movestates at a time, 0..1, into `weights`; times never go back.</summary>
+        public void Weights(double time, float[] weights)
+        {
+            if (weights.Length < Movestates.Count)
+                throw new EarException($"a mouth of {Movestates.Count} movestates needs as much room, got {weights.Length}");
+            Native.ear_mouth_weights(handle, time, weights);
+        }
+
+        public void Dispose()
+        {
+            Native.ear_mouth_close(handle);
+            handle = IntPtr.Zero;
+        }
+    }
+
+    internal static class Native
+    {
+        internal const string Library = "ear";
+
+        internal static void Check(int code)
+        {
+            if (code != 0)
+                throw new EarException(Text(ear_error_text(code)));
+        }
+
+        internal static string Text(IntPtr start)
+        {
+            var n = 0;
+            while (Marshal.ReadByte(start, n) != 0)
+                n++;
+            var bytes = new byte[n];
+            Marshal.Copy(start, bytes, 0, n);
+            return Encoding.UTF8.GetString(bytes);
+        }
+
+        [DllImport(Library)] internal static extern IntPtr ear_error_text(int code);
+        [DllImport(Library)]
+        internal static extern int ear_model_open(byte[] bytes, UIntPtr n, IntPtr memory, UIntPtr size, out IntPtr model);
+        [DllImport(Library)] internal static extern void ear_model_close(IntPtr model);
+        [DllImport(Library)] internal static extern IntPtr ear_model_name(IntPtr model);
+        [DllImport(Library)] internal static extern int ear_model_look_ahead(IntPtr model);
+        [DllImport(Library)]
+        internal static extern int ear_open(IntPtr model, uint rate, IntPtr memory, UIntPtr size, out IntPtr listener);
+        [DllImport(Library)] internal static extern void ear_close(IntPtr listener);
+        [DllImport(Library)]
+        internal static extern int ear_push(
+            IntPtr listener, [In] float[] samples, UIntPtr n, [Out] Frame[] frames, UIntPtr most, out UIntPtr count);
+        [DllImport(Library)]
+        internal static extern int ear_finish(IntPtr listener, [Out] Frame[] frames, UIntPtr most, out UIntPtr count);
+        [DllImport(Library)] internal static extern void ear_reset(IntPtr listener);
+        [DllImport(Library)] internal static extern double ear_latency(IntPtr listener);
+        [DllImport(Library)] internal static extern int ear_table_find(IntPtr model, byte[] name);
+        [DllImport(Library)] internal static extern int ear_table_movestates(IntPtr model, int table);
+        [DllImport(Library)] internal static extern IntPtr ear_table_movestate(IntPtr model, int table, int movestate);
+        [DllImport(Library)] internal static extern int ear_table_shapes(IntPtr model, int table);
+        [DllImport(Library)] internal static extern int ear_table_shape(IntPtr model, int table, int phoneme, int viseme);
+        [DllImport(Library)] internal static extern IntPtr ear_table_shape_name(IntPtr model, int table, int shape);
+        [DllImport(Library)]
+        internal static extern int ear_mouth_open(
+            IntPtr model, int table, uint seed, IntPtr memory, UIntPtr size, out IntPtr mouth);
+        [DllImport(Library)] internal static extern void ear_mouth_close(IntPtr mouth);
+        [DllImport(Library)]
+        internal static extern void ear_mouth_hear(IntPtr mouth, double time, int phoneme, int viseme, float intensity);
+        [DllImport(Library)] internal static extern void ear_mouth_weights(IntPtr mouth, double time, [Out] float[] weights);
+    }
+}

@@ -1,0 +1,27 @@
+using System;
+using System.IO;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using Godot;
+
+namespace PhonemeEar
+{
+    /// <summary>Finds the library: beside these files while the game is made, and beside the program afterwards.</summary>
+    internal static class EarLibrary
+    {
+        private const string Folder = "res://addons/phoneme_ear";
+
+        internal static void Find() => NativeLibrary.SetDllImportResolver(Assembly.GetExecutingAssembly(), Load);
+
+        private static IntPtr Load(string name, Assembly assembly, DllImportSearchPath? path)
+        {
+            if (name != Native.Library)
+                return IntPtr.Zero;
+            var system = OS.GetName();
+            var file = system == "Windows" ? "ear.dll" : system == "macOS" ? "libear.dylib" : "libear.so";
+            var beside = Path.Combine(Path.GetDirectoryName(OS.GetExecutablePath()), file);
+            var found = File.Exists(beside) ? beside : ProjectSettings.GlobalizePath($"{Folder}/{file}");
+            return NativeLibrary.TryLoad(found, out var library) ? library : IntPtr.Zero;
+        }
+    }
+}

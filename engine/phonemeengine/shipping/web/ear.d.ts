@@ -1,0 +1,97 @@
+/** What a frame's viseme is where nobody knows it. */
+export const NO_VISEME = 255;
+
+/** What was heard in 10 ms. */
+export interface Frame {
+  /** It lasts from number x 10 ms of the sound to 10 ms later. */
+  readonly number: number;
+  /** Seconds. */
+  readonly time: number;
+  /** See EarModel.phonemes. */
+  readonly phoneme: number;
+  /** See EarModel.visemes; or NO_VISEME. */
+  readonly viseme: number;
+  /** How loud, 0..1. */
+  readonly intensity: number;
+  /** The share of such answers that are right, 0..1; NaN where nobody knows. */
+  readonly confidence: number;
+  /** How likely each phoneme is; all 0 with rules, which name one only. */
+  readonly scores: Float32Array;
+}
+
+/** What cannot be done, in a sentence. */
+export class EarError extends Error {}
+
+/** Read a frame from the bytes that the module wrote. */
+export function readFrame(bytes: Uint8Array): Frame;
+
+/** Fetch the module (ear.wasm) and a preset (preset.ear), and open them. */
+export function loadModel(wasm: string | URL, preset: string | URL): Promise<EarModel>;
+
+/** A preset, with the memory of all that listens with it. */
+export class EarModel {
+  /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file; `code`: the bytes of ear.wasm, for earNode. */
+  constructor(module: WebAssembly.Module, preset: Uint8Array, code?: Uint8Array | null);
+  readonly code: Uint8Array | null;
+  readonly preset: Uint8Array;
+  readonly name: string;
+  /** For how long it waits before it says what a frame is, seconds. */
+  readonly lookAhead: number;
+  readonly phonemes: readonly string[];
+  readonly visemes: readonly string[];
+  /** The names of its mouth tables. */
+  readonly tables: readonly string[];
+  /** Open an ear that listens to one sound of a sample rate, 1000..768000 Hz. */
+  ear(rate: number): Ear;
+  /** Open a mouth that moves by a table; equal seeds make equal mouths. */
+  mouth(table: string, seed?: number): Mouth;
+  /** The blend shapes that a table moves. */
+  movestates(table: string): string[];
+  /** The name of the shape that a table has for what was heard, such as "B". */
+  shapeOf(table: string, heard: Pick<Frame, "phoneme" | "viseme">): string;
+}
+
+/** Listens to one sound; made by EarModel.ear. */
+export class Ear {
+  private constructor();
+  /** From the middle of a frame to when it is known, on the average, seconds. */
+  readonly latency: number;
+  /** The bytes of the frames that `take` found, for readFrame. */
+  readonly slots: readonly Uint8Array[];
+  /** Take samples, at most 4096, and return how many frames became known. Allocates nothing. */
+  take(samples: Float32Array): number;
+  /** Take samples, as many as you like, and return the frames that became known. */
+  push(samples: Float32Array): Frame[];
+  /** The sound is over: return its last frames. Then the ear is as new. */
+  finish(): Frame[];
+  /** Forget the sound, and begin another one. */
+  reset(): void;
+  /** Give its memory back; it is of no use any more. */
+  close(): void;
+}
+
+/** Moves smoothly from shape to shape; made by EarModel.mouth. */
+export class Mouth {
+  private constructor();
+  readonly movestates: readonly string[];
+  /** Take what is heard from a time on, seconds of a clock of yours, which never goes back. */
+  hear(time: number, heard: Pick<Frame, "phoneme" | "viseme" | "intensity">): void;
+  /** The weights of its movestates at a time, 0..1; times never go back. */
+  weights(time: number): Float32Array;
+  /** Give its memory back; it is of no use any more. */
+  close(): void;
+}
+
+/**
+ * Make a node that listens in the thread of the sound. Connect a source to it; it is silent itself.
+ * `hear` is called with each frame, in the thread of the page. `worklet`: where ear-worklet.js is, if not beside ear.js.
+ */
+export function earNode(
+  context: AudioContext,
+  model: EarModel,
+  hear: (frame: Frame) => void,
+  worklet?: string | URL,
+): Promise<AudioWorkletNode>;
+
+/** Ask for a microphone as it is, without what browsers do to a voice in calls. */
+export function openMicrophone(): Promise<MediaStream>;

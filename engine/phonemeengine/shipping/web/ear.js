@@ -1,0 +1,288 @@
+/*
+ * Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: ear.wasm, with a preset.
+ *
+ *     const model = await loadModel("ear.wasm", "preset.ear");
+ *     const context = new AudioContext();
+ *     const node = await earNode(context, model, (frame) => console.log(model.phonemes[frame.phoneme]));
+ *     context.createMediaStreamSource(await openMicrophone()).connect(node);
+ */
+
+const FRAME_BYTES = 64;
+const MOST_SAMPLES = 4096; // that are handed to the module at once
+const LAST_FRAMES = 32; // that a sound's end gives at most
+const PHONEMES = 11;
+const VISEMES = 15;
+
+/** What a frame's viseme is where nobody knows it. */
+export const NO_VISEME = 255;
+
+/** What cannot be done, in a sentence. */
+export class EarError extends Error {
+  name = "EarError";
+}
+
+/** Read a frame from the bytes that the module wrote. */
+export function readFrame(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, FRAME_BYTES);
+  const number = view.getUint32(0, true);
+  return {
+    number,
+    time: number / 100,
+    phoneme: view.getInt32(4, true),
+    viseme: view.getInt32(8, true),
+    intensity: view.getFloat32(12, true),
+    confidence: view.getFloat32(16, true),
+    scores: Float32Array.from({ length: PHONEMES }, (_, k) => view.getFloat32(20 + 4 * k, true)),
+  };
+}
+
+/** Fetch the module and a preset, and open them. */
+export async function loadModel(wasm, preset) {
+  const [code, content] = await Promise.all([fetchBytes(wasm), fetchBytes(preset)]);
+  return new EarModel(await WebAssembly.compile(code), content, code);
+}
+
+async function fetchBytes(place) {
+  const answer = await fetch(place);
+  if (!answer.ok) throw new EarError(`${place}: it cannot be loaded (${answer.status}); check its address`);
+  return new Uint8Array(await answer.arrayBuffer());
+}
+
+/** A preset, with the memory of all that listens with it. */
+export class EarModel {
+  #c;
+  #model;
+
+  /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file; `code`: the bytes of ear.wasm, for earNode. */
+  constructor(module, preset, code = null) {
+    this.#c = new WebAssembly.Instance(module, {}).exports;
+    this.#c._initialize();
+    this.code = code;
+    this.preset = preset;
+    const bytes = this.#allocate(preset.length);
+    new Uint8Array(this.#c.memory.buffer).set(preset, bytes);
+    try {
+      this.#model = this.#made((place) => this.#c.ear_model_open(bytes, preset.length, 0, 0, place));
+    } finally {
+      this.#c.free(bytes);
+    }
+    this.name = this.#text(this.#c.ear_model_name(this.#model));
+    this.lookAhead = this.#c.ear_model_look_ahead(this.#model) / 100;
+    this.phonemes = this.#list(PHONEMES, (k) => this.#c.ear_phoneme_name(k));
+    this.visemes = this.#list(VISEMES, (k) => this.#c.ear_viseme_name(k));
+    this.tables = this.#list(this.#c.ear_table_count(this.#model), (k) => this.#c.ear_table_name(this.#model, k));
+  }
+
+  /** Open an ear that listens to one sound of a sample rate. */
+  ear(rate) {
+    const ear = this.#made((place) => this.#c.ear_open(this.#model, rate, 0, 0, place));
+    const room = Math.max(Math.floor((MOST_SAMPLES * 100) / rate) + 2, LAST_FRAMES);
+    const buffers = {
+      samples: this.#allocate(4 * MOST_SAMPLES),
+      frames: this.#allocate(FRAME_BYTES * room),
+      count: this.#allocate(4),
+    };
+    return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code));
+  }
+
+  /** Open a mouth that moves by a table. */
+  mouth(table, seed = 1) {
+    const number = this.#numberOf(table);
+    const mouth = this.#made((place) => this.#c.ear_mouth_open(this.#model, number, seed, 0, 0, place));
+    const movestates = this.movestates(table);
+    return new Mouth(this.#c, mouth, movestates, this.#allocate(4 * movestates.length));
+  }
+
+  /** The blend shapes that a table moves. */
+  movestates(table) {
+    const number = this.#numberOf(table);
+    const n = this.#c.ear_table_movestates(this.#model, number);
+    return this.#list(n, (k) => this.#c.ear_table_movestate(this.#model, number, k));
+  }
+
+  /** The name of the shape that a table has for what was heard, such as "B". */
+  shapeOf(table, { phoneme, viseme }) {
+    const number = this.#numberOf(table);
+    const shape = this.#c.ear_table_shape(this.#model, number, phoneme, viseme);
+    return this.#text(this.#c.ear_table_shape_name(this.#model, number, shape));
+  }
+
+  #numberOf(table) {
+    const number = this.tables.indexOf(table);
+    if (number < 0) {
+      throw new EarError(`there is no mouth table ${table}; choose one of ${this.tables.join(", ")}, or ship it`);
+    }
+    return number;
+  }
+
+  #made(open) {
+    const place = this.#allocate(4);
+    try {
+      this.#check(open(place));
+      return new Uint32Array(this.#c.memory.buffer, place, 1)[0];
+    } finally {
+      this.#c.free(place);
+    }
+  }
+
+  #allocate(n) {
+    const place = this.#c.malloc(n);
+    if (!place) throw new EarError("there is not enough memory left for an ear; close another page");
+    return place;
+  }
+
+  #check(code) {
+    if (code) throw new EarError(this.#text(this.#c.ear_error_text(code)));
+  }
+
+  #list(n, at) {
+    return Array.from({ length: n }, (_, k) => this.#text(at(k)));
+  }
+
+  #text(start) {
+    const bytes = new Uint8Array(this.#c.memory.buffer);
+    let code = ""; // an audio worklet has no TextDecoder
+    for (let at = start; bytes[at]; at++) code += `%${bytes[at].toString(16).padStart(2, "0")}`;
+    return decodeURIComponent(code);
+  }
+}
+
+/** Listens to one sound; made by EarModel.ear. */
+export class Ear {
+  #c;
+  #ear;
+  #buffers;
+  #room;
+  #check;
+  #memory;
+  #samples;
+  #count;
+
+  constructor(c, ear, buffers, room, check) {
+    this.#c = c;
+    this.#ear = ear;
+    this.#buffers = buffers;
+    this.#room = room;
+    this.#check = check;
+    this.latency = c.ear_latency(ear);
+    this.#look();
+  }
+
+  /** Take samples, at most 4096, and return how many frames became known; their bytes lie in `slots`. Allocates nothing. */
+  take(samples) {
+    if (this.#memory !== this.#c.memory.buffer) this.#look();
+    this.#samples.set(samples);
+    const { samples: from, frames, count } = this.#buffers;
+    const code = this.#c.ear_push(this.#ear, from, samples.length, frames, this.#room, count);
+    if (code) this.#check(code);
+    return this.#count[0];
+  }
+
+  /** Take samples, as many as you like, and return the frames that became known. */
+  push(samples) {
+    const found = [];
+    for (let at = 0; at < samples.length; at += MOST_SAMPLES) {
+      const n = this.take(samples.subarray(at, at + MOST_SAMPLES));
+      for (let k = 0; k < n; k++) found.push(readFrame(this.slots[k]));
+    }
+    return found;
+  }
+
+  /** The sound is over: return its last frames. Then the ear is as new. */
+  finish() {
+    if (this.#memory !== this.#c.memory.buffer) this.#look();
+    this.#check(this.#c.ear_finish(this.#ear, this.#buffers.frames, this.#room, this.#buffers.count));
+    return this.slots.slice(0, this.#count[0]).map(readFrame);
+  }
+
+  /** Forget the sound, and begin another one. */
+  reset() {
+    this.#c.ear_reset(this.#ear);
+  }
+
+  /** Give its memory back; it is of no use any more. */
+  close() {
+    this.#c.ear_close(this.#ear);
+    Object.values(this.#buffers).forEach((place) => this.#c.free(place));
+  }
+
+  /** Look at the module's memory anew, which moves when it grows. */
+  #look() {
+    const { samples, frames, count } = this.#buffers;
+    this.#memory = this.#c.memory.buffer;
+    this.#samples = new Float32Array(this.#memory, samples, MOST_SAMPLES);
+    this.#count = new Uint32Array(this.#memory, count, 1);
+    const slot = (_, k) => new Uint8Array(this.#memory, frames + FRAME_BYTES * k, FRAME_BYTES);
+    this.slots = Array.from({ length: this.#room }, slot);
+  }
+}
+
+/** Moves smoothly from shape to shape; made by EarModel.mouth. */
+export class Mouth {
+  #c;
+  #mouth;
+  #weights;
+
+  constructor(c, mouth, movestates, weights) {
+    this.#c = c;
+    this.#mouth = mouth;
+    this.#weights = weights;
+    this.movestates = movestates;
+  }
+
+  /** Take what is heard from a time on, seconds of a clock of yours, which never goes back. */
+  hear(time, { phoneme, viseme, intensity }) {
+    this.#c.ear_mouth_hear(this.#mouth, time, phoneme, viseme, intensity);
+  }
+
+  /** The weights of its movestates at a time, 0..1; times never go back. */
+  weights(time) {
+    this.#c.ear_mouth_weights(this.#mouth, time, this.#weights);
+    return new Float32Array(this.#c.memory.buffer, this.#weights, this.movestates.length).slice();
+  }
+
+  /** Give its memory back; it is of no use any more. */
+  close() {
+    this.#c.ear_mouth_close(this.#mouth);
+    this.#c.free(this.#weights);
+  }
+}
+
+/**
+ * Make a node that listens in the thread of the sound. Connect a source to it; it is silent itself.
+ * `hear` is called with each frame, in the thread of the page.
+ */
+export async function earNode(context, model, hear, worklet = new URL("./ear-worklet.js", import.meta.url)) {
+  if (!context.audioWorklet) {
+    throw new EarError("this page may not listen; open it by https or from localhost, in a current browser");
+  }
+  model.ear(context.sampleRate).close(); // refuses a rate that no ear can have, here and not in the other thread
+  await context.audioWorklet.addModule(worklet);
+  const node = new AudioWorkletNode(context, "phoneme-ear", {
+    channelCount: 1,
+    channelCountMode: "explicit",
+    processorOptions: { code: model.code, preset: model.preset },
+  });
+  node.port.onmessage = ({ data }) => hear(readFrame(data));
+  node.connect(context.destination); // what leads nowhere is not asked to listen
+  return node;
+}
+
+/** Ask for a microphone as it is: what browsers do for calls hides what an ear needs. */
+export async function openMicrophone() {
+  if (!navigator.mediaDevices) {
+    throw new EarError("only pages from https or localhost may use a microphone; open this page from there");
+  }
+  const asIs = { autoGainControl: false, echoCancellation: false, noiseSuppression: false };
+  try {
+    return await navigator.mediaDevices.getUserMedia({ audio: asIs });
+  } catch (error) {
+    throw new EarError(REFUSALS[error.name] ?? `the microphone cannot be opened (${error.message}); try another one`);
+  }
+}
+
+const REFUSALS = {
+  NotAllowedError: "this page may not use the microphone; allow it in the browser's address bar, and try again",
+  NotFoundError: "there is no microphone; connect one, and try again",
+  NotReadableError: "the microphone cannot be opened; close other programs that may use it, and try again",
+};

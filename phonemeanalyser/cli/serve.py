@@ -1,0 +1,52 @@
+"""``phonemeanalyser serve``: hear streams of speech, and export files, for programs that ask over the network."""
+
+import argparse
+import asyncio
+import gc
+from contextlib import AbstractAsyncContextManager
+from dataclasses import fields
+from pathlib import Path
+
+from phonemeanalyser.cli.arguments import add_preset, number_in, whole_in
+from phonemeanalyser.cli.extras import module_that_serves
+from phonemeanalyser.cli.listen import ended_by_signals
+from phonemeanalyser.server.access import Access, token_in
+from phonemeanalyser.server.limits import LIMITS, USUAL_HOST, USUAL_PORT, ServerLimits
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Say where it is served, to whom, and how much."""
+    parser.add_argument("--host", default=USUAL_HOST, help=f"address (default: {USUAL_HOST}, this machine alone)")
+    port = f"port; 0 takes a free one (default: {USUAL_PORT})"
+    parser.add_argument("--port", type=whole_in(0, 65_535), default=USUAL_PORT, metavar="P", help=port)
+    token = "file with the token that clients must know; without one, only this machine is served"  # noqa: S105
+    parser.add_argument("--token-file", type=Path, metavar="FILE", help=token)
+    origin = "page of another machine that may ask without a token, such as https://example.org; again for more"
+    parser.add_argument("--origin", action="append", default=[], metavar="URL", help=origin)
+    add_preset(parser)
+    for limit in fields(ServerLimits):
+        low, high, unit, words = LIMITS[limit.name]
+        kind = whole_in(int(low), high, unit) if isinstance(limit.default, int) else number_in(low, high, unit)
+        help_words = f"{words} (default: {limit.default:g} {unit}".rstrip() + ")"
+        name = f"--{limit.name.replace('_', '-')}"
+        parser.add_argument(name, type=kind, default=limit.default, metavar="N", help=help_words)
+
+
+def run(options: argparse.Namespace) -> int:
+    """Serve until Ctrl-C."""
+    service = module_that_serves()
+    token = None if options.token_file is None else token_in(options.token_file)
+    limits = ServerLimits(**{limit.name: getattr(options, limit.name) for limit in fields(ServerLimits)})
+    access = Access(token, tuple(options.origin))
+    settings = service.ServerSettings(options.preset, options.host, options.port, access, limits)
+    with ended_by_signals():
+        asyncio.run(_serve(service.serving(settings), options.host))
+    return 0
+
+
+async def _serve(serving: AbstractAsyncContextManager[int], host: str) -> None:
+    async with serving as port:
+        gc.freeze()  # what is there stays: looking through it would only hold streams up
+        shown = f"[{host}]" if ":" in host else host
+        print(f"serving http://{shown}:{port}, streams at ws://{shown}:{port}/stream; Ctrl-C ends it", flush=True)
+        await asyncio.Event().wait()

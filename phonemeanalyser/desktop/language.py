@@ -1,0 +1,63 @@
+"""The language of the window: English, in which its texts are written, or another one by Qt's translations."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
+
+LANGUAGES = {"en": "English", "de": "Deutsch"}
+"""What each language calls itself; texts are written in the first one."""
+SYSTEM = "system"
+"""What stands in the settings where the system's language is to be followed."""
+WRITTEN_IN = "en"
+CONTEXT = "PhonemeAnalyser"
+"""Under which Qt finds all texts of the window."""
+TRANSLATIONS = Path(__file__).parent / "translations"
+
+
+def tr(text: str, comment: str = "") -> str:
+    """Return a text in the language of the window.
+
+    Parameters
+    ----------
+    text : in English; named places such as ``{n}`` stay, and are filled by the caller.
+    comment : tells two texts apart that are one in English only.
+    """
+    return QCoreApplication.translate(CONTEXT, text, comment or None)
+
+
+def tr_noop(text: str) -> str:
+    """Return a text as it is, which `tr` is given later: for tables that are made before the language is known."""
+    return text
+
+
+def tr_count(one: str, many: str, n: int) -> str:
+    """Return the text for one or for any other number of things, with its place ``{n}`` filled."""
+    return tr(one if n == 1 else many).format(n=n)
+
+
+def tr_amid(text: str) -> str:
+    """Return a title as it stands amid a sentence: small in English, while other languages keep their capitals."""
+    found = tr(text)
+    return found.lower() if found == text else found
+
+
+def language_of(choice: str, system: QLocale | None = None) -> str:
+    """Return the language that a choice of the user means: itself, or the first one of the system that there is."""
+    if choice in LANGUAGES:
+        return choice
+    asked = (system or QLocale.system()).uiLanguages()
+    return next((name[:2] for name in asked if name[:2] in LANGUAGES), WRITTEN_IN)
+
+
+def use_language(app: QCoreApplication, language: str) -> None:
+    """Have all texts that are made from now on be in a language, those of Qt's own dialogs, too."""
+    for translator in app.findChildren(QTranslator):
+        app.removeTranslator(translator)
+        translator.setParent(None)
+    if language == WRITTEN_IN:
+        return
+    of_qt = Path(QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
+    for folder, name in ((of_qt, "qtbase"), (TRANSLATIONS, "phonemeanalyser")):
+        translator = QTranslator(app)
+        if translator.load(f"{name}_{language}", str(folder)):
+            app.installTranslator(translator)

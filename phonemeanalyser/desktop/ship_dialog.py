@@ -1,0 +1,162 @@
+"""A preset for programs without Python: which one, for what, and where it goes."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QSettings, Qt, Signal
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QListWidget,
+    QListWidgetItem,
+    QPushButton,
+    QWidget,
+)
+
+from phonemeanalyser.desktop.language import tr
+from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.presets.entries import PresetEntry
+from phonemeengine.presets.files import load_preset
+from phonemeengine.presets.preset import Preset
+from phonemeengine.shipping.folder import USUAL_TABLES, ship
+from phonemeengine.shipping.targets import TARGETS
+
+WIDTH = 520
+CHECKED = Qt.CheckState.Checked
+
+
+@dataclass(frozen=True)
+class ShipOrder:
+    """What is shipped, as `phonemeengine.ship` takes it; of a preset that is not in hand, the file."""
+
+    preset: Preset | Path
+    folder: Path
+    target: str
+    tables: tuple[str, ...]
+    overwrite: bool = False
+
+    def write(self) -> tuple[Path, ...]:
+        """Write the folder; return its files.
+
+        Raises
+        ------
+        EngineError : it cannot be shipped, or not written.
+        """
+        preset = load_preset(self.preset) if isinstance(self.preset, Path) else self.preset
+        return ship(preset, self.folder, self.target, tables=self.tables, overwrite=self.overwrite)
+
+
+class ShipDialog(QDialog):
+    """Asks what is shipped.
+
+    Parameters
+    ----------
+    preset : the one in hand.
+    sections : other presets to choose from, by heading.
+
+    Attributes
+    ----------
+    preset, target, tables, folder, overwrite : choices.
+    choose, start : buttons.
+
+    Signals
+    -------
+    ordered : the user wants this `ShipOrder` to be written.
+    """
+
+    ordered = Signal(object)
+
+    def __init__(
+        self,
+        preset: Preset,
+        sections: Mapping[str, tuple[PresetEntry, ...]],
+        settings: QSettings,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self._in_hand, self._settings = preset, settings
+        self.setWindowTitle(tr("Ship a Preset"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setMinimumWidth(WIDTH)
+        self.preset, self.target, self.tables = QComboBox(), QComboBox(), QListWidget()
+        self.folder, self.choose = QLineEdit(), QPushButton(tr("Choose…"))
+        self.overwrite = QCheckBox(tr("replace files that were changed there, too"))
+        self._fill(sections)
+        self._lay_out()
+
+    def order(self) -> ShipOrder:
+        """Return what is chosen."""
+        items = [self.tables.item(row) for row in range(self.tables.count())]
+        tables = tuple(item.text() for item in items if item.checkState() == CHECKED)
+        chosen = self.preset.currentData() or self._in_hand
+        folder = Path(self.folder.text()).expanduser()
+        return ShipOrder(chosen, folder, self.target.currentData(), tables, self.overwrite.isChecked())
+
+    def accept(self) -> None:
+        """Order it, and close."""
+        order = self.order()
+        self._settings.setValue("ship/target", order.target)
+        self._settings.setValue("folder/ship", str(order.folder))
+        super().accept()
+        self.ordered.emit(order)
+
+    def _fill(self, sections: Mapping[str, tuple[PresetEntry, ...]]) -> None:
+        self.preset.addItem(tr("{preset}, as it is in hand").format(preset=self._in_hand.name), None)
+        for heading, entries in sections.items():
+            for entry in entries:
+                self.preset.addItem(f"{heading}: {entry.name}", entry.path)
+        for name, target in TARGETS.items():
+            self.target.addItem(f"{name}: {tr(target.words)}", name)
+        self.target.setCurrentIndex(max(0, self.target.findData(str(self._settings.value("ship/target", "c")))))
+        for name in shipped_tables():
+            item = QListWidgetItem(name, self.tables)
+            item.setCheckState(CHECKED if name in USUAL_TABLES else Qt.CheckState.Unchecked)
+        self.folder.setText(str(self._settings.value("folder/ship", "")))
+        self.folder.setPlaceholderText(tr("a folder of its own"))
+
+    def _lay_out(self) -> None:
+        place = QHBoxLayout()
+        place.addWidget(self.folder, 1)
+        place.addWidget(self.choose)
+        words = QLabel(
+            tr("The folder has the preset, an ear that hears with it, and a README that says how to go on.")
+        )
+        words.setWordWrap(True)
+        form = QFormLayout(self)
+        form.addRow(tr("Preset"), self.preset)
+        form.addRow(tr("For"), self.target)
+        form.addRow(tr("Mouth tables"), self.tables)
+        form.addRow(tr("Folder"), place)
+        form.addRow("", self.overwrite)
+        form.addRow(words)
+        for widget, name in (
+            (self.preset, tr("Preset")), (self.target, tr("For")), (self.tables, tr("Mouth tables")),
+            (self.folder, tr("Folder")),
+        ):  # fmt: skip
+            widget.setAccessibleName(name)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        self.start = buttons.addButton(tr("Ship"), QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        form.addRow(buttons)
+        self.choose.clicked.connect(self._ask_folder)
+        self.folder.textChanged.connect(self._allow)
+        self._allow()
+
+    def _allow(self) -> None:
+        self.start.setEnabled(bool(self.folder.text().strip()))
+
+    def _ask_folder(self) -> None:
+        name = QFileDialog.getExistingDirectory(
+            self, tr("Where the ear goes"), self.folder.text() or str(Path.home())
+        )
+        if name:
+            self.folder.setText(name)

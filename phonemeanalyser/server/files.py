@@ -1,0 +1,204 @@
+"""Whole files over HTTP: a sound comes in, and what the command ``export`` makes of it goes out.
+
+Each is exported by that command, in a process of its own: a damaged file, a huge one or a client that has gone takes
+nothing with it, and live streams go first.
+"""
+
+import asyncio
+import contextlib
+import math
+import os
+import subprocess
+import sys
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from aiohttp import BodyPartReader, web
+
+from phonemeanalyser.server.limits import MEGABYTE, ServerLimits
+from phonemeanalyser.server.refused import RefusedError
+from phonemeengine import FORMATS
+from phonemeengine.mouth.table import shipped_tables
+
+CHUNK = 1 << 16
+SOUND = "sound"
+FIELDS = ("format", "table", "fps", "text", "language")
+"""What may stand beside the sound, each as the option of ``export`` of that name."""
+NICE = 10
+LONGEST_FIELD = 64
+"""Characters of a field other than the text."""
+KINDS = {
+    ".json": "application/json", ".xml": "application/xml", ".csv": "text/csv", ".glb": "model/gltf-binary",
+    ".tsv": "text/tab-separated-values",
+}  # fmt: skip
+"""Media types by the ending of a format; all others are plain text."""
+GENTLY = getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)
+"""Flags of a process on Windows, so that streams go first; elsewhere there are none."""
+
+
+@dataclass
+class FileRequest:
+    """What a client asks for.
+
+    Attributes
+    ----------
+    sound : the file that it sent.
+    words : what stood beside it, by the names of `FIELDS`.
+    """
+
+    sound: Path
+    words: dict[str, str] = field(default_factory=dict)
+
+    def arguments(self, preset: Path, out: Path) -> list[str]:
+        """Return the arguments of ``export``.
+
+        Raises
+        ------
+        RefusedError : the client asks for what is not there.
+        """
+        words = self.words
+        if not self.sound.exists():
+            raise RefusedError(f"there is no sound in the request; send it as the field {SOUND}")
+        if words.get("format") not in FORMATS:
+            raise RefusedError(f"there is no format {words.get('format', '')!a}; ask for one of {', '.join(FORMATS)}")
+        if words.get("table", shipped_tables()[0]) not in shipped_tables():
+            raise RefusedError(
+                f"there is no mouth table {words['table']!a}; choose one of {', '.join(shipped_tables())}"
+            )
+        if "language" in words and "text" not in words:
+            raise RefusedError("language is that of a text; send the text, too, or leave the language out")
+        given = [f"--{name}={words[name]}" for name in ("format", "table", "language") if name in words]
+        if "fps" in words:
+            given.append(f"--fps={_number(words['fps'])}")
+        if "text" in words:
+            script = self.sound.with_name("text.txt")
+            script.write_text(words["text"].replace("\t", " "), encoding="utf-8")
+            given.append(f"--script={script}")
+        return [str(self.sound), f"--preset={preset}", f"--out={out}", *given]
+
+
+class FileExporter:
+    """Exports files that clients send, a few at a time.
+
+    Parameters
+    ----------
+    preset : the file of the preset.
+    limits : of the server.
+    """
+
+    def __init__(self, preset: Path, limits: ServerLimits) -> None:
+        self._preset, self._limits = preset, limits
+        self._turn = asyncio.Semaphore(limits.most_files)
+
+    async def handle(self, request: web.Request) -> web.StreamResponse:
+        """Answer a request.
+
+        Raises
+        ------
+        RefusedError : it asks for something impossible, or takes too long.
+        """
+        try:
+            async with asyncio.timeout(self._limits.file_seconds):
+                with tempfile.TemporaryDirectory(prefix="phonemeanalyser-") as folder:
+                    asked = await self._received(request, Path(folder))
+                    form = FORMATS.get(asked.words.get("format", ""))
+                    out = Path(folder) / f"mouth{form.ending if form else ''}"
+                    arguments = asked.arguments(self._preset, out)
+                    async with self._turn:
+                        await _run(["export", *arguments])
+                    return await _sent(request, out)
+        except TimeoutError:
+            raise RefusedError(
+                f"the file took longer than {self._limits.file_seconds:g} s; send a shorter one, or try later", 503
+            ) from None
+
+    async def _received(self, request: web.Request, folder: Path) -> FileRequest:
+        asked = FileRequest(folder / SOUND)
+        if not request.content_type.startswith("multipart/"):
+            raise RefusedError(f"send a form (multipart/form-data) with the fields {SOUND}, {', '.join(FIELDS)}", 415)
+        try:
+            reader = await request.multipart()
+            while (part := await reader.next()) is not None:
+                if not isinstance(part, BodyPartReader) or part.name not in (SOUND, *FIELDS):
+                    raise RefusedError(f"there is no such field; a form has {SOUND}, {', '.join(FIELDS)}")
+                if part.name == SOUND:
+                    await self._keep(part, asked.sound)
+                else:
+                    asked.words[part.name] = await self._text_of(part)
+        except (ValueError, RuntimeError) as error:
+            raise RefusedError("the form is damaged or cut off; send it again") from error
+        return asked
+
+    async def _keep(self, part: BodyPartReader, path: Path) -> None:
+        n = 0
+        with path.open("wb") as file:
+            while chunk := await part.read_chunk(CHUNK):
+                n += len(chunk)
+                if n > self._limits.largest_file * MEGABYTE:
+                    raise RefusedError(f"a file may have {self._limits.largest_file:g} MB; send a shorter one", 413)
+                file.write(chunk)
+
+    async def _text_of(self, part: BodyPartReader) -> str:
+        most = self._limits.most_text if part.name == "text" else LONGEST_FIELD
+        too_long = RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
+        content = bytearray()
+        while chunk := await part.read_chunk(CHUNK):
+            content += chunk
+            if len(content) > 4 * most:
+                raise too_long
+        try:
+            words = content.decode()
+        except UnicodeDecodeError:
+            raise RefusedError(f"the field {part.name} is no text in UTF-8; send it as such") from None
+        if len(words) > most:
+            raise too_long
+        return words
+
+
+async def _run(arguments: list[str]) -> None:
+    """Run a command of this program; what it refuses is refused.
+
+    The process is killed where nobody waits for it any more.
+    """
+    words = [sys.executable, "-m", "phonemeanalyser", *arguments]
+    pipe = asyncio.subprocess.PIPE
+    process = await asyncio.create_subprocess_exec(
+        *words, stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.DEVNULL, stderr=pipe, creationflags=GENTLY
+    )
+    if not GENTLY:
+        with contextlib.suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, process.pid, NICE)
+    try:
+        _, said = await process.communicate()
+    finally:
+        if process.returncode is None:
+            process.kill()
+            await process.wait()
+    if process.returncode:
+        lines = said.decode(errors="replace").strip().splitlines() or ["the file cannot be exported"]
+        raise RefusedError(lines[-1].removeprefix("phonemeanalyser: "))
+
+
+async def _sent(request: web.Request, path: Path) -> web.StreamResponse:
+    """Answer with a file that is there no longer afterwards."""
+    answer = web.StreamResponse()
+    answer.content_type = KINDS.get(path.suffix, "text/plain")
+    answer.content_length = path.stat().st_size
+    answer.force_close()
+    await answer.prepare(request)
+    with path.open("rb") as file:
+        while chunk := file.read(CHUNK):
+            await answer.write(chunk)
+    await answer.write_eof()
+    return answer
+
+
+def _number(words: str) -> float:
+    try:
+        value = float(words)
+    except ValueError:
+        value = math.nan
+    if not math.isfinite(value):
+        raise RefusedError(f"fps must be a number of frames per second, got {words!a}")
+    return value

@@ -1,0 +1,52 @@
+"""Where a server is usually reached, and what it grants those who ask it."""
+
+import math
+from dataclasses import dataclass
+
+from phonemeengine import SettingsError
+
+USUAL_HOST, USUAL_PORT = "127.0.0.1", 8765
+MEGABYTE = 1 << 20
+PER_MESSAGE = 0.005
+"""Seconds of sound that a message counts for besides what it holds: whoever cuts sound too fine is slowed down."""
+AHEAD = 5.0
+"""Seconds of sound that a stream may be ahead of its clock before it is slowed down."""
+
+LIMITS: dict[str, tuple[float, float, str, str]] = {
+    "most_streams": (1, 10_000, "", "streams at a time"),
+    "most_connections": (1, 20_000, "", "connections at a time, streams and files together"),
+    "most_speed": (1, 1000, "", "times as fast as it is spoken that a stream is read"),
+    "idle": (1, 86_400, "s", "how long a client may send nothing, or take nothing, before it is let go"),
+    "largest_message": (0.001, 1024, "MB", "size of a message of a stream"),
+    "most_text": (0, 10_000_000, "", "characters of the text of a stream, or a file"),
+    "largest_file": (0.001, 100_000, "MB", "size of a sound file"),
+    "most_files": (1, 1000, "", "files that are exported at a time; others wait"),
+    "file_seconds": (1, 86_400, "s", "how long a file may take, from its first byte on"),
+}
+"""Least, most, unit, and what each is."""
+
+
+@dataclass(frozen=True)
+class ServerLimits:
+    """What each of these is stands in `LIMITS`.
+
+    Raises
+    ------
+    SettingsError : one lies outside its range.
+    """
+
+    most_streams: int = 64
+    most_connections: int = 128
+    most_speed: float = 4.0
+    idle: float = 30.0
+    largest_message: float = 1.0
+    most_text: int = 100_000
+    largest_file: float = 64.0
+    most_files: int = 1
+    file_seconds: float = 300.0
+
+    def __post_init__(self) -> None:
+        for name, (low, high, unit, words) in LIMITS.items():
+            value = getattr(self, name)
+            if not (math.isfinite(value) and low <= value <= high):
+                raise SettingsError(f"{words}: must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}")

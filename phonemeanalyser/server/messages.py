@@ -1,0 +1,174 @@
+"""What a stream and its client say to each other, as JSON, strictly read."""
+
+import functools
+import json
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import numpy as np
+
+from phonemeanalyser.server.refused import RefusedError
+from phonemeengine import GrownWords, MouthTable, Phoneme, Viseme, Word, load_table, viseme_of
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.incoming import Encoding, StreamFormat
+from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
+from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.settings import FRAME_PERIOD
+
+_PHONEMES = [phoneme.label for phoneme in Phoneme]
+_VISEMES: list[str | None] = [*(viseme.label for viseme in Viseme), *[None] * (256 - len(Viseme))]
+_START = ("encoding", "rate", "channels", "table", "language", "text")
+_LATER = ("text", "end")
+_T = TypeVar("_T", int, str)
+
+
+@dataclass(frozen=True)
+class StreamStart:
+    """What a client says first.
+
+    Attributes
+    ----------
+    form : what the bytes are that follow.
+    table : the mouth whose weights it wants; None for none.
+    language : of the text; empty where none will come.
+    text : the beginning of what is said, as far as it is known.
+    """
+
+    form: StreamFormat
+    table: MouthTable | None = None
+    language: str = ""
+    text: str = ""
+
+
+@dataclass(frozen=True)
+class LaterWords:
+    """What a client says between its sound: more of the text, or that the sound has ended."""
+
+    text: str = ""
+    end: bool = False
+
+
+def start_of(message: str) -> StreamStart:
+    """Read what a client says first.
+
+    Raises
+    ------
+    EngineError : it is something else.
+    """
+    told = _object_in(message, _START)
+    name = _value(told, "encoding", str, Encoding.S16.value)
+    if name not in {encoding.value for encoding in Encoding}:
+        raise RefusedError(f"there is no encoding {name[:40]!r}; send {', '.join(Encoding)}")
+    encoding = Encoding(name)
+    if "rate" not in told and encoding is not Encoding.OPUS:
+        raise RefusedError("the first message has no rate; say how many samples a second has")
+    rate = _value(told, "rate", int, 48_000)
+    form = StreamFormat(encoding, rate, _value(told, "channels", int, 1))
+    language, text = _value(told, "language", str, ""), _value(told, "text", str, "")
+    if text and not language:
+        raise RefusedError("the text has no language; name it in the first message, such as en-us or de")
+    return StreamStart(form, _table_named(_value(told, "table", str, "")), language, text)
+
+
+def later_words_of(message: str) -> LaterWords:
+    """Read what a client says between its sound.
+
+    Raises
+    ------
+    RefusedError : it is something else.
+    """
+    told = _object_in(message, _LATER)
+    end = told.get("end", False)
+    if not isinstance(end, bool):
+        raise RefusedError(f"end must be true or false, got {_shown(end)}")
+    return LaterWords(_value(told, "text", str, ""), end)
+
+
+def ready(start: StreamStart, speech: IncomingSpeech, preset: str) -> str:
+    """Return what a client is told before it sends its sound."""
+    told = {"preset": preset, "period": FRAME_PERIOD, "latency": round(speech.latency, 4)}
+    return json.dumps({"ready": told | ({"movestates": start.table.movestates} if start.table else {})})
+
+
+def words(grown: GrownWords) -> str:
+    """Return what is known of the text."""
+    told = {"words": [_word(w) for w in grown.settled], "open": [_word(w) for w in grown.open]}
+    return json.dumps(told | ({"skipped": grown.skipped} if grown.skipped else {}))
+
+
+def frames(heard: HeardPiece) -> str:
+    """Return what is said in the frames of a piece, of which there are some."""
+    analysis = heard.analysis
+    sure = _thousandths(analysis.confidences)
+    told: dict[str, Any] = {
+        "time": round(analysis.start * FRAME_PERIOD, 2),
+        "phonemes": [_PHONEMES[code] for code in analysis.phonemes.tolist()],
+        "visemes": [_VISEMES[code] for code in analysis.visemes.tolist()],
+        "confidences": [None] * len(sure) if math.isnan(sure[0]) else sure,
+        "intensities": _thousandths(analysis.intensities),
+    }
+    if heard.weights is not None:
+        told["weights"] = np.round(heard.weights.astype(np.float64), 3).tolist()
+    return json.dumps(told)
+
+
+def end(speech: IncomingSpeech) -> str:
+    """Return what is said last."""
+    return json.dumps({"end": round(speech.seconds, 4)} | ({"other_text": True} if speech.is_other_text else {}))
+
+
+def error(sentence: str) -> str:
+    """Return why something is refused."""
+    return json.dumps({"error": sentence})
+
+
+def _word(word: Word) -> dict[str, Any]:
+    phones = [
+        {
+            "start": round(phone.start, 2),
+            "end": round(phone.end, 2),
+            "phone": phone.ipa,
+            "phoneme": phone.phoneme.label,
+            "viseme": viseme.label if (viseme := viseme_of(phone.ipa, phone.phoneme)) is not None else None,
+        }
+        for phone in word.phones
+    ]
+    return {"word": word.text, "start": round(word.start, 2), "end": round(word.end, 2), "phones": phones}
+
+
+def _thousandths(values: Float32Array) -> list[float]:
+    return [round(value, 3) for value in values.tolist()]
+
+
+def _object_in(message: str, known: tuple[str, ...]) -> Mapping[str, Any]:
+    try:
+        told = json.loads(message)
+    except (ValueError, RecursionError):
+        told = None
+    if not isinstance(told, dict):
+        raise RefusedError(f"a message in words must be a JSON object with {', '.join(known)}, got {_shown(message)}")
+    for key in told:
+        if key not in known:
+            raise RefusedError(f"there is no {_shown(key)} in such a message; it may have {', '.join(known)}")
+    return told
+
+
+def _value(told: Mapping[str, Any], key: str, kind: type[_T], usual: _T) -> _T:
+    value = told.get(key, usual)
+    if not isinstance(value, kind) or isinstance(value, bool):
+        raise RefusedError(f"{key} must be {'a whole number' if kind is int else 'a text'}, got {_shown(value)}")
+    return value
+
+
+@functools.cache
+def _table_named(name: str) -> MouthTable | None:
+    """Load a table that ships with the program: clients name no files of this machine."""
+    if name and name not in shipped_tables():
+        raise RefusedError(f"there is no mouth table {_shown(name)}; choose one of {', '.join(shipped_tables())}")
+    return load_table(name) if name else None
+
+
+def _shown(value: object) -> str:
+    return ascii(value)[:60]

@@ -1,0 +1,189 @@
+"""The server: its addresses, who answers at each, and how it begins and ends."""
+
+import asyncio
+import logging
+import socket
+from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import AsyncExitStack, asynccontextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+from aiohttp import web
+
+from phonemeanalyser.server.access import PROTOCOL, Access
+from phonemeanalyser.server.door import CLOSING, Door, refusal
+from phonemeanalyser.server.files import FileExporter
+from phonemeanalyser.server.limits import MEGABYTE, USUAL_HOST, USUAL_PORT, ServerLimits
+from phonemeanalyser.server.refused import FAILED, RefusedError
+from phonemeanalyser.server.session import StreamSession
+from phonemeanalyser.server.turns import Turns
+from phonemeengine import FORMATS, WINDOW, EngineError, ScriptWord, __version__, load_preset, words_of
+from phonemeengine.audio.incoming import Encoding, StreamFormat
+from phonemeengine.files import reason_of
+from phonemeengine.live.incoming_speech import IncomingSpeech
+from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.presets.files import DEFAULT_PRESET
+
+STREAM, EXPORT = "/stream", "/export"
+WRITER_LIMIT = 1 << 14
+"""Bytes of answers that are under way to a client before the next one waits."""
+BUFFER = 1 << 16
+"""Bytes that the system keeps for each connection, either way: what floods is looked through a little at a time."""
+TOO_LARGE = 1009
+"""The code with which a stream is closed after a message that is too large."""
+
+_log = logging.getLogger(__name__)
+
+
+@dataclass(frozen=True)
+class ServerSettings:
+    """What is served, where, and to whom.
+
+    Attributes
+    ----------
+    preset : the file of the preset that recognises.
+    host, port : where it can be reached; port 0 takes a free one.
+    access, limits : who may ask, and for how much.
+    """
+
+    preset: Path = DEFAULT_PRESET
+    host: str = USUAL_HOST
+    port: int = USUAL_PORT
+    access: Access = field(default_factory=Access)
+    limits: ServerLimits = field(default_factory=ServerLimits)
+
+
+@asynccontextmanager
+async def serving(settings: ServerSettings) -> AsyncIterator[int]:
+    """Serve meanwhile; gives the port.
+
+    Raises
+    ------
+    EngineError : the preset cannot be used, the address is not free, or it can be reached from other machines and
+        there is no token.
+    """
+    settings.access.check_host(settings.host)
+    service = Service(settings)
+    application = web.Application(middlewares=[service.guard])
+    application.router.add_get("/", service.tell)
+    application.router.add_get(STREAM, service.stream)
+    application.router.add_post(EXPORT, service.export)
+    runner = web.AppRunner(application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING)
+    async with AsyncExitStack() as stack:
+        stack.callback(service.close)
+        await runner.setup()
+        stack.push_async_callback(runner.cleanup)
+        assert runner.server is not None
+        service.door = Door(runner.server, settings.limits)
+        try:
+            listening = await asyncio.get_running_loop().create_server(service.door, settings.host, settings.port)
+        except OSError as error:
+            place = f"{settings.host}:{settings.port}"
+            raise EngineError(
+                f"{place} cannot be served ({reason_of(error)}); choose another host or port"
+            ) from error
+        stack.callback(listening.close)
+        for endpoint in listening.sockets:  # connections inherit it
+            endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
+            endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
+        yield listening.sockets[0].getsockname()[1]
+
+
+class Service:
+    """Answers requests.
+
+    Attributes
+    ----------
+    door : through which connections come.
+    """
+
+    door: Door
+
+    def __init__(self, settings: ServerSettings) -> None:
+        self._access, self._limits = settings.access, settings.limits
+        self._preset = load_preset(settings.preset)
+        self._exporter = FileExporter(settings.preset, settings.limits)
+        self._turns = Turns()
+        self._readers = ThreadPoolExecutor(1, "reading texts")  # a voice reads one text at a time
+        self._n_streams = 0
+        speech = IncomingSpeech(self._preset, StreamFormat())
+        speech.hear(np.zeros(2 * WINDOW, np.float32))  # so that the first stream need not wait for imports
+
+    def close(self) -> None:
+        """Let go of what it holds."""
+        self._readers.shutdown(wait=False, cancel_futures=True)
+
+    @web.middleware
+    async def guard(
+        self, request: web.Request, handler: Callable[[web.Request], Awaitable[web.StreamResponse]]
+    ) -> web.StreamResponse:
+        """Let in who may come, and say in one sentence why something is refused."""
+        self.door.enter(request)
+        try:
+            self._access.check(request.headers, _protocols_of(request))
+            answer = await handler(request)
+        except EngineError as error:
+            answer = refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
+        except web.HTTPException as error:
+            answer = refusal(
+                f"{request.method} {request.path[:60]!a} is not served; GET / tells what is", error.status
+            )
+        except Exception:  # noqa: BLE001 - a bug in one request ends no stream
+            _log.exception("a request has failed")
+            answer = refusal(FAILED, 500)
+        if not answer.prepared:
+            answer.force_close()
+        return answer
+
+    async def tell(self, _request: web.Request) -> web.StreamResponse:
+        """Say what is served."""
+        told = {
+            "program": "phonemeanalyser", "version": __version__, "preset": self._preset.name,
+            "stream": STREAM, "export": EXPORT, "encodings": [*Encoding], "formats": [*FORMATS],
+            "tables": shipped_tables(), "streams": self._n_streams, "most_streams": self._limits.most_streams,
+        }  # fmt: skip
+        return web.json_response(told)
+
+    async def export(self, request: web.Request) -> web.StreamResponse:
+        """Export a file."""
+        return await self._exporter.handle(request)
+
+    async def stream(self, request: web.Request) -> web.StreamResponse:
+        """Hear a stream."""
+        if self._n_streams >= self._limits.most_streams:
+            raise RefusedError(f"there are {self._n_streams} streams, as many as this server takes; try later", 503)
+        stream = _StreamSocket(
+            timeout=CLOSING, protocols=[PROTOCOL], compress=False, writer_limit=WRITER_LIMIT,
+            max_msg_size=int(self._limits.largest_message * MEGABYTE),
+        )  # fmt: skip
+        if not stream.can_prepare(request):
+            raise RefusedError(f"{STREAM} is a WebSocket; open it as one", 426)
+        self._n_streams += 1
+        try:
+            await stream.prepare(request)
+            await StreamSession(stream, self._preset, self._limits, self._turns, self._words_of_text).run()
+        finally:
+            self._n_streams -= 1
+            if not stream.closed and request.transport is not None:
+                request.transport.abort()  # nobody would take a farewell
+        return stream
+
+    async def _words_of_text(self, text: str, language: str) -> Sequence[ScriptWord]:
+        return await asyncio.get_running_loop().run_in_executor(self._readers, words_of, text, language)
+
+
+class _StreamSocket(web.WebSocketResponse):
+    """Says why, too, where the library itself closes a stream."""
+
+    async def close(self, *, code: int = 1000, message: bytes = b"", drain: bool = True) -> bool:
+        if code == TOO_LARGE and not message:
+            message = b"the message is larger than a stream's may be; send the sound in smaller pieces"
+        elif code != 1000 and not message:
+            message = b"this is no message of a stream; send JSON in UTF-8, or bytes of sound"
+        return await super().close(code=code, message=message, drain=drain)
+
+
+def _protocols_of(request: web.Request) -> list[str]:
+    return [word.strip() for word in request.headers.get("Sec-WebSocket-Protocol", "").split(",")]

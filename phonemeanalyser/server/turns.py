@@ -1,0 +1,107 @@
+"""Whose turn it is: the sounds of all streams are heard in one thread, a little of each at a time."""
+
+import asyncio
+import logging
+import time
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import Protocol, TypeVar
+
+from phonemeanalyser.server.refused import FAILED
+from phonemeengine import EngineError, GrownWords
+from phonemeengine.arrays import Float32Array
+from phonemeengine.live.incoming_speech import LOOK, HeardPiece, IncomingSpeech, hear_together
+
+LOOKING = 0.004
+"""Seconds of a turn after which no more words are looked for."""
+GATHER = 0.004
+"""Seconds from the first piece that waits to the turn, so that what comes meanwhile is heard in the same one."""
+
+
+_T = TypeVar("_T")
+_log = logging.getLogger(__name__)
+
+
+class Hearing(Protocol):
+    """A stream that takes turns."""
+
+    @property
+    def speech(self) -> IncomingSpeech:
+        """What it hears."""
+
+    def next_piece(self) -> Float32Array | None:
+        """Return what shall be heard now, not much at once; None where nothing waits, or nobody takes the answers."""
+
+    def tell(self, heard: HeardPiece) -> None:
+        """Take what is known of that piece."""
+
+    def tell_words(self, words: GrownWords) -> None:
+        """Take what is known of its text."""
+
+    def fail(self, error: EngineError) -> None:
+        """Take why it cannot be heard."""
+
+
+class Turns:
+    """Gives all streams their turns, as long as something waits in any."""
+
+    def __init__(self) -> None:
+        self._streams: dict[Hearing, None] = {}
+        self._is_planned = False
+
+    def join(self, stream: Hearing) -> None:
+        """Have a stream take part."""
+        self._streams[stream] = None
+
+    def leave(self, stream: Hearing) -> None:
+        """Have it take part no more."""
+        self._streams.pop(stream, None)
+
+    def wake(self) -> None:
+        """Plan the next turn, since something waits in a stream."""
+        if not self._is_planned:
+            self._is_planned = True
+            asyncio.get_running_loop().call_later(GATHER, self._take)
+
+    def _take(self) -> None:
+        self._is_planned = False
+        found = [(stream, _safely(stream, stream.next_piece)) for stream in [*self._streams]]
+        pieces = {stream: piece for stream, piece in found if piece is not None}
+        if not pieces:
+            return
+        self.wake()
+        for stream, known in zip(pieces, _heard(pieces), strict=True):
+            if isinstance(known, EngineError):
+                stream.fail(known)
+            else:
+                _safely(stream, partial(stream.tell, known))
+        self._look(pieces)
+
+    def _look(self, streams: Iterable[Hearing]) -> None:
+        """Look for the words of texts where that was not done for longest, as long as phonemes may wait for it."""
+        began = time.monotonic()
+        due = [stream for stream in streams if stream.speech.n_unlooked >= LOOK]
+        for stream in sorted(due, key=lambda stream: -stream.speech.n_unlooked):
+            words = _safely(stream, stream.speech.look)
+            if words is not None:
+                _safely(stream, partial(stream.tell_words, words))
+            if time.monotonic() - began > LOOKING:
+                return
+
+
+def _safely(stream: Hearing, act: Callable[[], _T]) -> _T | None:
+    """Do something for a stream; a bug in it ends that one with a word, and no other."""
+    try:
+        return act()
+    except Exception:  # noqa: BLE001 - see above
+        _log.exception("a stream has failed")
+        stream.fail(EngineError(FAILED))
+        return None
+
+
+def _heard(pieces: Mapping[Hearing, Float32Array]) -> Sequence[HeardPiece | EngineError]:
+    try:
+        return hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
+    except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no others
+        _log.exception("sounds could not be heard")
+        return [EngineError(FAILED)] * len(pieces)

@@ -1,0 +1,95 @@
+"""The C# for Unity and Godot: compiled by Mono, and run with the library for Linux."""
+
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
+from phonemeengine.shipping import targets
+from phonemeengine.visemes import NO_VISEME, VISEME_PHONES, Viseme
+from tests.compiled_ears import Frames
+from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech
+from tests.web_ears import frames_of
+
+pytestmark = pytest.mark.csharp
+
+OURS = Path(__file__).parents[2] / "csharp"
+QUEUE = Path(targets.__file__).parent / "unity" / "Runtime" / "FrameQueue.cs"
+SOUND = speech()[: 6 * 44_100]
+
+
+@pytest.fixture(scope="module", params=["unity", "godot"])
+def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The preset Learned, shipped for an engine."""
+    place = tmp_path_factory.mktemp(request.param)
+    ship(load_preset("learned"), place, request.param)
+    return place
+
+
+def compiled(target: Path, sources: list[Path]) -> None:
+    kind = "library" if target.suffix == ".dll" else "exe"
+    words = ["mcs", "-langversion:7.2", "-warnaserror", f"-target:{kind}", f"-out:{target}", *map(str, sources)]
+    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def listen(folder: Path, tmp_path: Path, preset: Path) -> "subprocess.CompletedProcess[bytes]":
+    program = tmp_path / "Listen.exe"
+    compiled(program, [OURS / "Listen.cs", QUEUE, *folder.rglob("Ear.cs")])
+    (library,) = folder.rglob("libear.so")
+    words = ["mono", str(program), str(preset), "44100"]
+    environment = {**os.environ, "LD_LIBRARY_PATH": str(library.parent)}
+    return subprocess.run(words, input=SOUND.tobytes(), capture_output=True, env=environment, check=False)
+
+
+def test_it_hears_and_moves_as_the_engine_does(folder: Path, tmp_path: Path) -> None:
+    (preset,) = folder.glob("preset.*")
+    done = listen(folder, tmp_path, preset)
+    assert done.returncode == 0, done.stderr.decode()
+    numbers = np.frombuffer(done.stdout, np.float64)
+    analysis = heard_by_engine(load_preset("learned"), SOUND)
+    n = 16 * len(analysis)
+    frames = frames_of(numbers[:n])
+    check_same(frames, analysis)
+    found = numbers[n:].reshape(len(frames), -1)
+    assert np.abs(found - weights_of(frames)).max() < 1e-5
+    assert found.max() > 0.3
+
+
+def weights_of(frames: Frames) -> np.ndarray:
+    """Give the weights of the morpher for the same frames."""
+    morpher, found = Morpher(load_table("arkit"), seed=7), []
+    for frame in frames:
+        time, viseme = int(frame["number"]) / 100, int(frame["viseme"])
+        phone = "" if viseme == NO_VISEME else VISEME_PHONES.get(Viseme(viseme), "")
+        morpher.hear(time, Phoneme(int(frame["phoneme"])), float(frame["intensity"]), phone)
+        found.append(morpher.weights(time))
+    return np.array(found)
+
+
+def test_the_components_compile(folder: Path, tmp_path: Path) -> None:
+    is_unity = (folder / "Runtime").exists()
+    stand_ins = OURS / ("UnityEngine.cs" if is_unity else "Godot.cs")
+    compiled(tmp_path / "components.dll", [stand_ins, *folder.rglob("*.cs")])
+
+
+def test_what_cannot_be_opened_is_an_exception_with_a_sentence(folder: Path, tmp_path: Path) -> None:
+    done = listen(folder, tmp_path, folder / "README.md")
+    assert done.returncode == 1
+    assert done.stderr.decode().strip() == "these bytes are no .ear file; make one with phonemeanalyser ship"
+
+
+def test_the_library_of_macos_is_for_both_processors(folder: Path) -> None:
+    (library,) = folder.rglob("libear.dylib")
+    (windows,) = folder.rglob("ear.dll")
+    content = library.read_bytes()
+    assert content[:8] == bytes.fromhex("cafebabe00000002")
+    for k, processor in enumerate((0x01000007, 0x0100000C)):  # x86-64 and ARM
+        kind, _, at, size, _ = np.frombuffer(content, ">u4", 5, 8 + 20 * k)
+        assert kind == processor
+        assert content[at : at + 4] == bytes.fromhex("cffaedfe")
+        assert at + size <= len(content)
+    assert windows.read_bytes()[:2] == b"MZ"

@@ -1,0 +1,141 @@
+"""The ear as WebAssembly hears and moves as the engine does, in the thread of the sound as well."""
+
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table, ship
+from phonemeengine.shipping import npm, zig
+from phonemeengine.visemes import VISEME_PHONES, Viseme
+from tests.engine.shipping.test_same_results import check_same, heard_by_engine, says_several, speech
+from tests.sounds import silence, tone
+from tests.web_ears import frames_of, in_node
+
+needs_shell = pytest.mark.skipif(os.name == "nt", reason="the programs that fail are shell scripts")
+MOST_BYTES = 1_500_000
+"""Of module and model."""
+
+
+@pytest.fixture(scope="session")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The preset Learned, shipped as a module."""
+    place = tmp_path_factory.mktemp("module")
+    ship(load_preset("learned"), place, "web-module")
+    return place
+
+
+def test_the_module_hears_what_the_engine_hears(folder: Path) -> None:
+    analysis = heard_by_engine(load_preset("learned"), speech())
+    assert says_several(analysis, 9)
+    check_same(frames_of(in_node(folder, "hear", speech())[0]), analysis)
+
+
+def test_rules_hear_the_same_as_well(tmp_path: Path) -> None:
+    preset = load_preset("extended")
+    ship(preset, tmp_path, "web-module")
+    check_same(frames_of(in_node(tmp_path, "hear", speech())[0]), heard_by_engine(preset, speech()))
+
+
+def test_in_the_thread_of_the_sound_it_hears_the_same_and_allocates_nothing(folder: Path) -> None:
+    sound = speech()[: 2 * 44_100]
+    numbers, growth = in_node(folder, "listenInWorklet", sound)
+    frames, whole = frames_of(numbers), frames_of(in_node(folder, "hear", sound)[0])
+    assert len(frames) > 190
+    assert (frames == whole[: len(frames)]).all()
+    assert float(growth) < 6  # bytes for each block of 128 samples; the least object has 16
+
+
+def test_a_microphone_of_48_khz_is_heard(folder: Path) -> None:
+    sound = np.concatenate((silence(0.5), tone(300, 0.5, 0.3)))
+    frames = frames_of(in_node(folder, "hear", sound, 48_000)[0])
+    assert len(frames) == -(-len(sound) * 100 // 48_000)
+    assert (frames["phoneme"][:20] == Phoneme.SILENCE).all()
+    assert (frames["intensity"][-20:-2] > 0).all()
+
+
+def test_the_mouth_moves_as_the_morpher_does(folder: Path) -> None:
+    rng = np.random.default_rng(3)
+    times, phonemes = np.cumsum(rng.uniform(0.0, 0.2, 60)).astype(np.float32), rng.integers(1, len(Phoneme), 60)
+    visemes, loud = rng.integers(1, len(Viseme), 60), rng.uniform(0, 1, 60).astype(np.float32)
+    given = np.stack((times, phonemes, visemes, loud), axis=1)
+    morpher, expected = Morpher(load_table("arkit"), seed=7), []
+    for time, phoneme, viseme, intensity in zip(times, phonemes, visemes, loud, strict=True):
+        phone = VISEME_PHONES.get(Viseme(viseme), "")
+        morpher.hear(float(time), Phoneme(phoneme), float(intensity), phone)
+        expected.append(morpher.weights(float(time)))
+    found = in_node(folder, "move", given.ravel())[0].reshape(len(times), -1)
+    assert np.abs(found - np.array(expected)).max() < 1e-5
+
+
+def test_the_module_tells_what_it_knows_and_asks_its_page_for_nothing(folder: Path) -> None:
+    told = json.loads(in_node(folder, "tell", silence(0.0))[1])
+    table = load_table("rhubarb")
+    assert told["imports"] == []
+    assert told["phonemes"] == [phoneme.label for phoneme in Phoneme]
+    assert told["visemes"] == [viseme.label for viseme in Viseme]
+    assert told["tables"] == ["arkit", "rhubarb"]
+    assert told["shapes"] == [table.phonemes[phoneme] for phoneme in Phoneme]
+    assert (told["name"], told["lookAhead"]) == ("Learned", 0.01)
+    assert 95 <= told["frames"] <= 100
+
+
+def test_what_cannot_be_opened_is_refused_in_a_sentence(folder: Path) -> None:
+    refused = in_node(folder, "refuse", silence(0.0))[1].splitlines()
+    for line, words in zip(
+        refused,
+        ("is damaged or cut off", "are no .ear file", "must lie in 1000..768000 Hz", "choose one of"),
+        strict=True,
+    ):
+        assert line.startswith("EarError: ")
+        assert words in line
+
+
+def test_a_module_with_its_model_is_small_and_makes_a_package(folder: Path) -> None:
+    assert sum((folder / name).stat().st_size for name in ("ear.wasm", "preset.ear")) <= MOST_BYTES
+    package = json.loads((folder / "package.json").read_text(encoding="utf-8"))
+    assert {"name", "version", "license"} <= package.keys()
+    assert "dependencies" not in package
+    assert all((folder / name).is_file() for name in (*package["files"], package["types"], "README.md"))
+    readme = (folder / "README.md").read_text(encoding="utf-8")
+    assert all(f"`{name}`" in readme for name in package["files"])
+
+
+def test_a_compiler_that_is_not_there_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    monkeypatch.setattr(zig, "find_spec", lambda name: None)
+    with pytest.raises(ExportError, match=r"compiled by zig, which is not installed; install zig, or pip install"):
+        ship(load_preset("thesis"), tmp_path / "new", "web-module")
+    assert not (tmp_path / "new").exists()
+
+
+@needs_shell
+def test_a_compiler_that_fails_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    script(tmp_path / "zig", "echo 'x: error: unknown target' >&2; exit 1")
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
+    with pytest.raises(
+        ExportError, match=r"cannot compile the ear \(x: error: unknown target\); install a newer one"
+    ):
+        ship(load_preset("thesis"), tmp_path / "new", "web-module")
+
+
+@needs_shell
+def test_a_page_without_npm_or_network_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    with pytest.raises(ExportError, match=r"there is no npm; install Node.js, or ship the target web-module"):
+        npm.three_files()
+    script(tmp_path / "npm", "exit 1")
+    with pytest.raises(ExportError, match=r"npm cannot fetch three@\S+; connect to the network, or ship"):
+        npm.three_files()
+    script(tmp_path / "npm", 'printf x > "$5/three.tgz"')
+    with pytest.raises(ExportError, match="npm fetched another three@"):
+        npm.three_files()
+
+
+def script(path: Path, line: str) -> None:
+    path.write_text(f"#!/bin/sh\n{line}\n", encoding="utf-8")
+    path.chmod(0o755)
+    assert subprocess.run(["/bin/sh", "-n", str(path)], check=False).returncode == 0

@@ -1,0 +1,131 @@
+"""Whole files over HTTP: what the command line writes, and sentences for what it refuses."""
+
+import asyncio
+import io
+import json
+from pathlib import Path
+from typing import Any
+
+import aiohttp
+import pytest
+
+from phonemeanalyser.cli.main import main
+from phonemeanalyser.server.limits import ServerLimits
+from phonemeanalyser.server.service import ServerSettings
+from phonemeengine import FORMATS
+from tests.server.conftest import RECORDING, TEXT
+from tests.server.servers import run, served
+
+SOUND = RECORDING.read_bytes()
+
+
+def exported(address: str, sound: bytes | None = SOUND, **fields: str | bytes) -> tuple[int, str, bytes]:
+    """Send a form; gives the status, the kind and the content of the answer."""
+
+    async def ask() -> tuple[int, str, bytes]:
+        form = aiohttp.FormData(default_to_multipart=True)
+        for name, value in fields.items():
+            form.add_field(name, io.BytesIO(value) if isinstance(value, bytes) else value)
+        if sound is not None:
+            form.add_field("sound", sound, filename="../../etc/line.flac")
+        async with aiohttp.ClientSession() as session, session.post(f"{address}/export", data=form) as found:
+            return found.status, found.content_type, await found.read()
+
+    return run(ask())
+
+
+def told(answer: tuple[int, str, bytes]) -> tuple[int, str]:
+    """Give the status and the sentence of a refusal."""
+    status, kind, content = answer
+    assert kind == "application/json"
+    sentence = json.loads(content)["error"]
+    assert "\n" not in sentence
+    return status, sentence
+
+
+@pytest.mark.parametrize("form", ["rhubarb-json", "rhubarb-tsv", "livelink-csv", "gltf", "textgrid"])
+def test_a_file_is_what_the_command_line_writes(server: str, tmp_path: Path, form: str) -> None:
+    sound, expected = tmp_path / "sound", tmp_path / f"mouth{FORMATS[form].ending}"
+    sound.write_bytes(SOUND)
+    assert main(["export", str(sound), "--format", form, "-o", str(expected)]) == 0
+    status, kind, content = exported(server, format=form)
+    assert status == 200
+    assert content == expected.read_bytes()
+    assert kind != "application/octet-stream"
+
+
+def test_what_is_said_makes_it_more_exact(server: str) -> None:
+    plain = exported(server, format="rhubarb-tsv")
+    scripted = exported(server, format="rhubarb-tsv", text=TEXT, language="de")
+    assert plain[0] == scripted[0] == 200
+    assert plain[2] != scripted[2]
+
+
+def test_table_and_rate_are_those_that_were_asked_for(server: str) -> None:
+    slow = exported(server, format="curves-json", table="vrm", fps="24")
+    assert slow[0] == 200
+    assert len(slow[2]) < len(exported(server, format="curves-json")[2])
+
+
+@pytest.mark.parametrize(
+    ("fields", "words"),
+    [
+        ({}, "there is no format ''; ask for one of rhubarb-tsv"),
+        ({"format": "mp4"}, "there is no format 'mp4'"),
+        ({"format": "gltf", "table": "/etc/passwd"}, "there is no mouth table '/etc/passwd'"),
+        ({"format": "gltf", "fps": "many"}, "fps must be a number"),
+        ({"format": "gltf", "fps": "1e9"}, "frame rate of gltf"),
+        ({"format": "rhubarb-tsv", "fps": "24"}, "counts no frames"),
+        ({"format": "gltf", "language": "de"}, "language is that of a text"),
+        ({"format": "gltf", "text": "hello", "language": "--help"}, "--help"),
+        ({"format": "gltf", "text": b"\xff\xfe"}, "the field text is no text in UTF-8"),
+        ({"format": "gltf", "text": "word " * 30_000}, "the field text may have 100000 characters"),
+        ({"format": "x" * 1000}, "the field format may have 64 characters"),
+        ({"format": "gltf", "preset": "/etc/passwd"}, "there is no such field"),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_nonsense_is_answered_by_a_sentence(server: str, fields: dict[str, Any], words: str) -> None:
+    status, sentence = told(exported(server, **fields))
+    assert words in sentence
+    assert status in {400, 413}
+
+
+@pytest.mark.parametrize("sound", [b"", b"hello", SOUND[:1000], None])
+def test_what_is_no_sound_is_answered_by_a_sentence(server: str, sound: bytes | None) -> None:
+    status, sentence = told(exported(server, sound, format="gltf"))
+    assert status == 400
+    assert "sound" in sentence
+
+
+def test_a_file_that_is_too_large_is_not_taken() -> None:
+    with served(ServerSettings(port=0, limits=ServerLimits(largest_file=0.01))) as address:
+        assert told(exported(address, format="gltf")) == (413, "a file may have 0.01 MB; send a shorter one")
+
+
+def test_a_form_that_is_no_form_is_answered_by_a_sentence(server: str) -> None:
+    async def ask(**options: Any) -> tuple[int, str, bytes]:
+        async with aiohttp.ClientSession() as session, session.post(f"{server}/export", **options) as found:
+            return found.status, found.content_type, await found.read()
+
+    kind = {"Content-Type": "multipart/form-data; boundary=x"}
+    assert told(run(ask(data=SOUND)))[0] == 415
+    assert "damaged" in told(run(ask(data=b"nonsense", headers=kind)))[1]
+    assert "field" in told(run(ask(data=b"--x\r\n\r\nfoo\r\n--x--\r\n", headers=kind)))[1]
+
+
+def test_what_takes_too_long_is_given_up_and_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", None)
+
+    async def ask(address: str) -> None:
+        reader, writer = await asyncio.open_connection("127.0.0.1", int(address.rsplit(":", 1)[1]))
+        head = "POST /export HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=x\r\n"
+        writer.write(f"{head}Content-Length: 1000\r\n\r\n--x\r\n".encode())
+        answer = await reader.read()
+        assert b"took longer than 1 s" in answer
+        writer.close()
+
+    with served(ServerSettings(port=0, limits=ServerLimits(file_seconds=1))) as address:
+        run(ask(address))
+        assert list(tmp_path.iterdir()) == []

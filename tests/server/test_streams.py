@@ -1,0 +1,98 @@
+"""Streams: what a client is told is what the engine finds in the whole sound, however it is cut."""
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from phonemeanalyser.server.service import ServerSettings
+from phonemeengine import Analyser, Phoneme, Viseme, load_preset, load_table
+from phonemeengine.analyser import Analysis, concatenate_analyses
+from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
+from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.live.incoming_speech import in_time
+from phonemeengine.mouth.morpher import Morpher
+from phonemeengine.presets.preset import Preset
+from phonemeengine.visemes import NO_VISEME, viseme_phones
+from tests.conftest import CORPUS
+from tests.server.conftest import FAST
+from tests.server.servers import Told, as_s16, cut, served, streamed
+from tests.sounds import Sound
+
+LEARNED = load_preset("learned")
+
+
+def heard(sound: Sound, preset: Preset = LEARNED, delay: float = 0.0) -> Analysis:
+    """What the engine finds, which is given the whole sound at once."""
+    analyser = Analyser(in_time(preset, delay), phonemes_only=True)
+    return concatenate_analyses([analyser.push(sound), analyser.finish()])
+
+
+def check(told: Told, expected: Analysis) -> None:
+    assert told.code == 1000
+    assert told.column("phonemes") == [Phoneme(code).label for code in expected.phonemes.tolist()]
+    visemes = [None if code == NO_VISEME else Viseme(code).label for code in expected.visemes.tolist()]
+    assert told.column("visemes") == visemes
+    np.testing.assert_allclose(told.column("intensities"), expected.intensities, atol=1e-3)
+    if not np.isnan(expected.confidences).any():
+        np.testing.assert_allclose(told.column("confidences"), expected.confidences, atol=2e-3)
+    n = 0
+    for frames in told.frames:
+        assert frames["time"] == round(n * 0.01, 2)
+        n += len(frames["phonemes"])
+
+
+@pytest.mark.parametrize("sizes", [[882], [1], [1764, 3, 17_777], [1 << 20]], ids=str)
+def test_a_stream_is_told_what_the_engine_finds_in_the_whole_sound(
+    server: str, recording: Sound, sizes: Sequence[int]
+) -> None:
+    data = as_s16(recording)[: 12_001 * 2 if sizes == [1] else None]
+    told = streamed(server, {"rate": 44_100}, cut(data, sizes))
+    check(told, heard(np.frombuffer(data, "<i2").astype(np.float32) / np.float32(32_768)))
+    assert told.messages[-1] == {"end": round(len(data) / 2 / 44_100, 4)}
+
+
+@pytest.mark.parametrize("name", ["thesis", "extended", "templates"])
+def test_other_recognisers_are_told_as_they_find(recording: Sound, name: str) -> None:
+    with served(ServerSettings(Path(name), port=0, limits=FAST)) as address:
+        told = streamed(address, {"encoding": "f32", "rate": 44_100}, cut(recording.tobytes(), [3000]))
+    check(told, heard(recording, load_preset(name)))
+
+
+@pytest.mark.parametrize("rate", [8000, 16_000, 24_000, 48_000, 192_000])
+def test_other_rates_are_heard_as_the_same_sound(server: str, recording: Sound, rate: int) -> None:
+    data = resample_whole(recording, 44_100, rate).tobytes()
+    told = streamed(server, {"encoding": "f32", "rate": rate}, cut(data, [4 * rate // 50]))
+    sound = IncomingSound(StreamFormat(Encoding.F32, rate))
+    whole = np.concatenate([*sound.pieces(data), sound.finish()])
+    check(told, heard(whole, delay=sound.delay))
+    plain = heard(recording, delay=sound.delay).phonemes
+    same = [Phoneme(code).label for code in plain.tolist()] == np.array(told.column("phonemes"))
+    assert np.mean(same) > (0.97 if rate > 20_000 else 0.8)  # nothing above half the rate is heard
+    assert told.messages[0]["ready"]["latency"] <= 0.055
+
+
+def test_channels_are_mixed(server: str, recording: Sound) -> None:
+    both = np.stack([recording, np.zeros_like(recording)], axis=1)
+    told = streamed(server, {"encoding": "f32", "rate": 44_100, "channels": 2}, cut(both.tobytes(), [9999]))
+    check(told, heard(recording / 2))
+
+
+def test_the_weights_are_those_of_a_mouth_that_hears_the_same(server: str, recording: Sound) -> None:
+    told = streamed(server, {"encoding": "f32", "rate": 44_100, "table": "arkit"}, cut(recording.tobytes(), [3528]))
+    found, morpher = heard(recording), Morpher(load_table("arkit"))
+    assert told.messages[0]["ready"]["movestates"] == list(morpher.movestates)
+    phones = viseme_phones(found.visemes)
+    for k, weights in enumerate(told.column("weights")):
+        morpher.hear(k * 0.01, int(found.phonemes[k]), float(found.intensities[k]), phones[k])
+        np.testing.assert_allclose(weights, morpher.weights(k * 0.01), atol=2e-3)
+    assert np.max(told.column("weights")) > 0.3
+
+
+def test_the_whole_corpus_has_the_same_phonemes_as_offline(server: str) -> None:
+    for path in sorted(CORPUS.rglob("*.flac"))[::12]:
+        samples, rate = soundfile.read(path, dtype="float32")
+        told = streamed(server, {"encoding": "f32", "rate": rate}, cut(samples.tobytes(), [882 * 4]))
+        check(told, heard(samples))

@@ -1,0 +1,107 @@
+"""Streams take turns: each is heard a little at a time, and what fails in one stops no other."""
+
+import asyncio
+
+import numpy as np
+import pytest
+
+from phonemeanalyser.server import turns as room
+from phonemeanalyser.server.pace import Pace
+from phonemeanalyser.server.turns import Turns
+from phonemeengine import EngineError, GrownWords, load_preset, words_of
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.incoming import Encoding, StreamFormat
+from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
+
+THESIS = load_preset("thesis")
+
+
+class Stream:
+    """Hears silence, a piece a turn."""
+
+    def __init__(self, n_pieces: int, fault: str = "", *, with_text: bool = False) -> None:
+        self.speech = IncomingSpeech(THESIS, StreamFormat(Encoding.F32), with_text=with_text)
+        if with_text:
+            self.speech.add_words(words_of("hello", "en-us"))
+        self.n_pieces, self.fault = n_pieces, fault
+        self.n_frames = self.n_looks = 0
+        self.error: EngineError | None = None
+
+    def next_piece(self) -> Float32Array | None:
+        if self.fault == "piece":
+            raise ZeroDivisionError
+        if not self.n_pieces or self.error:
+            return None
+        self.n_pieces -= 1
+        return np.zeros(4410, np.float32)
+
+    def tell(self, heard: HeardPiece) -> None:
+        if self.fault == "tell":
+            raise ZeroDivisionError
+        self.n_frames += len(heard.analysis)
+
+    def tell_words(self, words: GrownWords) -> None:
+        self.n_looks += 1
+
+    def fail(self, error: EngineError) -> None:
+        self.error = error
+
+
+def taken(*streams: Stream) -> None:
+    """Have streams take turns until nothing waits."""
+
+    async def take() -> None:
+        turns = Turns()
+        for stream in streams:
+            turns.join(stream)
+        turns.wake()
+        while turns._is_planned:
+            await asyncio.sleep(room.GATHER)
+
+    asyncio.run(take())
+
+
+def test_all_that_waits_is_heard() -> None:
+    streams = Stream(5), Stream(1), Stream(0)
+    taken(*streams)
+    assert [stream.n_frames for stream in streams] == [48, 8, 0]
+
+
+def test_words_are_looked_for_in_all_streams_while_there_is_little_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(room, "LOOKING", 0.0)  # one look a turn
+    streams = [Stream(20, with_text=True) for _ in range(3)]
+    taken(*streams)
+    assert all(4 <= stream.n_looks <= 7 for stream in streams)
+    assert all(stream.speech.n_unlooked < 60 for stream in streams)
+
+
+@pytest.mark.parametrize("fault", ["piece", "tell"])
+def test_a_bug_in_one_stream_stops_no_other(fault: str, caplog: pytest.LogCaptureFixture) -> None:
+    broken, whole = Stream(3, fault), Stream(3)
+    taken(broken, whole)
+    assert "the server has failed at this" in str(broken.error)
+    assert (whole.n_frames, whole.error) == (28, None)
+    assert "ZeroDivisionError" in caplog.text
+
+
+def test_a_bug_in_hearing_is_told_to_those_who_were_heard(
+    monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    monkeypatch.setattr(room, "hear_together", lambda _pieces: 1 / 0)
+    stream = Stream(1)
+    taken(stream)
+    assert "the server has failed at this" in str(stream.error)
+    assert "ZeroDivisionError" in caplog.text
+
+
+def test_a_pace_lets_some_come_at_once_and_then_so_much_a_second() -> None:
+    now = [0.0]
+    pace = Pace(4.0, 5.0, lambda: now[0])
+    assert pace.wait_after(5.0) == 0
+    assert pace.wait_after(2.0) == 0.5
+    now[0] = 0.5
+    assert pace.wait_after(0.0) == 0
+    assert pace.wait_after(1.0) == 0.25
+    now[0] = 1000.0
+    assert pace.wait_after(5.0) == 0
+    assert pace.wait_after(0.4) == pytest.approx(0.1)

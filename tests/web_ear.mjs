@@ -1,0 +1,100 @@
+/*
+ * Has the shipped module listen in Node, for tests: node web_ear.mjs TASK FOLDER RATE, with float32 on the standard input.
+ * Answers are float64 on the standard output: of each frame number, phoneme, viseme, intensity, confidence and scores.
+ */
+import { readFileSync } from "node:fs";
+import { join, resolve } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const [task, folder, rate] = process.argv.slice(2);
+const place = (name) => join(resolve(folder), name);
+const { Ear, EarModel, readFrame } = await import(pathToFileURL(place("ear.js")));
+const code = readFileSync(place("ear.wasm"));
+const preset = readFileSync(place("preset.ear"));
+const input = readFileSync(0);
+const samples = new Float32Array(input.buffer.slice(input.byteOffset, input.byteOffset + input.length));
+const rows = [];
+
+const model = () => new EarModel(new WebAssembly.Module(code), preset);
+const row = (f) => rows.push(f.number, f.phoneme, f.viseme, f.intensity, f.confidence, ...f.scores);
+
+function hear() {
+  const ear = model().ear(Number(rate));
+  ear.push(samples).forEach(row);
+  ear.finish().forEach(row);
+}
+
+/* The processor as a browser runs it; the page's other end is a list. */
+async function listenInWorklet() {
+  let Processor;
+  globalThis.sampleRate = Number(rate);
+  globalThis.AudioWorkletProcessor = class {
+    port = { postMessage: (message) => row(readFrame(message.slice())) };
+  };
+  globalThis.registerProcessor = (_, made) => (Processor = made);
+  await import(pathToFileURL(place("ear-worklet.js")));
+  const processor = new Processor({ processorOptions: { code, preset } });
+  const blocks = [];
+  for (let at = 0; at + 128 <= samples.length; at += 128) blocks.push([[samples.subarray(at, at + 128)]]);
+  processor.process([[]]);
+  blocks.forEach((block) => processor.process(block));
+  processor.port.postMessage = () => {};
+  const again = (rounds) => {
+    for (let round = 0; round < rounds; round++) for (let k = 0; k < blocks.length; k++) processor.process(blocks[k]);
+  };
+  again(10); // and all is compiled
+  globalThis.gc();
+  const before = process.memoryUsage().heapUsed;
+  again(80);
+  console.error((process.memoryUsage().heapUsed - before) / (80 * blocks.length));
+}
+
+/* Times, phonemes, visemes and intensities come in; a mouth's weights at each time go out. */
+function move() {
+  const mouth = model().mouth("arkit", 7);
+  for (let at = 0; at < samples.length; at += 4) {
+    const [time, phoneme, viseme, intensity] = samples.subarray(at, at + 4);
+    mouth.hear(time, { phoneme, viseme, intensity });
+    rows.push(...mouth.weights(time));
+  }
+}
+
+function refuse() {
+  const damaged = Uint8Array.from(preset);
+  damaged[1000] ^= 1;
+  for (const wrong of [
+    () => new EarModel(new WebAssembly.Module(code), damaged),
+    () => new EarModel(new WebAssembly.Module(code), code),
+    () => model().ear(500),
+    () => model().mouth("nothing"),
+  ]) {
+    try {
+      wrong();
+      console.error("nothing was refused");
+    } catch (error) {
+      console.error(`${error.name}: ${error.message}`);
+    }
+  }
+}
+
+/* What the module knows, and whether an ear still hears after the memory has moved beneath it. */
+function tell() {
+  const opened = model();
+  const first = opened.ear(44100);
+  for (let k = 0; k < 40; k++) opened.ear(48000);
+  console.error(
+    JSON.stringify({
+      imports: WebAssembly.Module.imports(new WebAssembly.Module(code)),
+      name: opened.name,
+      lookAhead: opened.lookAhead,
+      phonemes: opened.phonemes,
+      visemes: opened.visemes,
+      tables: opened.tables,
+      shapes: opened.phonemes.map((_, phoneme) => opened.shapeOf("rhubarb", { phoneme, viseme: 255 })),
+      frames: first.push(new Float32Array(44100)).length,
+    }),
+  );
+}
+
+await { hear, listenInWorklet, move, refuse, tell }[task]();
+process.stdout.write(new Uint8Array(Float64Array.from(rows).buffer));

@@ -1,0 +1,140 @@
+"""Batches: two cores against one, a cluster against two cores, short files, nothing to do, and a very long file."""
+
+import json
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+import soundfile
+
+from phonemeengine.batch.conversion_work import ConversionWork
+from phonemeengine.batch.runner import BatchOptions, run_batch
+from phonemeengine.batch.work import Job, JobState, Work
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.settings import SAMPLE_RATE
+from tests.fakes.batch_works import CopyWork
+from tests.fakes.dask_cluster import DaskCluster
+from tools.bench.figures import ROOT, Absolute, Figure, answer_of, child_environment, speech
+
+N_LONG, LONG_MINUTES = 12, 5
+"""Files of a folder that is worked through by one core, by two, and by a cluster of two."""
+N_SHORT, SHORT_SECONDS = 2000, 2
+N_DONE = 10_000
+HOURS, CHUNK_MINUTES = 10, 10
+N_ROUNDS = 3
+MOST_MB = 400.0
+LEAST_GAIN, LEAST_PER_SECOND, LEAST_OF_CLUSTER, MOST_SECONDS = 1.8, 100.0, 0.9, 10.0
+KIND = "rhubarb-json"
+
+
+def figures() -> list[Figure]:
+    """Measure in a process of its own, which starts others that import no more than it."""
+    a = answer_of("batch")
+    hours = f"{N_LONG * LONG_MINUTES / 60:g} h in {N_LONG} files"
+    gain, cluster = a["one"] / a["two"], a["two"] / a["cluster"]
+    per_second = N_SHORT / a["short"]
+    return [
+        Figure(
+            f"{hours}, two cores against one", f"{gain:.2f} x", f"{LEAST_GAIN} x ({a['one']:.1f} s on one)",
+            LEAST_GAIN / gain, limit=1.0,
+        ),
+        Figure(
+            f"{hours}, Dask with two workers against two cores", f"{cluster:.2f} of their speed",
+            f"{LEAST_OF_CLUSTER} ({a['two']:.1f} s)", LEAST_OF_CLUSTER / cluster, limit=1.0,
+        ),
+        Figure(
+            f"{N_SHORT} files of {SHORT_SECONDS} s on two cores", f"{per_second:.0f} files/s",
+            f"{LEAST_PER_SECOND:g} files/s", LEAST_PER_SECOND / per_second, limit=1.0, absolute=Absolute.TIME,
+        ),
+        Figure(
+            f"nothing to do, {N_DONE} files done before", f"{a['nothing']:.2f} s", f"{MOST_SECONDS:g} s",
+            a["nothing"] / MOST_SECONDS, limit=1.0, absolute=Absolute.TIME,
+        ),
+        Figure(
+            f"memory of one process, a file of {HOURS} h", f"{a['memory']:.0f} MB", f"{MOST_MB:g} MB",
+            a["memory"] / MOST_MB, limit=1.0,
+        ),
+    ]  # fmt: skip
+
+
+def main() -> None:
+    """Measure, and print all as JSON; with a sound and an output, export that one and print the memory it takes."""
+    if len(sys.argv) > 2:
+        run_batch([Job(Path(sys.argv[1]), Path(sys.argv[2]))], _work(), BatchOptions(1))
+        print(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)
+        return
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        answer = _measured_long(folder) | {"short": _measured_short(folder), "nothing": _measured_nothing(folder)}
+        print(json.dumps(answer | {"memory": _measured_memory(folder)}))
+
+
+def _work() -> ConversionWork:
+    return ConversionWork(KIND, load_preset(DEFAULT_PRESET))
+
+
+def _measured_long(folder: Path) -> dict[str, float]:
+    """Give the medians of the seconds that one core, two cores and a cluster of two take, in turns."""
+    sounds = _sounds(folder / "long", N_LONG, 60 * LONG_MINUTES)
+    (folder / "dask").mkdir()
+    with DaskCluster(folder / "dask", 2) as cluster:
+        ways = {"one": BatchOptions(1), "two": BatchOptions(2), "cluster": BatchOptions(cluster=cluster.address)}
+        times: dict[str, list[float]] = {name: [] for name in ways}
+        for k in range(N_ROUNDS):
+            for name, way in ways.items():
+                times[name].append(_seconds(sounds, folder / f"{name}-{k}", _work(), way))
+    return {name: float(np.median(found)) for name, found in times.items()}
+
+
+def _measured_short(folder: Path) -> float:
+    return _seconds(_sounds(folder / "short", N_SHORT, SHORT_SECONDS), folder / "made", _work(), BatchOptions(2))
+
+
+def _measured_nothing(folder: Path) -> float:
+    (folder / "done").mkdir()
+    sounds = [folder / "done" / f"{k:05d}.wav" for k in range(N_DONE)]
+    for sound in sounds:
+        sound.write_text(sound.stem)
+    _seconds(sounds, folder / "copied", CopyWork(), BatchOptions(1))
+    return _seconds(sounds, folder / "copied", CopyWork(), BatchOptions(1), JobState.SKIPPED)
+
+
+def _measured_memory(folder: Path) -> float:
+    """Give the most memory of a process that exports a very long file, MB."""
+    path, minutes = folder / "very-long.wav", np.asarray(speech(60 * CHUNK_MINUTES) * 32767, np.int16)
+    with soundfile.SoundFile(path, "w", SAMPLE_RATE, 1, "PCM_16") as file:
+        for _ in range(60 * HOURS // CHUNK_MINUTES):
+            file.write(minutes)
+    words = [sys.executable, "-m", "tools.bench.batch", str(path), str(folder / "very-long.json")]
+    done = subprocess.run(words, env=child_environment(), cwd=ROOT, stdout=subprocess.PIPE, text=True, check=True)
+    return float(done.stdout)
+
+
+def _seconds(
+    sounds: list[Path], out: Path, work: Work, options: BatchOptions, state: JobState = JobState.DONE
+) -> float:
+    """Give how long a batch takes with all that belongs to it."""
+    jobs = [Job(sound, out / f"{sound.stem}.json") for sound in sounds]
+    began = time.perf_counter()
+    outcomes = run_batch(jobs, work, BatchOptions(options.jobs, out, options.cluster))
+    seconds = time.perf_counter() - began
+    assert {outcome.state for outcome in outcomes} == {state}
+    return seconds
+
+
+def _sounds(folder: Path, n: int, seconds: float) -> list[Path]:
+    """Make sounds, all of them different."""
+    folder.mkdir()
+    sound = np.asarray(speech(seconds) * 32767, np.int16)
+    paths = [folder / f"{k:05d}.wav" for k in range(n)]
+    for k, path in enumerate(paths):
+        soundfile.write(path, np.roll(sound, 9973 * k), SAMPLE_RATE)
+    return paths
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""The program that needs no Python: ``make bundle``."""

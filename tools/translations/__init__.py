@@ -1,0 +1,1 @@
+"""Keeps the translations of the window up to date: `make translations`."""

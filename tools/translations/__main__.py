@@ -1,0 +1,37 @@
+"""Takes new texts of the window up into the translations, and compiles them; says what is still to be translated."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+from phonemeanalyser.desktop.language import LANGUAGES, TRANSLATIONS, WRITTEN_IN
+from tools.translations.sources import sources_in
+from tools.translations.ts_file import read_translations, write_translations
+
+
+def main() -> int:
+    """Do it for every language; the exit code is 1 where a text is untranslated."""
+    sources, lacking = sources_in(), 0
+    for language in LANGUAGES:
+        if language == WRITTEN_IN:
+            continue
+        path = TRANSLATIONS / f"phonemeanalyser_{language}.ts"
+        known = read_translations(path)
+        write_translations(path, language, sources, known)
+        compile_translations(path)
+        missing = [text for text, comment in sources if not known.get((text, comment))]
+        lacking += len(missing)
+        print(f"{path.name}: {len(sources)} texts, {len(missing)} to be translated")
+        for text in missing:
+            print(f"    {text}")
+    return 1 if lacking else 0
+
+
+def compile_translations(path: Path) -> None:
+    """Make the .qm file that Qt reads of a .ts file."""
+    lrelease = Path(sys.executable).parent / "pyside6-lrelease"
+    subprocess.run([str(lrelease), "-silent", str(path), "-qm", str(path.with_suffix(".qm"))], check=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
