@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.app import FirstPaint
@@ -32,10 +33,23 @@ def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
     assert not window.findChildren(CalibrationPage)
     click(window.switch.buttons[1])
     assert window.calibration.isVisible()
-    assert [window.pages.indexOf(p) for p in (window.analysis, window.calibration, page)] == [0, 1, 2]
+    assert window.pages.indexOf(window.analysis) == 0
+    assert [window.pages.widget(k).widget() for k in (1, 2)] == [window.calibration, page]
     click(window.switch.buttons[2])
     assert window.findChildren(TalkPage) == [page]
     assert page.isVisible()
+
+
+def test_a_window_that_is_too_small_for_a_page_scrolls_it(desktop, qtbot):
+    """On a screen of 1920 x 1080 at twice the scale a window has 960 x 540."""
+    window = shown(desktop, qtbot)
+    for number in (1, 2):
+        window.show_page(number)
+        window.resize(960, 540)
+        QApplication.processEvents()
+        assert (window.width(), window.height()) == (960, 540)
+        area = window.pages.currentWidget()
+        assert (area.horizontalScrollBar().maximum() > 0) == (area.widget().minimumSizeHint().width() > area.width())
 
 
 def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, monkeypatch, tmp_path):

@@ -7,6 +7,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QStackedWidget, QToolButton, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
 Page = TypeVar("Page", bound=QWidget)
 
@@ -32,6 +33,8 @@ class PageStack(QStackedWidget):
 class LazyPage(Generic[Page]):
     """A page that is made when it is first asked for, so that the first picture of the window need not wait for it.
 
+    Where the window is too small for it, it scrolls.
+
     Parameters
     ----------
     stack : gets a place for the page at its end.
@@ -53,7 +56,7 @@ class LazyPage(Generic[Page]):
         """Return the page."""
         if self.made is None:
             self.made = self._make()
-            self._stack.insertWidget(self._stack.indexOf(self._place), self.made)
+            self._stack.insertWidget(self._stack.indexOf(self._place), Scrolled(self.made))
             self._stack.removeWidget(self._place)
             self._place.deleteLater()
         return self.made
