@@ -27,12 +27,12 @@ async def _vanish(session: aiohttp.ClientSession, address: str) -> None:
 
 
 async def _flood(session: aiohttp.ClientSession, address: str) -> None:
-    """Send hours of sound as fast as they are taken, for a second."""
+    """Send sound as fast as it is taken, for a second."""
     with suppress(aiohttp.ClientError, ConnectionError, TimeoutError):
         async with session.ws_connect(f"{address}/stream") as socket, asyncio.timeout(1):
-            await socket.send_json({"rate": 1000})
+            await socket.send_json({"rate": 48_000})
             while True:
-                await socket.send_bytes(bytes(1 << 19))
+                await socket.send_bytes(bytes(1 << 16))
 
 
 async def _flood_with_crumbs(session: aiohttp.ClientSession, address: str) -> None:
