@@ -59,6 +59,7 @@ FIGURES: dict[str, Callable[[], list[Figure]]] = {
     "performance": performance.figures,
     "performance-table": performance_table.figures,
     "batch": batch.figures,
+    "very-long-file": batch.memory_figures,
 }
 
 

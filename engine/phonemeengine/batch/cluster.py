@@ -219,7 +219,7 @@ def _told(address: str) -> Iterator[None]:
         raise BatchError(
             f"{address}: a worker lacks the program ({error}); install phonemeanalyser {__version__} there"
         ) from error
-    except (OSError, ValueError, RuntimeError) as error:
+    except (OSError, ValueError, RuntimeError, TypeError, AssertionError) as error:  # as distributed raises them
         reason = str(error).partition("\n")[0] or type(error).__name__
         raise BatchError(
             f"{address}: no cluster answers there ({reason}); start one, or correct the address"
