@@ -25,7 +25,7 @@ CHUNK = 1 << 16
 SOUND = "sound"
 FIELDS = ("format", "table", "fps", "text", "language")
 """What may stand beside the sound, each as the option of ``export`` of that name."""
-NICE = 10
+NICE = 1
 LONGEST_FIELD = 64
 """Characters of a field other than the text."""
 KINDS = {

@@ -16,7 +16,7 @@ from phonemeanalyser.server.service import ServerSettings, serving
 from phonemeengine import EngineError
 
 T = TypeVar("T")
-PATIENCE = 60.0
+PATIENCE = 300.0
 """Seconds after which something hangs."""
 
 
