@@ -26,11 +26,10 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.intensity import intensities_of
-from phonemeengine.recognition.learned import MOST_TOGETHER, LearnedRecogniser, recognise_together
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.recognition.smoothing import PhonemeSmoother
-from phonemeengine.recognition.spec import Finishing, Recogniser, spec_of
+from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
 from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
 
@@ -295,16 +294,16 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
     """
     frames = [analyser._framer.cut_frames(samples) for analyser, samples in pushes]
     found: dict[int, Analysis] = {}
-    groups: defaultdict[object, dict[int, LearnedRecogniser]] = defaultdict(dict)
+    groups: defaultdict[object, dict[int, Joining]] = defaultdict(dict)
     for k, ((analyser, _), cut) in enumerate(zip(pushes, frames, strict=True)):
         recogniser = analyser._recogniser
-        joins = 0 < len(cut) <= MOST_TOGETHER and not analyser._unasked
-        if joins and isinstance(recogniser, LearnedRecogniser) and recogniser.kin is not None:
-            groups[recogniser.kin][k] = recogniser
+        if isinstance(recogniser, Joining) and not analyser._unasked and 0 < len(cut) <= recogniser.most_together:
+            groups[k if recogniser.kin is None else recogniser.kin][k] = recogniser
         else:
             found[k] = analyser._analyse(cut)
     for group in groups.values():
-        recognised = recognise_together([*group.values()], [frames[k] for k in group])
+        first, *others = group.values()
+        recognised = first.recognise_with(others, [frames[k] for k in group])
         for k, recognition in zip(group, recognised, strict=True):
             analyser = pushes[k][0]
             found[k] = analyser._answered(analyser._path.measure(frames[k]), recognition)

@@ -91,7 +91,11 @@ def write_film(
 
 def write_gif(file: BinaryIO, pictures: Iterable[UInt8Array], n_frames: int, rate: float) -> None:
     """Write a .gif that goes on and on; it has no sound."""
-    images = (Image.fromarray(picture).quantize(kmeans=ROUNDS, dither=Image.Dither.NONE) for picture in pictures)
+    coverage = Image.Quantize.MAXCOVERAGE  # small things of their own colour keep it, such as eyes
+    images = (
+        Image.fromarray(picture).quantize(method=coverage, kmeans=ROUNDS, dither=Image.Dither.NONE)
+        for picture in pictures
+    )
     ends = np.round(np.arange(n_frames + 1) / rate * 100).astype(int)
     durations = (np.diff(ends) * 10).tolist()
     first = next(images)

@@ -3,14 +3,15 @@
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import pytest
 
-from tools.bundle.icon import SIZE, write_icon
+from tests.conftest import ROOT
+from tools.bundle.icon import SIZE
 from tools.bundle.making import pack
 
-START = Path(__file__).resolve().parents[2] / "tools" / "bundle" / "start.py"
+START = ROOT / "tools" / "bundle" / "start.py"
+DRAW = "from pathlib import Path; from tools.bundle.icon import write_icon; write_icon(Path({!r}))"
 
 
 def run(*words: str) -> str:
@@ -20,7 +21,8 @@ def run(*words: str) -> str:
 def test_the_icon_is_as_large_as_it_says(tmp_path):
     from PySide6.QtGui import QImage
 
-    write_icon(tmp_path / "icon.png")
+    code = DRAW.format(str(tmp_path / "icon.png"))
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=ROOT)  # since an application would outlive the test
     picture = QImage(str(tmp_path / "icon.png"))
     assert (picture.width(), picture.height()) == (SIZE, SIZE)
     assert picture.pixelColor(2, 2).alpha() == 0

@@ -22,7 +22,7 @@ ROWS = (
 """Rows of vertices below the collar: how far from the neck to the outline, and how far down."""
 STEEPER = 0.55
 """How much further down chest and back fall than shoulders do, at the same share of the way."""
-SHIRT, SEAM, INSIDE = (96, 120, 104), (78, 100, 86), (40, 50, 44)
+SHIRT, SEAM, INSIDE = (76, 78, 80), (60, 62, 64), (40, 42, 44)
 
 
 def shoulders_below(ring: Floats) -> tuple[Floats, Numbers, Colours]:

@@ -92,18 +92,19 @@ def worked_on(act: Act, job: Job, progress: Progress, *, recorded: bool) -> Outc
     Raises
     ------
     Cancelled : `progress` did not want to go on.
+    BrokenPipeError : nobody reads what is printed any more.
     """
     notes: list[tuple[str, str]] = []
-    if recorded and not is_portable((job.target or job.source).name):
-        words = "not every system can write this name; rename the sound before its files go to others"
-        notes.append((printable_name(job.source), words))
     try:
         with fetched(job) as here:
             made = act(here.job, lambda name, note: notes.append((name, note)), progress)
             here.send()
             states = here.states() if recorded else ()
+        if recorded and not is_portable((job.target or job.source).name):
+            words = "not every system can write this name; rename the sound before its files go to others"
+            notes.append((printable_name(job.source), words))
         return Outcome(job, JobState.DONE, made, tuple(notes), "", False, *states)
-    except Cancelled:
+    except (Cancelled, BrokenPipeError):  # who read what is printed has gone
         raise
     except EngineError as error:
         return failed(job, str(error), tuple(notes), is_fatal=_is_full(error))

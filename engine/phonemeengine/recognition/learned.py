@@ -37,12 +37,13 @@ class LearnedRecogniser:
 
     Attributes
     ----------
-    kin : equal to that of others that `recognise_together` may ask with it, since they differ in their sounds alone;
-        None where it is asked alone, since its model is centred.
+    kin : equal to that of others that may be asked with it, since they differ in their sounds alone; None where it is
+        asked alone, since its model is centred.
     """
 
     scores = SCORES
     used_thresholds: frozenset[str] = frozenset()
+    most_together = ROOM
 
     def __init__(
         self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
@@ -53,7 +54,7 @@ class LearnedRecogniser:
         self._heads = tuple(known[self._n_early] for known in heads)
         self._warps = model.warps
         likes = (id(model), self.look_ahead, tuple(sorted(sensitivities.items())))
-        self.kin = None if model.centred else likes
+        self.kin: object | None = None if model.centred else likes
         self._model = model  # as long as it lives, no other one has its identity
         self._network = (CentredNetwork if model.centred else Network)(
             model.layers, silent_log_mels(len(model.warps))
@@ -93,6 +94,33 @@ class LearnedRecogniser:
         scores = self._sensitivity.apply(shares)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
 
+    def recognise_with(
+        self, others: Sequence["LearnedRecogniser"], windows: Sequence[Float32Array]
+    ) -> list[Recognition]:
+        """Recognise the next frames of its own sound, and of those of others of its kin, as if each were alone.
+
+        Parameters
+        ----------
+        windows : the next frames of each, its own first, at least one and `most_together`, shape (n_k, 2048).
+        """
+        recognisers = (self, *others)
+        networks = [recogniser._network for recogniser in recognisers if isinstance(recogniser._network, Network)]
+        ends = np.cumsum([len(block) for block in windows])[:-1]
+        heard = np.split(self._heard(np.concatenate(windows)), ends)
+        found = np.split(forward_together(networks, heard), ends)
+        wanted = [recogniser._without_early(block) for recogniser, block in zip(recognisers, found, strict=True)]
+        ends = np.cumsum([len(block) for block in wanted])
+        if not ends[-1]:
+            return [self._recognition(*NOTHING) for _ in recognisers]
+        ends = ends[:-1]
+        shares, *of_visemes = (self._probabilities_of(np.concatenate(wanted), head) for head in self._heads)
+        weights = np.concatenate(
+            [r._mixer.weigh(block) for r, block in zip(recognisers, np.split(shares, ends), strict=True)]
+        )
+        phonemes = np.split(mixed(shares, weights), ends)
+        visemes = np.split(mixed(of_visemes[0], weights), ends) if of_visemes else [None] * len(recognisers)
+        return [self._recognition(*known) for known in zip(phonemes, visemes, strict=True)]
+
     def _probabilities_of(self, found: Float32Array, head: OutputHead) -> Float32Array:
         """Return how likely each class of a head is with each vocal tract, shape (n, n_warps, n_classes)."""
         scores: Float32Array = found.reshape(-1, found.shape[2]).dot(head.weights)
@@ -109,35 +137,3 @@ class LearnedRecogniser:
     def explain(self, features: Features, k: int) -> Trace:
         """Return how likely the likeliest phonemes of frame `k` are."""
         return trace_of_scores(features, k)
-
-
-MOST_TOGETHER = ROOM
-"""Frames of a sound that `recognise_together` takes at once."""
-
-
-def recognise_together(
-    recognisers: Sequence[LearnedRecogniser], windows: Sequence[Float32Array]
-) -> list[Recognition]:
-    """Recognise the next frames of several sounds; what one recogniser says of its own is as if it were alone.
-
-    Parameters
-    ----------
-    recognisers : one for each sound, all of the same `kin`, which is not None.
-    windows : the next frames of each, at least one and `MOST_TOGETHER` at the most, shape (n_k, 2048).
-    """
-    one = recognisers[0]
-    networks = [recogniser._network for recogniser in recognisers if isinstance(recogniser._network, Network)]
-    ends = np.cumsum([len(block) for block in windows])[:-1]
-    heard = np.split(one._heard(np.concatenate(windows)), ends)
-    found = np.split(forward_together(networks, heard), ends)
-    wanted = [recogniser._without_early(block) for recogniser, block in zip(recognisers, found, strict=True)]
-    ends = np.cumsum([len(block) for block in wanted])
-    if not ends[-1]:
-        return [one._recognition(*NOTHING) for _ in recognisers]
-    ends = ends[:-1]
-    shares, *others = (one._probabilities_of(np.concatenate(wanted), head) for head in one._heads)
-    weights = np.concatenate(
-        [r._mixer.weigh(block) for r, block in zip(recognisers, np.split(shares, ends), strict=True)]
-    )
-    visemes = np.split(mixed(others[0], weights), ends) if others else [None] * len(recognisers)
-    return [one._recognition(*known) for known in zip(np.split(mixed(shares, weights), ends), visemes, strict=True)]

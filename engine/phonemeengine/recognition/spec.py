@@ -5,7 +5,7 @@ its class. Those of other packages come through entry points (see `plug_ins`).
 """
 
 import pkgutil
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import partial
@@ -97,6 +97,26 @@ class Finishing(Protocol):
 
     def finish(self) -> Recognition:
         """Return the answers for all frames that it still holds, since the sound is over."""
+        ...
+
+
+@runtime_checkable
+class Joining(Protocol):
+    """What a `Recogniser` is besides that can be asked together with those of other sounds, which costs less."""
+
+    kin: object | None
+    """Equal to that of those that may be asked with it, since they differ in their sounds alone; None: nobody may."""
+
+    most_together: int
+    """Frames of a sound that may be asked at once."""
+
+    def recognise_with(self, others: Sequence[Any], windows: Sequence[Float32Array]) -> list[Recognition]:
+        """Recognise the next frames of its own sound, and of those of others of its kin, as if each were alone.
+
+        Parameters
+        ----------
+        windows : the next frames of each sound, its own first, at least one and `most_together` at the most.
+        """
         ...
 
 
