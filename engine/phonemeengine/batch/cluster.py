@@ -4,6 +4,7 @@ The scheduler gives out the same chunks of files as the processes of one machine
 where a worker dies. Every worker sees the files by the same paths or addresses.
 """
 
+import asyncio
 import logging
 import platform
 import threading
@@ -61,6 +62,7 @@ class Cluster:
         self._address, self._folder, self._token = address, folder, token
         self._versions = versions()
         with _told(address):
+            asyncio.run(_knock(address))
             self._client = distributed.Client(
                 address, timeout=CONNECTION_TIMEOUT, set_as_default=False, direct_to_workers=False
             )
@@ -189,6 +191,12 @@ def _is_seen(source: Path) -> bool:
 def _received(order: Order) -> Order:
     """Give an order to the workers that need it; the scheduler has it done again where they die."""
     return replace(order)
+
+
+async def _knock(address: str) -> None:
+    """Reach a scheduler, before there is a client: one that reached none may hang when its memory is freed."""
+    comm = await _imported().comm.connect(address, timeout=CONNECTION_TIMEOUT)
+    await comm.close()
 
 
 def _imported() -> Any:
