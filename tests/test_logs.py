@@ -28,7 +28,7 @@ def test_a_command_logs_the_files_that_it_refuses(sound: Path, tmp_path: Path, c
     assert main(["analyse", str(sound), str(bad), "--preset", "thesis", "--log", str(log), "-o", str(tmp_path)]) == 1
     (line,) = log.read_text().splitlines()
     assert re.fullmatch(r"[-\d]+ [\d:,]+ WARNING phonemeengine\.batch\.runner: bad\.wav: this is not a sound.*", line)
-    assert line.split("jobs: ")[1] in capsys.readouterr().err
+    assert line.split("runner: ")[1] in capsys.readouterr().err
 
 
 def test_the_log_is_appended_to_and_says_what_was_refused(tmp_path: Path) -> None:

@@ -33,6 +33,7 @@ class StateChips(QWidget):
         self.frozen.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.frozen.clicked.connect(self.go_on_asked)
         self.changed = QToolButton()
+        self.changed.setToolTip(tr("What became of the file meanwhile"))
         self.changed.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.changed.clicked.connect(self.open_again_asked)
         self.unseen, self.lost, self.late = QLabel(), QLabel(), QLabel()
@@ -56,7 +57,8 @@ class StateChips(QWidget):
 
     def show_changed(self, words: str, tip: str) -> None:
         """Say that the file in hand is another one by now, or none; an empty text for neither."""
-        self.changed.setToolTip(tip)
+        if tip:
+            self.changed.setToolTip(tip)
         _say(self.changed, words)
 
     def show_unseen(self, n_frames: int) -> None:

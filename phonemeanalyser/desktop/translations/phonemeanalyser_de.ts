@@ -6046,6 +6046,11 @@
             <translation>was aus einem Klang wird</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <source>What became of the file meanwhile</source>
+            <translation>Was inzwischen aus der Datei wurde</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
             <source>what becomes of everything else when a slider is pulled</source>
             <translation>was aus allem anderen wird, wenn ein Regler gezogen wird</translation>
