@@ -67,8 +67,8 @@ class RedrawLoop(QObject):
         if self._pages.currentWidget() is self._analysis:
             if self.dirty and not self.frozen:
                 self._draw_analysis(slow=slow, known_at=known_at)
-        elif self._calibration.made is self._pages.currentWidget():
-            self._calibration.get().refresh()
+        elif self._calibration.made is not None and self._calibration.made.isVisible():
+            self._calibration.made.refresh()
 
     def refresh_all(self) -> None:
         """Draw everything as it is now."""

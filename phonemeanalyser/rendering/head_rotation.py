@@ -3,7 +3,6 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.head_motion import HeadPose
@@ -48,5 +47,7 @@ class NeckPivot:
 
 def rotation_of(pose: HeadPose) -> Float32Array:
     """Return what turns a head as a pose says, float32, shape (3, 3): it nods, then turns; rolls first of all."""
+    from scipy.spatial.transform import Rotation  # noqa: PLC0415 - 150 ms that a window should not wait for
+
     turn = Rotation.from_euler("YXZ", (pose.yaw, -pose.pitch, -pose.roll), degrees=True)
     return np.asarray(turn.as_matrix(), np.float32)

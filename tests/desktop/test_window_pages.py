@@ -40,6 +40,16 @@ def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
     assert page.isVisible()
 
 
+def test_the_calibration_is_drawn_as_long_as_it_is_seen(desktop, qtbot, monkeypatch):
+    window, drawn = shown(desktop, qtbot), []
+    window.show_page(1)
+    monkeypatch.setattr(window.calibration, "refresh", lambda: drawn.append(window.pages.currentIndex()))
+    window.redraw.tick()
+    window.show_page(0)
+    window.redraw.tick()
+    assert drawn == [1]
+
+
 def test_a_window_that_is_too_small_for_a_page_scrolls_it(desktop, qtbot):
     """On a screen of 1920 x 1080 at twice the scale a window has 960 x 540."""
     window = shown(desktop, qtbot)

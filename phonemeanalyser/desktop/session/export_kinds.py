@@ -4,11 +4,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
-from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.analyser import analyse_file
@@ -84,7 +83,7 @@ def check_order(order: ExportOrder) -> None:
     if order.kind in CONVERSIONS:
         check_options(order.kind, order.options)
     elif EXPORT_KINDS[order.kind].moves_mouth:
-        check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), ClipOptions().size)
+        _clips().check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), ClipOptions().size)
 
 
 @dataclass(frozen=True)
@@ -139,8 +138,18 @@ def _convert(source: Path, target: Path, order: ExportOrder, progress: Progress)
     )  # fmt: skip
 
 
+def _clips() -> ModuleType:
+    """Return what makes clips: 150 ms that a window should not wait for."""
+    import phonemeanalyser.rendering.clip  # noqa: PLC0415
+
+    return phonemeanalyser.rendering.clip
+
+
 def _make_clip(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
+    from phonemeanalyser.rendering.subdivision import subdivided  # noqa: PLC0415 - as below
+
     _refuse_another(target, order)
+    clips = _clips()
     look = ClipOptions() if order.options.rate is None else ClipOptions(rate=order.options.rate)
     preset = for_files(order.preset)
     with SoundReader(source, order.channel) as reader:
@@ -148,9 +157,9 @@ def _make_clip(source: Path, target: Path, order: ExportOrder, progress: Progres
             reader, preset, pitch=order.options.idle.head, progress=subrange(progress, 0, ANALYSED)
         )
         speech = transcript_of(analyses, printable_name(source), reader.duration, source)
-        animation = animation_by_rules(speech, order.options, look.rate)
+        animation = clips.animation_by_rules(speech, order.options, look.rate)
         shown = subrange(progress, ANALYSED, 1)
-        write_clip(target, subdivided(load_head()), [animation], look, (), sound_track(reader), shown)
+        clips.write_clip(target, subdivided(load_head()), [animation], look, (), clips.sound_track(reader), shown)
 
 
 def _write_report(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:

@@ -23,11 +23,11 @@ SOFTWARE = ("llvmpipe", "softpipe", "swrast", "software", "swiftshader", "gdi ge
 """What the names of renderers hold that draw with the processor."""
 WITHOUT_GL = ("offscreen", "minimal", "vnc", "linuxfb")
 """Qt's platforms that have no OpenGL in their windows."""
-MOST_SHARE = 0.8
+MOST_SHARE = 0.7
 """Of the time that goes into pictures which the processor draws: the sound comes first."""
 REST_MS = 300
 """Without a change for so long, a picture is drawn again without jagged edges."""
-MOST_QUICK_PIXELS, MOST_PIXELS = 240_000, 2_100_000
+MOST_QUICK_PIXELS, MOST_PIXELS = 200_000, 2_100_000
 """A picture that the processor draws is no larger, while something moves and while nothing does."""
 
 

@@ -4,7 +4,7 @@ import math
 import time
 from dataclasses import replace
 
-from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
@@ -78,6 +78,10 @@ class HeadView(QWidget):
         self.menu = PlotMenu(self, "head", lambda _at: self._values())
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.DefaultContextMenu)  # a right drag moves the head
         head.face.changed.connect(self._take_face)
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setTimerType(Qt.TimerType.PreciseTimer)
+        self._later.timeout.connect(self.refresh)
 
     def refresh(self) -> None:
         """Show the face as it is now, once what draws it is loaded."""
@@ -87,9 +91,14 @@ class HeadView(QWidget):
             self._take_face()
         if self.surface is None and not self._work.busy:
             self._work.submit(lambda _progress: rendering(), lambda _loaded: self._begin_drawing())
-        if self.surface is not None and self._shown != self._head.revision and time.monotonic() >= self.surface.due:
+        if self.surface is None or self._shown == self._head.revision:
+            return
+        wait = self.surface.due - time.monotonic()
+        if wait <= 0:
             self._shown = self._head.revision
             self.surface.redraw()
+        elif not self._later.isActive():
+            self._later.start(math.ceil(1000 * wait))  # the window's next picture may be too late
 
     def copy_view_from(self, other: "HeadView") -> None:
         """Look at the head as another view does."""
