@@ -20,12 +20,12 @@ from tests.fakes.batch_works import CopyWork
 from tests.fakes.dask_cluster import DaskCluster
 from tools.bench.figures import ROOT, Absolute, Figure, answer_of, child_environment, speech
 
-N_LONG, LONG_MINUTES = 8, 3
+N_LONG, LONG_MINUTES = 8, 15
 """Files of a folder that is worked through by one core, by two, and by a cluster of two."""
 N_SHORT, SHORT_SECONDS = 2000, 2
 N_DONE = 10_000
 HOURS, CHUNK_MINUTES = 10, 10
-N_ROUNDS = 3
+N_ROUNDS = 2
 MOST_MB = 400.0
 LEAST_GAIN, LEAST_PER_SECOND, LEAST_OF_CLUSTER, MOST_SECONDS = 1.8, 100.0, 0.9, 10.0
 KIND = "rhubarb-json"
