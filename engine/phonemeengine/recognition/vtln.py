@@ -5,7 +5,7 @@ shorter (L. Lee and R. Rose, "A frequency warping approach to speaker normalizat
 Processing 6(1), 1998). What they say is mixed; those that were sure count more.
 """
 
-import math
+from math import exp, log
 
 import numpy as np
 
@@ -19,7 +19,7 @@ TRUST = 0.1
 """How much a frame's confidence, a logarithm of a probability, tells about the tract: neighbouring frames say nearly
 the same."""
 
-_KEPT = math.exp(-FRAME_PERIOD / MEMORY)
+_KEPT = exp(-FRAME_PERIOD / MEMORY)
 
 
 def mixed(shares: Float32Array, weights: Float32Array) -> Float32Array:
@@ -52,17 +52,15 @@ class VtlnMixer:
             return np.ones(shares.shape[:2], np.float32)
         sure = np.maximum.reduce(shares, axis=2).tolist()
         silent = shares[:, :, Phoneme.SILENCE].tolist()
-        weights = [self._weigh(*frame) for frame in zip(sure, silent, strict=True)]
+        evidence, weights = self._evidence, []
+        for certainties, silences in zip(sure, silent, strict=True):  # one loop: a call for each frame costs as much
+            if sum(silences) < shares.shape[1] / 2:
+                evidence = [_KEPT * before + log(now) for before, now in zip(evidence, certainties, strict=True)]
+            else:  # silence tells nothing about them
+                evidence = [_KEPT * before for before in evidence]
+            most = max(evidence)
+            odds = [exp(TRUST * (known - most)) for known in evidence]
+            total = sum(odds)
+            weights.append([chance / total for chance in odds])
+        self._evidence = evidence
         return np.array(weights, np.float32).reshape(shares.shape[:2])
-
-    def _weigh(self, sure: list[float], silent: list[float]) -> list[float]:
-        """Return how much each tract counts in a frame; silence tells nothing about them."""
-        speaks = sum(silent) < len(silent) / 2
-        self._evidence = [
-            _KEPT * before + (math.log(now) if speaks else 0.0)
-            for before, now in zip(self._evidence, sure, strict=True)
-        ]
-        most = max(self._evidence)
-        odds = [math.exp(TRUST * (evidence - most)) for evidence in self._evidence]
-        total = sum(odds)
-        return [chance / total for chance in odds]

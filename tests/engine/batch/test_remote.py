@@ -14,6 +14,7 @@ from phonemeengine.batch.work import Job, JobState
 from phonemeengine.errors import BatchError
 from tests.engine.batch.test_batch import states
 from tests.fakes.batch_works import CopyWork
+from tests.fakes.dask_cluster import DaskCluster
 from tests.tables import contents
 
 
@@ -68,9 +69,9 @@ def test_an_address_that_nobody_knows_is_refused() -> None:
         place_of("nowhere://x")
 
 
-@pytest.mark.long
-@pytest.mark.filterwarnings("ignore")
-def test_a_bucket_of_s3_is_a_folder(sound: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def s3(monkeypatch: pytest.MonkeyPatch) -> Iterator[UPath]:
+    """Give a bucket of a server of the protocol of S3, on this machine."""
     from moto.server import ThreadedMotoServer
 
     server = ThreadedMotoServer(port=0)
@@ -81,15 +82,23 @@ def test_a_bucket_of_s3_is_a_folder(sound: Path, tmp_path: Path, monkeypatch: py
     monkeypatch.setenv("AWS_DEFAULT_REGION", "us-east-1")
     bucket = UPath("s3://sounds")
     bucket.mkdir()
+    yield bucket
+    server.stop()
+
+
+@pytest.mark.long
+@pytest.mark.filterwarnings("ignore")
+def test_a_bucket_of_s3_is_a_folder_for_processes_and_for_a_cluster(s3: UPath, sound: Path, tmp_path: Path) -> None:
     folder = tmp_path / "in"
     folder.mkdir()
     for name in ("a.wav", "b.wav"):
         (folder / name).write_bytes(sound.read_bytes())
-        (bucket / "in" / name).write_bytes(sound.read_bytes())
-    for jobs in ("1", "2", "2"):
-        assert main(["analyse", "s3://sounds/in", "-o", f"s3://sounds/out{jobs}", "--jobs", jobs]) == 0
-    assert main(["analyse", str(folder), "-o", str(tmp_path / "out")]) == 0
-    here = contents(tmp_path / "out")
-    for jobs in ("1", "2"):
-        assert {name: (bucket / f"out{jobs}" / name).read_bytes() for name in here} == here
-    server.stop()
+        (s3 / "in" / name).write_bytes(sound.read_bytes())
+    (tmp_path / "dask").mkdir()
+    assert main(["analyse", str(folder), "-o", str(tmp_path / "here")]) == 0
+    here = contents(tmp_path / "here")
+    with DaskCluster(tmp_path / "dask", 2) as cluster:
+        for name, way in {"1": ["--jobs", "1"], "2": ["--jobs", "2"], "dask": ["--dask", cluster.address]}.items():
+            for _again in range(2):
+                assert main(["analyse", "s3://sounds/in", "-o", f"s3://sounds/{name}", *way]) == 0
+            assert {n: (s3 / name / n).read_bytes() for n in here} == here
