@@ -88,6 +88,7 @@ class AveragedView(SpectrumView):
         """Draw the running mean as it is now, and say of how much it is."""
         current = self._averages.current()
         self.draw(current.amplitudes.astype(np.float32))
+        self.tell_empty(not (current.n_frames or self._overlays))
         self._tell_since(current)
         for label, curve, distance in zip(
             self._names, self._averages.curves, self._averages.distances(), strict=True

@@ -55,6 +55,7 @@ class SpectrumView(Plot):
             x, y = x[::COARSE], y.reshape(-1, COARSE).max(axis=1)
             x, y = np.repeat(np.append(x, x[-1] + COARSE * BIN_WIDTH), 2)[1:-1], np.repeat(y, 2)
         self._curve.setData(x, self.heights_of(y))
+        self.tell_empty(not len(amplitudes))
         self.refresh_read_out()
 
     def clear(self) -> None:

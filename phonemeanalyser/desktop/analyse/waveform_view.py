@@ -65,6 +65,7 @@ class WaveformView(Plot):
             groups = y.reshape(-1, COARSE)
             y = np.stack((groups.min(axis=1), groups.max(axis=1)), axis=1).ravel()
         self._curve.setData(np.linspace(0, LENGTH_MS, len(y), endpoint=False), y)
+        self.tell_empty(not len(wave))
         self.refresh_read_out()
 
     def clear(self) -> None:

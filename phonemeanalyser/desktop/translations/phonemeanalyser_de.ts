@@ -3390,6 +3390,11 @@
             <translation>von {microphone} kommt seit {seconds} s nichts; alle 2 s ein neuer Versuch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot.py" />
+            <source>nothing heard yet: play, or click into the sound</source>
+            <translation>noch nichts gehört: abspielen, oder in den Klang klicken</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
             <source>nothing is loaded yet</source>
             <translation>noch nichts geladen</translation>

@@ -11,6 +11,7 @@ from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeengine.arrays import Float64Array
@@ -188,9 +189,14 @@ class Plot(QWidget):
         self.graphics.setAccessibleName(title.lower())
         self._cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
+        self._hint = QLabel(tr("nothing heard yet: play, or click into the sound"))
         self._style(axes)
         self._lay_out(title, tip)
         self._follow_mouse()
+
+    def tell_empty(self, empty: bool) -> None:
+        """Say how to fill the plot while nothing is drawn in it, or no longer."""
+        self._hint.setVisible(empty)
 
     def refresh_read_out(self) -> None:
         """Show what lies under the mouse now: it may stand still while the picture moves."""
@@ -238,6 +244,13 @@ class Plot(QWidget):
         layout.setSpacing(0)
         layout.addLayout(self.header)
         layout.addWidget(self.graphics, 1)
+        self._hint.setStyleSheet(f"color: {self.theme.faint}; background: transparent")
+        self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        over = QVBoxLayout(self.graphics)
+        over.setContentsMargins(52, 0, 0, 40)  # the axes
+        over.addWidget(self._hint)
+        self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._hint.setWordWrap(True)
 
     def _follow_mouse(self) -> None:
         self._proxy = pg.SignalProxy(

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QToolButton
+from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -49,6 +49,21 @@ def test_a_tone_is_a_peak_of_its_amplitude_at_its_frequency(view):
     assert len(x) == 256
     assert x[y.argmax()] == pytest.approx(ON_BIN)
     assert y.max() == pytest.approx(0.5, abs=0.03)
+
+
+def test_empty_plots_say_how_to_fill_them(desktop, window):
+    def said() -> list[list[str]]:
+        plots = (window.analysis.spectrum, window.analysis.averaged, window.analysis.waveform)
+        return [
+            [w.text() for w in plot.findChildren(QLabel) if "play, or click" in w.text() and w.isVisible()]
+            for plot in plots
+        ]
+
+    assert said() == [[], [], []]
+    desktop.session.clear()
+    window.analysis.refresh_fast()
+    window.analysis.refresh_slow()
+    assert [len(words) for words in said()] == [1, 1, 1]
 
 
 def test_coarse_draws_the_highest_of_eight_bins_as_a_step(view):
