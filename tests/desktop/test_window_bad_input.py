@@ -133,10 +133,10 @@ def test_a_thousand_tiers_leave_the_sonagram_its_room(desktop, qtbot, sound):
     labels.show(range(1000), 0)
     qtbot.waitUntil(lambda: not desktop.session.busy)
     view.repaint()
-    sonagram = view._rows()[0]
+    sonagram = view._layout.rows()[0]
     assert sonagram.height() >= view.height() / 5
     assert sonagram.bottom() < view.height()
-    assert max(row.bottom() for row in view._label_rows().values()) < view.height()
+    assert max(row.bottom() for row in view._layout.label_rows().values()) < view.height()
     QTest.mouseClick(view, LEFT, pos=QPoint(view.width() // 2, view.height() // 2))
 
 

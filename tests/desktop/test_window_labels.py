@@ -33,17 +33,17 @@ def window(desktop, qtbot, tmp_path):
 
 
 def place(view, tier, seconds):
-    row = view._label_rows()[tier]
-    return QPoint(round(view._x_of(seconds)), round(row.center().y()))
+    row = view._layout.label_rows()[tier]
+    return QPoint(round(view._layout.x_of(seconds)), round(row.center().y()))
 
 
 def test_lanes_are_painted_under_the_recognised_phonemes(window):
     view = window.analysis.file.view
-    rows = view._label_rows()
+    rows = view._layout.label_rows()
     assert list(rows) == [0, 1]
-    assert view._rows()[1].bottom() < rows[0].top() < rows[1].top() < view._rows()[2].top()
+    assert view._layout.rows()[1].bottom() < rows[0].top() < rows[1].top() < view._layout.rows()[2].top()
     picture = view.grab().toImage()
-    edge = round(view._x_of(1.0))
+    edge = round(view._layout.x_of(1.0))
     y = round(rows[0].top()) + 3
     assert picture.pixel(edge, y) != picture.pixel(edge + 5, y)
 

@@ -27,7 +27,7 @@ def test_without_a_second_preset_the_key_says_so(desktop, window):
     press(window, Qt.Key.Key_X)
     assert window.banner.label.text() == NO_SECOND
     assert not window.menus.actions["Hear with the Second"].isChecked()
-    assert window.analysis.file.view._second_row() is None
+    assert window.analysis.file.view._layout.second_row() is None
 
 
 def test_two_presets_are_seen_and_switched(desktop, window, qtbot, monkeypatch):
@@ -40,8 +40,8 @@ def test_two_presets_are_seen_and_switched(desktop, window, qtbot, monkeypatch):
     session.view.show_all()
     panel = window.analysis.file
     assert panel.differs.toolTip() == f"Thesis and Learned differ in {100 * expected.share:.1f} % of what is seen"
-    row = panel.view._second_row()
-    assert row.top() > panel.view._rows()[1].bottom()
+    row = panel.view._layout.second_row()
+    assert row.top() > panel.view._layout.rows()[1].bottom()
     kept = first.phonemes.copy()
     press(window, Qt.Key.Key_X)
     assert session.preset.in_force.name == "Learned"

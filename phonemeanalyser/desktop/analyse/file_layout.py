@@ -1,0 +1,102 @@
+"""Where things lie in the view of a file: its rows from above, and times from left to right."""
+
+from PySide6.QtCore import QRectF
+from PySide6.QtWidgets import QWidget
+
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.widgets.timeline import Lane
+
+LEFT, RIGHT, TIME_HEIGHT, GAP = 52, 8, 18, 3
+LANE_HEIGHT, LABEL_HEIGHT = 22, 19
+LANE = 1
+"""Number of the row of what is recognised."""
+MOST_LANES = 0.4
+"""Of the height, that lanes of labels take at most."""
+WAVE_SHARE, COURSE_SHARE = 0.16, 0.22
+"""Of the height that the lane and the axis leave."""
+
+
+class FileLayout:
+    """The places of rows, lanes and times on a widget, as they are now.
+
+    Parameters
+    ----------
+    session : what is seen of the file, and its labels.
+    widget : what is painted on.
+
+    Attributes
+    ----------
+    shows : which of ``formants``, ``pitch`` and ``level`` are drawn over the sonagram; ``words``: what is said below.
+    spoken : lanes of what is said.
+    """
+
+    def __init__(self, session: Session, widget: QWidget) -> None:
+        self._session, self._widget = session, widget
+        self.shows: set[str] = set()
+        self.spoken: list[Lane] = []
+
+    @property
+    def width(self) -> int:
+        """Pixels between the axis at the left and the right edge."""
+        return max(1, self._widget.width() - LEFT - RIGHT)
+
+    def rows(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
+        """Return where sonagram, lane, waveform and course lie, from above."""
+        lanes = (len(self.tiers_shown()) + len(self.spoken_shown())) * (LABEL_HEIGHT + 1)
+        lanes += 0 if self._session.second.preset is None else LANE_HEIGHT + 1
+        room = max(0, self._widget.height() - LANE_HEIGHT - lanes - TIME_HEIGHT - 3 * GAP)
+        wave, course = WAVE_SHARE * room, COURSE_SHARE * room
+        heights = (room - wave - course, LANE_HEIGHT, wave, course)
+        rows, top = [], 0.0
+        for k, height in enumerate(heights):
+            rows.append(QRectF(LEFT, top, self.width, height))
+            top += height + GAP + (lanes if k == LANE else 0)
+        return rows[0], rows[1], rows[2], rows[3]
+
+    def second_row(self) -> QRectF | None:
+        """Return where the lane of the second preset lies; None without one."""
+        if self._session.second.preset is None:
+            return None
+        first = self.rows()[LANE]
+        return first.translated(0, first.height() + 1)
+
+    def label_rows(self) -> dict[int, QRectF]:
+        """Return where the tiers that are shown lie, under the lane of what is recognised."""
+        second = self.second_row()
+        top = (self.rows()[LANE] if second is None else second).bottom() + 1
+        step = LABEL_HEIGHT + 1
+        return {
+            tier: QRectF(LEFT, top + k * step, self.width, LABEL_HEIGHT) for k, tier in enumerate(self.tiers_shown())
+        }
+
+    def tiers_shown(self) -> tuple[int, ...]:
+        """Return the tiers that are shown, as many as leave the sonagram room; what a microphone heard has none."""
+        most = max(1, int(MOST_LANES * self._widget.height()) // (LABEL_HEIGHT + 1))
+        return () if self._session.looks_back else self._session.labels.state.shown[:most]
+
+    def spoken_shown(self) -> list[Lane]:
+        """Return the lanes of what is said that no tier shows already."""
+        if self._session.looks_back or "words" not in self.shows:
+            return []
+        tiers = {self._session.labels.state.tiers[tier].name for tier in self.tiers_shown()}
+        return [lane for lane in self.spoken if lane.name not in tiers]
+
+    def spoken_rows(self) -> list[tuple[QRectF, Lane]]:
+        """Return where the lanes of what is said lie, under the labels."""
+        labels, second = self.label_rows(), self.second_row()
+        above = max([row.bottom() for row in labels.values()], default=0.0)
+        top = above or (self.rows()[LANE] if second is None else second).bottom()
+        step = LABEL_HEIGHT + 1
+        return [
+            (QRectF(LEFT, top + 1 + k * step, self.width, LABEL_HEIGHT), lane)
+            for k, lane in enumerate(self.spoken_shown())
+        ]
+
+    def x_of(self, seconds: float) -> float:
+        """Return where a time lies, pixels from the left."""
+        seen = self._session.view.seen
+        return LEFT + (seconds - seen.start) / max(seen.seconds, 1e-9) * self.width
+
+    def time_at(self, x: float) -> float:
+        """Return the time that lies so many pixels from the left, seconds."""
+        return self._session.view.seen.start + (x - LEFT) / self.width * self._session.view.seen.seconds
