@@ -6,6 +6,7 @@ from dataclasses import replace
 from html import escape
 from itertools import chain
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
 from PySide6.QtGui import QDesktopServices, QPainter
@@ -14,12 +15,10 @@ from PySide6.QtWidgets import QFileDialog, QGraphicsItem, QGraphicsView, QInputD
 
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
-from phonemeanalyser.desktop.export_dialog import ExportDialog
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
-from phonemeanalyser.desktop.ship_dialog import ShipDialog, ShipOrder
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
@@ -29,6 +28,9 @@ from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.entries import PresetEntry, preset_entries
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_preset, own_presets
+
+if TYPE_CHECKING:
+    from phonemeanalyser.desktop.ship_dialog import ShipOrder
 
 N_RECENT = 8
 PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
@@ -178,6 +180,8 @@ class Dialogs(QObject):
 
     def show_export(self, sounds: Sequence[Path] = ()) -> None:
         """Show what sounds can be turned into; begins with the sound in hand, unless others are named."""
+        from phonemeanalyser.desktop.export_dialog import ExportDialog  # noqa: PLC0415 - the first window waits for it
+
         path = self._session.path
         chosen = list(sounds) or ([] if path is None else [path])
         preset, channel = self._preset.in_force, self._session.channel
@@ -364,11 +368,13 @@ class Dialogs(QObject):
 
     def show_ship(self) -> None:
         """Ask which preset is shipped, for what and where to."""
+        from phonemeanalyser.desktop.ship_dialog import ShipDialog  # noqa: PLC0415 - the first window waits for it
+
         dialog = ShipDialog(self._preset.preset, self.preset_sections(), self._settings, self._window)
         dialog.ordered.connect(self._ship)
         dialog.open()
 
-    def _ship(self, order: ShipOrder) -> None:
+    def _ship(self, order: "ShipOrder") -> None:
         """Ship in the background; zig takes seconds, and minutes when it is asked for the first time."""
         words = tr("Shipping for {target} into {folder} …").format(target=order.target, folder=order.folder)
         self.info.emit(words)

@@ -9,8 +9,9 @@ import os
 PINS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 """What keeps the arithmetic on one core; read when NumPy is first imported, so they stand here."""
 
-FOREIGN = ("OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE")
-"""What has OpenBLAS take the arithmetic of another processor than this one, as some machines for tests are set."""
+FOREIGN = ("OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE", "PYTHONDONTWRITEBYTECODE")
+"""What machines for tests have set and users' have not: arithmetic for another processor, and modules that are
+compiled anew at each start."""
 
 os.environ.update(dict.fromkeys(PINS, "1"))
 for name in FOREIGN:

@@ -12,8 +12,6 @@ import contextlib
 import threading
 
 import numpy as np
-from pythonosc.dispatcher import Dispatcher
-from pythonosc.osc_server import BlockingOSCUDPServer
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
@@ -42,6 +40,9 @@ class OscExpression(Closing):
     """
 
     def __init__(self, address: OscAddress) -> None:
+        from pythonosc.dispatcher import Dispatcher  # noqa: PLC0415 - with asyncio, for which few have a use
+        from pythonosc.osc_server import BlockingOSCUDPServer  # noqa: PLC0415
+
         self._shares: dict[str, float] = {}
         self._weights: Float32Array = np.zeros(len(ARKIT), np.float32)
         dispatcher = Dispatcher()
