@@ -61,7 +61,7 @@ WORDS = (
         "Rules of your own over frequency bands: every comparison shows its margin, and every limit can be dragged."
     ),
     tr_noop(
-        "A small neural network that heard 233 speakers: the surest one, and it adapts to a voice in a minute."
+        "A small neural network that heard 122 speakers: the surest one, and it adapts to a voice in a minute."
     ),
     tr_noop("The nearest of nine mean spectra wins, as in uLipSync; best made from takes of one voice."),
     tr_noop("The rules of the thesis with hysteresis, on sound that quantising does not fold."),

@@ -5,6 +5,7 @@ that is scaled by how fast the machine is.
 """
 
 import os
+import sys
 
 PINS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
 """What keeps the arithmetic on one core; read when NumPy is first imported, so they stand here."""
@@ -14,5 +15,6 @@ FOREIGN = ("OPENBLAS_CORETYPE", "OPENBLAS_L2_SIZE", "PYTHONDONTWRITEBYTECODE")
 compiled anew at each start."""
 
 os.environ.update(dict.fromkeys(PINS, "1"))
-for name in FOREIGN:
-    os.environ.pop(name, None)
+if sys.argv[0] == "-m":  # begun as a program; who imports it for a test keeps what it has
+    for name in FOREIGN:
+        os.environ.pop(name, None)

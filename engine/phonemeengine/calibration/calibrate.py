@@ -110,7 +110,8 @@ def calibrate(
         raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
     trials = _Trials(preset, adapt, room)
     found, trial = trials.on(takes, held_back, progress) if held_back else trials.cross_validated(takes, progress)
-    found = _with_ear_for_files(found, judged, trial.after)
+    if trial.index is not None:
+        found = _with_ear_for_files(found, judged, trial.after)
     report_progress(progress, 1.0)
     accuracy = _silence_accuracy(found, takes, room)
     return CalibrationResult(

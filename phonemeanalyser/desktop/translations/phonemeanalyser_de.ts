@@ -245,8 +245,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>A small neural network that heard 233 speakers: the surest one, and it adapts to a voice in a minute.</source>
-            <translation>Ein kleines neuronales Netz, das 233 Sprecher gehört hat: am sichersten, und in einer Minute an eine Stimme angepasst.</translation>
+            <source>A small neural network that heard 122 speakers: the surest one, and it adapts to a voice in a minute.</source>
+            <translation>Ein kleines neuronales Netz, das 122 Sprecher gehört hat: am sichersten, und in einer Minute an eine Stimme angepasst.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -3215,7 +3215,7 @@
             <translation>keine f0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/file_painter.py" />
             <source>no file</source>
             <translation>keine Datei</translation>
         </message>
