@@ -25,3 +25,15 @@ def test_the_network_remembers_the_same_however_many_frames_come_at_once(n):
 def test_a_microphone_whose_blocks_vary_hears_the_same_to_the_last_bit():
     assert np.array_equal(found(1), found(2))
     assert np.array_equal(found(1), found(3))
+
+
+@pytest.mark.parametrize("pay", [True, False])
+def test_a_few_frames_are_answered_the_same_as_vectors_and_as_a_matrix(
+    monkeypatch: pytest.MonkeyPatch, pay: bool
+) -> None:
+    monkeypatch.setattr("phonemeengine.recognition.network.vectors_pay", lambda: pay)
+    heard = np.random.default_rng(2).normal(0, 1, (40, 3, N_BANDS)).astype(np.float32)
+    whole = Network(LAYERS, np.zeros((3, N_BANDS), np.float32)).forward(heard)
+    by_few = Network(LAYERS, np.zeros((3, N_BANDS), np.float32))
+    found = np.concatenate([by_few.forward(heard[k : k + 2]) for k in range(0, 40, 2)])
+    assert np.allclose(found, whole, atol=1e-5)
