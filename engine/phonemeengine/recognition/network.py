@@ -21,7 +21,7 @@ TAPS = 3
 ROOM = 64
 """Frames for which a layer keeps room, so that what it remembers is moved seldom."""
 FEW = 4
-"""Up to so many frames are worked on one by one, where a matrix of a few rows costs more than as many vectors."""
+"""Up to so many frames are worked on one by one: a matrix of all of them costs more."""
 ZERO = np.zeros((), np.float32)
 
 
@@ -94,8 +94,9 @@ class StreamingLayer:
         return found.reshape(*taps.shape[:-2], -1)
 
     def _few(self, block: Float32Array) -> Float32Array:
-        taps = self.remember(block).reshape(-1, 1, len(self._weights))
-        found: Float32Array = np.matmul(taps, self._weights) if vectors_pay() else taps[:, 0].dot(self._weights)
+        """Work on each frame alone, so that its answer is the same to the last bit however many come."""
+        n = block[..., 0].size if vectors_pay() else len(block)
+        found: Float32Array = np.matmul(self.remember(block).reshape(n, -1, len(self._weights)), self._weights)
         return found.reshape(*block.shape[:-1], -1)
 
     def _many(self, block: Float32Array) -> Float32Array:
@@ -108,7 +109,7 @@ class StreamingLayer:
 
 @lru_cache(maxsize=1)
 def vectors_pay() -> bool:
-    """Return whether a matrix of a few rows costs more than as many vectors here, as measured once.
+    """Return whether a matrix of a frame's vocal tracts costs more than as many vectors, as measured once.
 
     It costs twice as much with OpenBLAS on processors with AVX2, and two thirds of it on those with AVX-512.
     """

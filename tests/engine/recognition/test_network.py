@@ -8,12 +8,12 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.recognition.network import FEW, Network
 
 LAYERS = load_preset(DEFAULT_PRESET).model.layers
-HEARD = np.random.default_rng(3).normal(-5, 2, (300, N_BANDS)).astype(np.float32)
+HEARD = np.random.default_rng(3).normal(-5, 2, (300, 3, N_BANDS)).astype(np.float32)
 
 
 def found(n: int) -> np.ndarray:
     """What the shipped network finds where so many frames come at once."""
-    network = Network(LAYERS, np.zeros(N_BANDS, np.float32))
+    network = Network(LAYERS, np.zeros((3, N_BANDS), np.float32))
     return np.concatenate([network.forward(HEARD[k : k + n]) for k in range(0, len(HEARD), n)])
 
 
@@ -22,18 +22,8 @@ def test_the_network_remembers_the_same_however_many_frames_come_at_once(n):
     np.testing.assert_allclose(found(n), found(len(HEARD)), rtol=1e-4, atol=1e-4)
 
 
-def test_a_microphone_whose_blocks_vary_hears_the_same_to_the_last_bit():
+@pytest.mark.parametrize("pay", [True, False])
+def test_a_microphone_whose_blocks_vary_hears_the_same_to_the_last_bit(monkeypatch, pay):
+    monkeypatch.setattr("phonemeengine.recognition.network.vectors_pay", lambda: pay)
     assert np.array_equal(found(1), found(2))
     assert np.array_equal(found(1), found(3))
-
-
-@pytest.mark.parametrize("pay", [True, False])
-def test_a_few_frames_are_answered_the_same_as_vectors_and_as_a_matrix(
-    monkeypatch: pytest.MonkeyPatch, pay: bool
-) -> None:
-    monkeypatch.setattr("phonemeengine.recognition.network.vectors_pay", lambda: pay)
-    heard = np.random.default_rng(2).normal(0, 1, (40, 3, N_BANDS)).astype(np.float32)
-    whole = Network(LAYERS, np.zeros((3, N_BANDS), np.float32)).forward(heard)
-    by_few = Network(LAYERS, np.zeros((3, N_BANDS), np.float32))
-    found = np.concatenate([by_few.forward(heard[k : k + 2]) for k in range(0, 40, 2)])
-    assert np.allclose(found, whole, atol=1e-5)
