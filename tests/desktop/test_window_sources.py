@@ -11,6 +11,7 @@ from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.devices import Device
 from phonemeengine.audio.tone.settings import ToneKind
+from phonemeengine.presets.files import DEFAULT_PRESET
 from tests.desktop.hands import press
 from tests.desktop.studio import Booth, choose
 from tests.desktop.test_window_sizes import name_of, room_and_need
@@ -106,3 +107,10 @@ def test_no_page_makes_the_window_wider_than_1280_pixels(booth: Booth, mic: Hand
     window = turned_to(booth, page)
     assert window.minimumSizeHint().width() <= 1280
     assert window.transport.minimumSizeHint().width() <= 1280
+
+
+def test_the_status_line_says_how_far_a_microphone_is_looked_ahead(booth: Booth) -> None:
+    window = turned_to(booth, "microphone")
+    booth.desktop.preset.load(DEFAULT_PRESET)
+    window.status.refresh(frozen=False)
+    assert "heard with: learned, 10 ms ahead" in window.status.left.text()

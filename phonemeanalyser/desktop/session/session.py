@@ -26,6 +26,7 @@ from phonemeengine.audio.source import Reader
 from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
+from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.live.player import Player
 from phonemeengine.presets.ears import while_played
 from phonemeengine.presets.preset import Preset
@@ -212,6 +213,8 @@ class Session(QObject):
     @property
     def heard_with(self) -> Preset:
         """What the sound in hand is heard with: a file, while it plays, by the ear that the preset has for those."""
+        if self.source is SoundSource.MICROPHONE:
+            return for_live_use(self.preset.in_force)
         return self.preset.in_force if self._player is None else self._player.preset
 
     @property
