@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import islice
 
 import numpy as np
 
@@ -17,6 +18,8 @@ from phonemeengine.phonemes import Phoneme
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""
+BLOCK = 4096
+"""Frames that are animated at once."""
 AFTERWARDS = 0.2
 """Seconds for which an expression is shown once it has come back after the last sound."""
 
@@ -84,18 +87,33 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     ------
     MouthError : the rate lies outside its range.
     """
+    blocks = [*animation_blocks(performer, speech, rate)]
+    weights, head = (np.concatenate([getattr(block, name) for block in blocks]) for name in ("weights", "head"))
+    return Animation(rate, performer.table.movestates, weights, head)
+
+
+def animation_blocks(performer: Performer, speech: Transcript, rate: float) -> Iterator[Animation]:
+    """Animate a face as `animation_by` does, a minute or so at a time: hours of it need not be held in memory.
+
+    Raises
+    ------
+    MouthError : the rate lies outside its range.
+    """
     check_rate(rate)
     spoken = [(run.start, run.end) for run in speech.runs if run.phoneme is not Phoneme.SILENCE]
     performer.expect_speech(spoken)
     movestates = performer.table.movestates
+    eyelids = [k for k, name in enumerate(movestates) if name in EYELIDS]
     n_frames = math.floor(max(speech.duration, _end_of(performer, spoken)) * rate + 1e-6) + 1
-    weights = np.zeros((n_frames, len(movestates)), np.float32)
-    blinks, head = np.zeros(n_frames, np.float32), np.zeros((n_frames, 3), np.float32)
-    for frame, face in enumerate(_faces(performer, speech, np.arange(n_frames) / rate)):
-        weights[frame], blinks[frame], head[frame] = face.weights, face.blink, face.head
-    for column in [k for k, name in enumerate(movestates) if name in EYELIDS]:
-        weights[:, column] = np.maximum(weights[:, column], blinks)
-    return Animation(rate, movestates, weights, head)
+    faces = _faces(performer, speech, np.arange(n_frames) / rate)
+    for first in range(0, n_frames, BLOCK):
+        n = min(BLOCK, n_frames - first)
+        weights, head = np.zeros((n, len(movestates)), np.float32), np.zeros((n, 3), np.float32)
+        for frame, face in enumerate(islice(faces, n)):
+            weights[frame], head[frame] = face.weights, face.head
+            for column in eyelids:
+                weights[frame, column] = max(weights[frame, column], face.blink)
+        yield Animation(rate, movestates, weights, head)
 
 
 def _end_of(performer: Performer, spoken: Sequence[tuple[float, float]]) -> float:
@@ -120,10 +138,16 @@ def check_rate(rate: float) -> None:
 
 def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:
     """Have a performer hear the speech as it goes on, and look at it at some times."""
-    frames = zip(speech.times.tolist(), speech.intensities.tolist(), speech.pitches.tolist(), strict=True)
+    frames = _rows(speech.times, speech.intensities, speech.pitches)
     coming = next(frames, None)
-    for time in times.tolist():
+    for (time,) in _rows(times):
         while coming is not None and coming[0] <= time:
             performer.hear_voice(*coming)
             coming = next(frames, None)
         yield performer.at(time)
+
+
+def _rows(*columns: Float64Array | Float32Array) -> Iterator[tuple[float, ...]]:
+    """Return the rows of columns of equal length, of which a block at a time is numbers of Python."""
+    for first in range(0, len(columns[0]), BLOCK):
+        yield from zip(*(column[first : first + BLOCK].tolist() for column in columns), strict=True)

@@ -436,3 +436,11 @@ def test_shoulders_travel_in_curves_and_are_left_out_where_a_format_has_none() -
 def test_a_movement_that_a_format_cannot_hold_is_refused(name: str, movement: Animation, words: str) -> None:
     with pytest.raises(ExportError, match=words):
         Exporter(name).export_of(speech(), movement)
+
+
+@pytest.mark.parametrize("form", ["livelink-csv", "oculus-csv"])
+def test_a_long_face_is_written_in_parts_as_it_is_in_one(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = b"".join(Exporter(form).chunks_of(speech()))
+    monkeypatch.setattr("phonemeengine.mouth.animation.BLOCK", 7)
+    monkeypatch.setattr("phonemeengine.mouth.exports.number_lines.ROWS", 3)
+    assert b"".join(Exporter(form).chunks_of(speech())) == whole

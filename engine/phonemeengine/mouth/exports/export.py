@@ -1,12 +1,13 @@
 """What is written: speech as cues, as drawings, and as the movement of a face."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from phonemeengine.mouth.animation import Animation, animation_of
+from phonemeengine.mouth.animation import Animation, animation_blocks, animation_of
 from phonemeengine.mouth.cues import Cue, joined_by_shape
-from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
 
@@ -45,3 +46,12 @@ class Export:
         if self.movement is not None:
             return self.movement
         return animation_of(self.speech, self.cues, self.table, self.rate, self.idle)
+
+    def animation_blocks(self) -> Iterator[Animation]:
+        """Return the movement of the face in consecutive parts, for formats that have a row a frame."""
+        if self.movement is not None:
+            yield self.movement
+            return
+        performer = Performer(self.table, self.idle)
+        performer.follow(self.cues)
+        yield from animation_blocks(performer, self.speech, self.rate)

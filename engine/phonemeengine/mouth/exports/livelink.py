@@ -4,7 +4,7 @@ Unreal, Blender, Maya and MotionBuilder read it. The time code is HH:MM:SS:FF wi
 head and eyes are in radians.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
 
@@ -24,16 +24,22 @@ digits."""
 
 def write(export: Export) -> Iterator[str]:
     """Write the header and a row for each frame."""
-    return lines_of(export.animation)
+    return _lines(export.animation_blocks())
 
 
 def lines_of(animation: Animation) -> Iterator[str]:
     """Return the lines of a file: the header, and a row for each frame of an animation of ARKit's movestates."""
+    return _lines([animation])
+
+
+def _lines(blocks: Iterable[Animation]) -> Iterator[str]:
     yield HEADER + "\n"
-    eyes = np.zeros((len(animation.weights), len(LIVE_LINK_ANGLES) - 3), np.float32)
-    rows = np.hstack((animation.weights, np.radians(animation.head), eyes))
-    for frame, line in enumerate(number_lines(rows)):
-        yield f"{timecode_of(frame, animation.rate)},{COUNT},{line}\n"
+    frame = 0
+    for block in blocks:
+        eyes = np.zeros((len(block.weights), len(LIVE_LINK_ANGLES) - 3), np.float32)
+        for line in number_lines(np.hstack((block.weights, np.radians(block.head), eyes))):
+            yield f"{timecode_of(frame, block.rate)},{COUNT},{line}\n"
+            frame += 1
 
 
 def timecode_of(frame: int, rate: float) -> str:

@@ -14,7 +14,9 @@ owns = begins_like(HEADER.encode())
 
 def write(export: Export) -> Iterator[str]:
     """Write the header and a row for each frame."""
-    animation = export.animation
     yield HEADER
-    for time, line in zip(animation.times.tolist(), number_lines(animation.weights), strict=True):
-        yield f"{time:.6f},{line}\n"
+    frame = 0
+    for block in export.animation_blocks():
+        for line in number_lines(block.weights):
+            yield f"{frame / block.rate:.6f},{line}\n"
+            frame += 1
