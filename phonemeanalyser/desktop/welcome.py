@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -73,6 +73,11 @@ class WelcomeCards(QFrame):
         self.show()
         self._fit()
         self.cards[0].setFocus()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Give the keys back to the page: Qt would give them to some control, which takes Space for itself."""
+        super().hideEvent(event)
+        self._page.setFocus()
 
     def eventFilter(self, _page: QObject, event: QEvent) -> bool:
         """Go along with the page."""
