@@ -20,6 +20,7 @@ from phonemeengine.shipping import folder
 from tests.sounds import Sound
 
 SOURCES = Path(folder.__file__).parent / "c"
+COMPILERS = "gcc", "clang"
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
 SANITIZED = (
     "-O1",
@@ -45,19 +46,20 @@ FRAME = np.dtype(
 Frames = NDArray[np.void]
 
 
-def compiler() -> str:
-    """Give the C compiler; where a machine that should have one has none, that is a failure."""
-    found = next((path for name in ("gcc", "clang", "cc") if (path := shutil.which(name))), None)
+def compiler(*names: str) -> str:
+    """Give the first of these C compilers that is there, or any; where none is and one should be, that is a failure."""
+    names = names or (*COMPILERS, "cc")
+    found = next((path for name in names if (path := shutil.which(name))), None)
     if found is None and "CI" in os.environ and os.name == "posix":
-        pytest.fail("there is no C compiler; install gcc")
+        pytest.fail(f"there is no C compiler; install {names[0]}")
     if found is None:
-        pytest.skip("there is no C compiler")
+        pytest.skip(f"there is no C compiler {names[0]}")
     return found
 
 
-def compiled(name: str, sources: Sequence[Path], *flags: str) -> Path:
+def compiled(name: str, sources: Sequence[Path], *flags: str, by: str = "") -> Path:
     """Compile C sources, unless that has been done; one process at a time, all others wait for it."""
-    command = [compiler(), *STRICT, *flags, "-I", str(SOURCES), *map(str, sources)]
+    command = [by or compiler(), *STRICT, *flags, "-I", str(SOURCES), *map(str, sources)]
     digest = hashlib.sha256(repr(command).encode())
     for path in (*sources, SOURCES / "ear.h"):
         digest.update(path.read_bytes())
@@ -169,6 +171,6 @@ def _room(frames: Frames) -> tuple[ctypes.c_void_p, ctypes.c_size_t]:
     return frames.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(frames))
 
 
-def ear_library() -> EarLibrary:
+def ear_library(by: str = "") -> EarLibrary:
     """Compile the ear as a library, and load it."""
-    return EarLibrary(compiled("libear.so", [SOURCES / "ear.c"], "-O3", "-shared", "-fPIC"))
+    return EarLibrary(compiled("libear.so", [SOURCES / "ear.c"], "-O3", "-shared", "-fPIC", by=by))

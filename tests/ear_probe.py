@@ -19,9 +19,15 @@ def with_true_header(content: bytes) -> bytes:
 
 
 class EarProbe:
-    """The process, which begins when it is first asked, and ends with this."""
+    """The process, which begins when it is first asked, and ends with this.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    compiler : what compiles it; without one, the first that is there.
+    """
+
+    def __init__(self, compiler: str = "") -> None:
+        self._compiler = compiler
         self._process: subprocess.Popen[bytes] | None = None
 
     def ask(self, content: bytes) -> int:
@@ -53,7 +59,8 @@ class EarProbe:
             raise ModelError(f"the ear refuses the file with {result}")
 
     def _started(self) -> "subprocess.Popen[bytes]":
-        program, pipe = compiled("ear_probe", [PROBE, SOURCES / "ear.c"], *SANITIZED), subprocess.PIPE
+        sources, pipe = [PROBE, SOURCES / "ear.c"], subprocess.PIPE
+        program = compiled("ear_probe", sources, *SANITIZED, by=self._compiler)
         process = subprocess.Popen([program], stdin=pipe, stdout=pipe, stderr=pipe)
         weakref.finalize(self, process.communicate)
         return process

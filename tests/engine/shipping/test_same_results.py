@@ -39,7 +39,7 @@ from phonemeengine.recognition.network import TAPS
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeengine.visemes import Viseme
-from tests.compiled_ears import CEar, CModel, EarLibrary, Frames
+from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, ear_library
 from tests.conftest import CORPUS
 from tests.models import tone_model
 from tests.sounds import Sound, noise, silence, tone
@@ -86,11 +86,11 @@ def says_several(analysis: Analysis, n: int) -> bool:
 
 
 @pytest.mark.parametrize("name", ["learned", "extended", "templates", "thesis", "thesis-calm", "thesis-anti-aliased"])
-def test_a_factory_preset_hears_the_same_in_c(library: EarLibrary, name: str) -> None:
+def test_a_factory_preset_hears_the_same_in_c(each_compiler: str, name: str) -> None:
     preset = load_preset(name)
     analysis = heard_by_engine(preset, speech())
     assert says_several(analysis, 9)
-    check_same(heard_in_c(library, preset, speech()), analysis)
+    check_same(heard_in_c(ear_library(each_compiler), preset, speech()), analysis)
 
 
 @hypothesis_settings(max_examples=8)

@@ -17,7 +17,7 @@ enum { RATE = 44100, BLOCK = 882, MOST = EAR_MOST_FRAMES(BLOCK, RATE), WIDTH = 4
 static void hear(ear *listener, ear_mouth *mouth, const float *samples, size_t n, ear_frame *newest)
 {
     ear_frame frames[MOST];
-    size_t n_frames, k;
+    size_t n_frames = 0, k;
     ear_push(listener, samples, n, frames, MOST, &n_frames);
     for (k = 0; k < n_frames; k++) {
         *newest = frames[k];
@@ -37,7 +37,7 @@ static void draw(ear_mouth *mouth, const ear_frame *newest, float *weights, int 
 
 int main(int n_words, char **words)
 {
-    size_t n_bytes;
+    size_t n_bytes = 0;
     unsigned char *bytes = n_words == 2 ? read_file(words[1], &n_bytes) : NULL;
     ear_model *model = NULL;
     ear *listener = NULL;

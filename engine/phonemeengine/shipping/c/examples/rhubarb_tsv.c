@@ -6,7 +6,7 @@ enum { LEAST = 6 }; /* frames of 10 ms that a shape must last, unless lips close
 
 int main(int n_words, char **words)
 {
-    size_t n_bytes, n_samples, n = 0, n_last, most, k;
+    size_t n_bytes = 0, n_samples = 0, n = 0, n_last = 0, most, k;
     uint32_t rate = 0;
     unsigned char *bytes = n_words == 3 ? read_file(words[1], &n_bytes) : NULL;
     float *samples = bytes ? read_wav(words[2], &n_samples, &rate) : NULL;
