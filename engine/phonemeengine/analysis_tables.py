@@ -130,8 +130,9 @@ def _textgrid_of_words(file: TextIO, utterance: Utterance, _transcript: Transcri
     file.write(format_utterance(utterance))
 
 
-def _audacity_of_words(file: TextIO, utterance: Utterance, _transcript: Transcript, _preset: Preset) -> None:
-    file.write(format_audacity([Label(p.start, p.end, p.ipa, p.phoneme) for p in utterance.phones]))
+def _audacity_of_words(file: TextIO, utterance: Utterance, transcript: Transcript, _preset: Preset) -> None:
+    labels = [Label(p.start, p.end, p.ipa, p.phoneme) for p in utterance.phones]
+    file.write(format_audacity(labels, transcript.words))
 
 
 def _write_json(file: TextIO, heading: dict[str, Any], name: str, rows: Iterator[dict[str, Any]]) -> None:

@@ -75,6 +75,7 @@ either = ["ˈiːðɚ", "ˈaɪðɚ"]
 LEXICON_ROWS = "word,ipa\nNASA,ˈnæ.sə\nZug,tsuːk\neither,ˈiːðɚ\neither,ˈaɪðɚ\n"
 CURVES = """{"format": "phonemeanalyser curves 1", "sound": "a.wav", "duration": 0.1, "rate": 20, "table": "arkit",
  "cues": [{"start": 0, "end": 0.1, "phoneme": "a", "shape": "a", "intensity": 0.5, "phone": "ɑ"}],
+ "words": [{"start": 0, "end": 0.1, "word": "ah"}],
  "curves": [{"name": "jawOpen", "values": [0, 0.5, 1]}, {"name": "mouthClose", "values": [0, 0, 0.25]}],
  "head": [{"name": "pitch", "values": [0, 1, 2]}]}
 """

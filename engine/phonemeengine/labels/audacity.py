@@ -1,13 +1,15 @@
 """Audacity's label tracks: a line for each label, with its start, its end and its name between tabs.
 
 A second line that begins with a backslash tells the frequencies of a label that was drawn in a spectrogram; it is
-passed over. A label without length is a remark at a point, not a stretch of sound, and is passed over too.
+passed over. A label without length is a remark at a point, not a stretch of sound, and is passed over too. Names in
+double quotes are words: a track holds them beside the sounds, and whoever reads the sounds passes them over.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import Label, RawLabel
+from phonemeengine.labels.utterance import Word
 
 FREQUENCIES = "\\"
 """What a line with frequencies begins with."""
@@ -29,12 +31,23 @@ def raw_labels_of(text: str, file: str) -> tuple[RawLabel, ...]:
         raise CorpusError(
             f"{file}: all its labels are points without length; drag each label over its sound and export them again"
         )
-    return tuple(raw for raw in stretches if raw.name)
+    return tuple(raw for raw in stretches if raw.name and not _is_word(raw.name))
 
 
-def format_audacity(labels: Sequence[Label]) -> str:
-    """Write labels, in order of time, as a label track with our names."""
-    return "".join(f"{label.start:.6f}\t{label.end:.6f}\t{label.phoneme.label}\n" for label in labels)
+def format_audacity(labels: Sequence[Label], words: Sequence[Word] = ()) -> str:
+    """Return labels with our names as a label track, and words in double quotes where these are known."""
+    return format_track([(label.start, label.end, label.phoneme.label) for label in labels], words)
+
+
+def format_track(stretches: Iterable[tuple[float, float, str]], words: Sequence[Word] = ()) -> str:
+    """Return stretches of sound, each with start and end in seconds and a name, as a label track; and words."""
+    said = ((word.start, word.end, f'"{" ".join(word.text.split())}"') for word in words)
+    rows = sorted((*said, *stretches), key=lambda row: row[0])  # stable: a word stands before its first sound
+    return "".join(f"{start:.6f}\t{end:.6f}\t{name}\n" for start, end, name in rows)
+
+
+def _is_word(name: str) -> bool:
+    return len(name) > 1 and name[0] == name[-1] == '"'
 
 
 def _raw_label_of(line: str, place: str, file: str) -> RawLabel:

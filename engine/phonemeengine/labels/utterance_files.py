@@ -2,7 +2,7 @@
 
 import os
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
@@ -29,13 +29,16 @@ _HALF = 0.5
 """The share of a syllable that its onset has where only the syllable is labelled."""
 
 
-def format_utterance(utterance: Utterance, silence: str = "") -> str:
-    """Write an utterance as the text of a TextGrid: its words, syllables, phones in IPA, and our phonemes.
+def format_utterance(
+    utterance: Utterance, silence: str = "", more: Mapping[str, Sequence[Interval]] | None = None
+) -> str:
+    """Return an utterance as the text of a TextGrid: its words, syllables, phones in IPA, and phonemes.
 
     Parameters
     ----------
     utterance : what is said.
     silence : the name of the stretches between.
+    more : further tiers, by name.
     """
     phones = list(utterance.phones)
     syllables = [syllable for word in utterance.words for syllable in word.syllables]
@@ -46,7 +49,7 @@ def format_utterance(utterance: Utterance, silence: str = "") -> str:
         PHONEMES: [(phone.start, phone.end, phone.phoneme.label) for phone in phones],
     }
     named = {name: list(_with_silence(stretches, utterance.duration, silence)) for name, stretches in tiers.items()}
-    return format_tiers(named, utterance.duration)
+    return format_tiers(named | dict(more or {}), utterance.duration)
 
 
 def read_utterance(path: str | os.PathLike[str], duration: float, mapping: PhonemeMap | None = None) -> Utterance:

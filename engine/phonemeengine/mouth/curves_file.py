@@ -25,6 +25,7 @@ LONGEST = 1e6
 _CUE: dict[str, type] = {
     "start": float, "end": float, "phoneme": Phoneme, "shape": str, "intensity": float, "phone": str,
 }  # fmt: skip
+_WORD: dict[str, type] = {"start": float, "end": float, "word": str}
 _TOP = ("sound", "duration", "rate", "table", "cues", "curves", "head")
 
 
@@ -39,6 +40,7 @@ class ExportedCurves:
     rate : frames per second; frame k shows the time k / rate.
     table : the name of the mouth table.
     cues : which shape from when to when.
+    words : start and end, seconds, and text of each word, where they are known.
     movestates : the names of those that move.
     weights : float32, shape (n_frames, n_movestates), 1 for the whole movement.
     head : float32, shape (n_frames, 3): yaw, pitch and roll, degrees; zeros where the head does not move.
@@ -49,6 +51,7 @@ class ExportedCurves:
     rate: float
     table: str
     cues: tuple[Cue, ...]
+    words: tuple[tuple[float, float, str], ...]
     movestates: tuple[str, ...]
     weights: Float32Array
     head: Float32Array
@@ -85,8 +88,9 @@ def parse_curves(text: str) -> ExportedCurves:
     cues = tuple(_cue_of(table) for table in top.tables("cues"))
     if early := [cue for before, cue in pairwise(cues) if cue.start < before.end]:
         raise MouthError(f"a cue begins at {early[0].start:g} s, before the last one ends; export the curves again")
+    words = tuple(_word_of(table) for table in top.tables("words"))
     return ExportedCurves(
-        top.value("sound", str), duration, rate, top.value("table", str), cues, movestates, weights, head
+        top.value("sound", str), duration, rate, top.value("table", str), cues, words, movestates, weights, head
     )
 
 
@@ -100,7 +104,7 @@ def _top_of(text: str) -> StrictTable:
         raise MouthError(f"a file of curves has the format {FORMAT!r}, found {shown(form)}; choose another file")
     entries = {key: value for key, value in document.items() if key != "format"}
     top = StrictTable(entries, "a file of curves", MouthError)
-    top.check_keys(_TOP)
+    top.check_keys(_TOP, optional=("words",))
     return top
 
 
@@ -137,6 +141,15 @@ def _check_columns(names: Sequence[str], columns: Sequence[Sequence[float]], key
                 f"{key} has {len(columns[0])} values of {names[0]!r:.60} and {len(column)} of {name!r:.60}; "
                 "export the curves again"
             )
+
+
+def _word_of(table: StrictTable) -> tuple[float, float, str]:
+    start, end, word = table.read(_WORD).values()
+    if not 0 <= start <= end <= LONGEST:
+        raise MouthError(
+            f"a word begins before it ends, within {LONGEST:g} s, found {start:g}..{end:g} s; export the curves again"
+        )
+    return start, end, word
 
 
 def _cue_of(table: StrictTable) -> Cue:

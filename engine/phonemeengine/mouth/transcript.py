@@ -16,7 +16,7 @@ from phonemeengine.features.front_end import F0
 from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.phoneme_map import CLOSURE
-from phonemeengine.labels.utterance import Phone, Utterance
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
@@ -42,6 +42,7 @@ class Transcript:
     intensities : float32, shape (n_frames,): 0..1, a frame every 10 ms.
     pitches : float32, shape (n_frames,): fundamental frequency, Hz; 0 where there is none, or it was not measured.
     path : the sound's file, where it is known.
+    utterance : its words, syllables and phones with their times, where they are known.
     """
 
     name: str
@@ -50,6 +51,13 @@ class Transcript:
     intensities: Float32Array = field(default_factory=lambda: NOTHING)
     pitches: Float32Array = field(default_factory=lambda: NOTHING)
     path: Path | None = None
+    utterance: Utterance | None = None
+
+    @property
+    def words(self) -> tuple[Word, ...]:
+        """The words that have a text, in order of time; not those that the script lacks."""
+        words = self.utterance.words if self.utterance else ()
+        return tuple(word for word in words if word.text not in {"", UNKNOWN_WORD})
 
     @property
     def times(self) -> Float64Array:
@@ -135,7 +143,7 @@ def transcript_of_utterance(
         if end > start
     )
     place = None if path is None else Path(path)
-    return Transcript(name, utterance.duration, runs, intensities, pitches, place)
+    return Transcript(name, utterance.duration, runs, intensities, pitches, place, utterance)
 
 
 def _stretches(utterance: Utterance) -> Iterator[Stretch]:

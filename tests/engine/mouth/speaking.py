@@ -1,5 +1,7 @@
 """Speech that is known beforehand, for what is written of it: as phonemes, or as phones."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from phonemeengine.labels.phone_sets import phone_classes_in
@@ -40,6 +42,14 @@ def utterance_of(*phones: tuple[str, float], start: float = 0.3, after: float = 
         said.append(Phone(round(at, 6), round(at + length, 6), ipa, phone_class.phoneme))
         at += length
     return Utterance((Word("word", (Syllable(tuple(said)),)),), round(at + after, 6))
+
+
+def words_said(*words: tuple[str, float, tuple[tuple[str, float], ...]], duration: float) -> Transcript:
+    """Words, each with its text, its start in seconds and its phones with their lengths, as a mouth needs them."""
+    said = [replace(utterance_of(*phones, start=start).words[0], text=text) for text, start, phones in words]
+    utterance = Utterance(tuple(said), duration)
+    loud = np.full(round(duration / FRAME_PERIOD), 0.7, np.float32)
+    return transcript_of_utterance(utterance, loud, np.zeros(len(loud), np.float32), "words.wav")
 
 
 def phones_said(*phones: tuple[str, float], loudness: float = 0.7) -> Transcript:

@@ -1,17 +1,27 @@
 """Annosoft's .anno: a line ``phn start end strength phoneme`` for each phoneme, with times in milliseconds.
 
+Where the words are known, ``word start end text`` stands before the first phoneme that begins in it.
+
 See ".anno file format" in the documentation of Annosoft's SAPI lipsync.
 """
 
+from collections import deque
 from collections.abc import Iterator
 
-from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.export import Export, one_token
 from phonemeengine.phonemes import Phoneme
 
 
 def write(export: Export) -> Iterator[str]:
-    """Write the sound's name and a line for each phoneme; the strength is 0 for silence, else 1 to 100."""
+    """Write the sound's name, a line for each word, and one for each phoneme.
+
+    The strength of a phoneme is 0 for silence, else 1 to 100.
+    """
     yield f"audio {export.speech.name}\n"
+    words = deque(export.speech.words)
     for cue in export.drawings:
+        while words and words[0].start < cue.end:
+            word = words.popleft()
+            yield f"word {round(1000 * word.start)} {round(1000 * word.end)} {one_token(word.text)}\n"
         strength = 0 if cue.phoneme == Phoneme.SILENCE else max(1, round(100 * cue.intensity))
         yield f"phn {round(1000 * cue.start)} {round(1000 * cue.end)} {strength} {cue.shape}\n"

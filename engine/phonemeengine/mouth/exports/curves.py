@@ -7,6 +7,7 @@
 ``table``    the name of the mouth table
 ``cues``     objects with ``start`` and ``end`` (seconds), ``phoneme``, ``shape`` and ``intensity`` (0..1); and with
              ``phone``, in the IPA, where it is known
+``words``    objects with ``start``, ``end`` and ``word``; left out where the words are not known
 ``curves``   objects with ``name``, a movestate, and ``values``, 1 for its whole movement; those that never move are
              left out
 ``head``     objects with ``name`` (yaw, pitch, roll) and ``values`` in degrees; empty where the head does not move
@@ -17,6 +18,7 @@ from collections.abc import Iterator, Sequence
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.files import begins_like
+from phonemeengine.labels.utterance import Word
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.curves_file import FORMAT, HEAD
 from phonemeengine.mouth.exports.export import Export
@@ -31,6 +33,8 @@ def write(export: Export) -> Iterator[str]:
     heading |= {"rate": export.rate, "table": export.table.name}
     yield json.dumps(heading, indent=1, ensure_ascii=False)[:-2]
     yield from _list("cues", (_cue(cue) for cue in export.cues))
+    if speech.words:
+        yield from _list("words", map(word_entry, speech.words))
     yield from _list("curves", _curves(animation.movestates, animation.weights, 4))
     yield from _list("head", _curves(HEAD, animation.head, 3))
     yield "\n}\n"
@@ -41,6 +45,12 @@ def _list(name: str, entries: Iterator[str]) -> Iterator[str]:
     for k, entry in enumerate(entries):
         yield f"{',' if k else ''}\n  {entry}"
     yield "\n ]"
+
+
+def word_entry(word: Word) -> str:
+    """Return a word with its times as a JSON object on one line."""
+    entry = {"start": round(word.start, 4), "end": round(word.end, 4), "word": word.text}
+    return json.dumps(entry, ensure_ascii=False)
 
 
 def _cue(cue: Cue) -> str:

@@ -12,6 +12,11 @@ from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
 
 
+def one_token(text: str) -> str:
+    """Return a word without spaces, for formats that separate names by them."""
+    return "_".join(text.split())
+
+
 @dataclass(frozen=True)
 class Export:
     """Everything that a format may write of one sound.

@@ -1,6 +1,7 @@
 """The three files of Rhubarb Lip Sync: its letters A-H and X, with times in seconds, rounded to hundredths.
 
-See "Output formats" in the manual of Rhubarb Lip Sync.
+See "Output formats" in the manual of Rhubarb Lip Sync. Where the words are known, the metadata of the JSON file has a
+list ``words`` beside what Rhubarb writes; readers of Rhubarb's files pass it over.
 """
 
 import json
@@ -8,6 +9,7 @@ from collections.abc import Iterator
 from html import escape
 
 from phonemeengine.files import begins_like
+from phonemeengine.mouth.exports.curves import word_entry
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.phonemes import Phoneme
 
@@ -21,7 +23,7 @@ owns_xml = begins_like(
 )
 """Whether the content of a file was written here: Rhubarb itself names the folders of its sound too."""
 
-owns_json = begins_like(rb'\{\n  "metadata": \{\n    "soundFile": "[^"/\\\n]*",\n    "duration": \d+\.\d\d\n')
+owns_json = begins_like(rb'\{\n  "metadata": \{\n    "soundFile": "[^"/\\\n]*",\n    "duration": \d+\.\d\d,?\n')
 """The same for JSON."""
 
 
@@ -45,7 +47,10 @@ def write_xml(export: Export) -> Iterator[str]:
 def write_json(export: Export) -> Iterator[str]:
     """Write an object with ``metadata`` and ``mouthCues``, a line each."""
     name = json.dumps(export.speech.name, ensure_ascii=False)
-    yield f'{{\n  "metadata": {{\n    "soundFile": {name},\n    "duration": {export.speech.duration:.2f}\n  }},\n'
+    words = ",\n".join(f"      {word_entry(word)}" for word in export.speech.words)
+    known = f',\n    "words": [\n{words}\n    ]' if words else ""
+    duration = f"{export.speech.duration:.2f}"
+    yield f'{{\n  "metadata": {{\n    "soundFile": {name},\n    "duration": {duration}{known}\n  }},\n'
     lines = (
         f'    {{ "start": {start}, "end": {end}, "value": "{letter}" }}' for start, end, letter in _stretches(export)
     )
