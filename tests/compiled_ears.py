@@ -47,7 +47,7 @@ Frames = NDArray[np.void]
 
 
 def compiler(*names: str) -> str:
-    """Give the first of these C compilers that is there, or any; where none is and one should be, that is a failure."""
+    """Give the first of these C compilers that is there, or any; that none is where one should be is a failure."""
     names = names or (*COMPILERS, "cc")
     found = next((path for name in names if (path := shutil.which(name))), None)
     if found is None and "CI" in os.environ and os.name == "posix":
