@@ -32,6 +32,8 @@ class Watch(QObject):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 2 or not os.path.isdir(sys.argv[1]):  # noqa: PTH112 - pathlib would be counted
+        sys.exit("usage: python -m tools.bench.first_paint FOLDER, of settings, which must be there")
     QSettings.setDefaultFormat(QSettings.Format.IniFormat)
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, sys.argv[1])
     app = make_application()
