@@ -2,12 +2,15 @@
 
 import ctypes
 import os
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 
 LARGEST_BLOCK = 32 << 20
 """Bytes of an array whose memory is kept."""
 _M_TRIM_THRESHOLD, _M_MMAP_THRESHOLD = -1, -3  # malloc.h
+ENDS_WITH_INPUT = "PHONEMEANALYSER_ENDS_WITH_INPUT"
+"""What a program of this project has in its environment that was started by another one, see `end_with_input`."""
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 """What libraries of matrices ask for how many threads they have."""
 
@@ -28,6 +31,37 @@ def keep_memory() -> None:
         library = ctypes.CDLL(None)
         library.mallopt(_M_MMAP_THRESHOLD, LARGEST_BLOCK)
         library.mallopt(_M_TRIM_THRESHOLD, 2 * LARGEST_BLOCK)
+
+
+def end_with_parent() -> None:
+    """Have this process end as soon as the one that started it ended, also where that was killed.
+
+    It does nothing in a process that `multiprocessing` did not start.
+    """
+    import multiprocessing  # noqa: PLC0415 - whoever has a parent has loaded it
+
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        _end_after(parent.join)
+
+
+def end_with_input() -> None:
+    """Have this process end as soon as its standard input does: the other end is held by the process it works for."""
+
+    def wait() -> None:
+        with suppress(OSError):
+            while os.read(0, 1):  # `sys.stdin` would keep a lock that the end of a program wants
+                pass
+
+    _end_after(wait)
+
+
+def _end_after(wait: Callable[[], object]) -> None:
+    def end() -> None:
+        wait()
+        os._exit(1)
+
+    threading.Thread(target=end, name="ends with its parent", daemon=True).start()
 
 
 @contextmanager

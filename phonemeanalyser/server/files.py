@@ -20,6 +20,7 @@ from phonemeanalyser.server.limits import MEGABYTE, ServerLimits
 from phonemeanalyser.server.refused import RefusedError
 from phonemeengine import FORMATS
 from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.processes import ENDS_WITH_INPUT
 
 CHUNK = 1 << 16
 SOUND = "sound"
@@ -164,13 +165,16 @@ async def _run(arguments: list[str]) -> None:
     words = [sys.executable, "-m", "phonemeanalyser", *arguments]
     pipe = asyncio.subprocess.PIPE
     process = await asyncio.create_subprocess_exec(
-        *words, stdin=asyncio.subprocess.DEVNULL, stdout=asyncio.subprocess.DEVNULL, stderr=pipe, creationflags=GENTLY
-    )
+        *words, stdin=pipe, stdout=asyncio.subprocess.DEVNULL, stderr=pipe, creationflags=GENTLY,
+        env=os.environ | {ENDS_WITH_INPUT: "1"},
+    )  # fmt: skip
     if not GENTLY:
         with contextlib.suppress(OSError):
             os.setpriority(os.PRIO_PROCESS, process.pid, NICE)
     try:
-        _, said = await process.communicate()
+        assert process.stderr is not None
+        said = await process.stderr.read()  # its input stays open as long as this process is there
+        await process.wait()
     finally:
         if process.returncode is None:
             process.kill()

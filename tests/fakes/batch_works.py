@@ -2,6 +2,7 @@
 
 import errno
 import os
+import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -22,7 +23,7 @@ class CopyWork:
     """Writes what a file says, and a word before it; files with these words in their names have trouble.
 
     ``fails`` is refused, ``crashes`` meets a bug, ``dies`` ends its process, ``dies-once`` does so the first time,
-    ``full`` finds the disk full, ``waits`` waits until it is cancelled.
+    ``full`` finds the disk full, ``waits`` waits until it is cancelled, ``holds`` says its name and waits for ever.
     """
 
     word: str = "copy"
@@ -55,11 +56,17 @@ class CopyWork:
 
 def _trouble(name: str, job: Job, progress: Progress) -> None:
     troubles = {
+        "holds": _hold,
         "fails": _fail, "crashes": _crash, "dies-once": _die_once, "dies": _die, "full": _find_full, "waits": _wait,
     }  # fmt: skip
     act = next((act for word, act in troubles.items() if name.startswith(word)), None)
     if act is not None:
         act(job.source, progress)
+
+
+def _hold(source: Path, _progress: Progress) -> None:
+    print(source.stem, flush=True)
+    threading.Event().wait()
 
 
 def _fail(source: Path, _progress: Progress) -> None:

@@ -165,6 +165,38 @@ def test_ctrl_c_leaves_whole_files(tmp_path: Path) -> None:
     assert made_in(tmp_path / "out") == {"a": "copy says a"}
 
 
+def test_processes_end_with_the_program_that_is_killed(tmp_path: Path) -> None:
+    names = ("holds-a", "holds-b")
+    jobs_in(tmp_path, *names)
+    code = (
+        "from pathlib import Path\n"
+        "from phonemeengine.batch.runner import BatchOptions, run_batch\n"
+        "from phonemeengine.batch.work import Job\n"
+        "from tests.fakes.batch_works import CopyWork\n"
+        "if __name__ == '__main__':\n"
+        f"    jobs = [Job(Path('in', f'{{n}}.wav'), Path('out', f'{{n}}.txt')) for n in {names}]\n"
+        "    run_batch(jobs, CopyWork(), BatchOptions(2, Path('out')))\n"
+    )
+    (tmp_path / "batch.py").write_text(code)
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
+    batch = subprocess.Popen(
+        [sys.executable, "batch.py"], cwd=tmp_path, env=environment, stdout=subprocess.PIPE, text=True
+    )  # fmt: skip
+    assert batch.stdout is not None
+    assert {batch.stdout.readline().strip() for _ in names} == set(names)
+    batch.kill()
+    assert batch.communicate(timeout=120)[0] == ""  # ends when the last process has let it go
+
+
+def test_a_program_that_works_for_another_one_ends_with_its_input() -> None:
+    code = "import threading, phonemeengine.processes as p; p.end_with_input(); threading.Event().wait()"
+    environment = os.environ | {"PYTHONPATH": str(ROOT / "engine")}
+    process = subprocess.Popen([sys.executable, "-c", code], env=environment, stdin=subprocess.PIPE)
+    assert process.stdin is not None
+    process.stdin.close()
+    assert process.wait(timeout=120) == 1
+
+
 def test_progress_counts_files_and_sound(tmp_path: Path) -> None:
     seen: list[BatchProgress] = []
 

@@ -16,7 +16,7 @@ from phonemeengine.calibration.learning.training import TrainingConfig, train
 from phonemeengine.calibration.learning.validation import anchors_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.processes import single_threaded
+from phonemeengine.processes import end_with_parent, single_threaded
 from phonemeengine.recognition.model import Model, load_model, save_model
 
 HESITATION = 0.2
@@ -78,6 +78,7 @@ _done: Any = None
 
 def _share(done: Any) -> None:
     global _done  # noqa: PLW0603 - a process is told once, at its beginning
+    end_with_parent()
     _done = done
 
 

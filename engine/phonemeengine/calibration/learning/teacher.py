@@ -32,6 +32,7 @@ from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, 
 from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
 from phonemeengine.files import atomic_write
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.processes import end_with_parent
 
 COMPONENTS, HIDDEN = 200, 384
 EPOCHS, BATCH, RATE, DROPOUT = 4, 2048, 2e-3, 0.2
@@ -77,6 +78,7 @@ _encoder: SpeechEncoder
 
 def _open_encoder(whisper: Path) -> None:
     global _encoder  # noqa: PLW0603 - a process opens it once, at its beginning
+    end_with_parent()
     _encoder = WhisperEncoder(whisper, n_threads=1)
 
 

@@ -17,6 +17,7 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.label import Label
+from phonemeengine.processes import end_with_parent
 
 TOGETHER = 512
 """Frames that are measured at once."""
@@ -60,7 +61,7 @@ def examples_of(
     ------
     EngineError : a sound cannot be read.
     """
-    with ProcessPoolExecutor(os.cpu_count()) as pool:
+    with ProcessPoolExecutor(os.cpu_count(), initializer=end_with_parent) as pool:
         known = soft_labels or {}
         tasks = ((utterance, n_variations, seed, known.get(key_of(utterance))) for utterance in utterances)
         for made in pool.map(_examples, tasks, chunksize=8):
