@@ -4,8 +4,10 @@ A file that is there already is replaced only by one of the same kind that this 
 its own files look like; where those of other programs look alike, none counts as ours.
 """
 
+import codecs
 import os
 import re
+import stat
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -25,6 +27,19 @@ LONGEST_NAME = 255
 _UNPORTABLE = re.compile(r'[<>:"/\\|?*]')
 _DEVICES = {"CON", "PRN", "AUX", "NUL", *(f"{port}{k}" for port in ("COM", "LPT") for k in range(1, 10))}
 
+_BYTE_ORDER_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),  # begins as that of UTF-16 does
+    (codecs.BOM_UTF32_BE, "utf-32"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
+_FIRST = 4
+"""Bytes in which text in UTF-16 that begins without a byte order mark shows its zeros."""
+_BINARY = re.compile(rb"[\x00-\x08\x0b\x0e-\x1f\x7f]")
+"""Bytes that no text in a code page has."""
+_ZIP = b"PK\x03\x04"
+
 JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
 """A text in JSON, as a regular expression."""
 
@@ -33,7 +48,8 @@ JSON_TEXT = rb'"(?:[^"\\]|\\.)*"'
 def atomic_write(path: Path, *, durable: bool = False) -> Iterator[BinaryIO]:
     """Open a file, buffered and for writing bytes, that takes the place of `path` once the block has ended well.
 
-    Until then, and if anything fails, what was at `path` stays as it is. A link is replaced, not followed.
+    Until then, and if anything fails, what was at `path` stays as it is. A link is replaced, not followed. A device
+    or a pipe (``/dev/stdout``) is written straight into.
 
     Parameters
     ----------
@@ -43,6 +59,10 @@ def atomic_write(path: Path, *, durable: bool = False) -> Iterator[BinaryIO]:
     ------
     OSError, ValueError : it cannot be written; nothing is left behind.
     """
+    if is_device(path):
+        with path.open("wb") as file:
+            yield file
+        return
     part = path.with_name(f"{path.name}.{os.urandom(4).hex()}.part")
     try:
         with part.open("x+b") as file:
@@ -55,6 +75,17 @@ def atomic_write(path: Path, *, durable: bool = False) -> Iterator[BinaryIO]:
         with suppress(OSError, ValueError):
             part.unlink(missing_ok=True)
         raise
+
+
+def is_device(path: Path) -> bool:
+    """Return whether a device, a pipe or a socket is at `path`, which no file may replace."""
+    try:
+        mode = path.stat().st_mode
+    except (OSError, ValueError):
+        return False
+    if stat.S_ISREG(mode):  # as ``/dev/stdout`` is, where it goes into a file
+        return path.is_symlink() and path.absolute().parts[:2] in {("/", "dev"), ("/", "proc")}
+    return not stat.S_ISDIR(mode)
 
 
 def write_file(path: Path, content: bytes, error: type[EngineError], *, durable: bool = False) -> None:
@@ -97,12 +128,41 @@ def read_file(path: Path, largest: int, what: str, error: type[EngineError]) -> 
 
 
 def read_text_file(path: Path, largest: int, what: str, error: type[EngineError]) -> str:
-    """Return the text of a file in UTF-8; line ends become ``\\n``. See `read_file`."""
+    """Return the text of a file; line ends become ``\\n``. See `read_file`.
+
+    It is in UTF-8, in UTF-16 or UTF-32 (with a byte order mark, or where its first bytes show it), else in the code
+    page of Western Windows (cp1252). Of a Word document (.docx) it is the text, a row of a table as a line with tabs.
+    """
+    content = read_file(path, largest, what, error)
     try:
-        text = read_file(path, largest, what, error).decode("utf-8-sig")
-    except UnicodeDecodeError as cause:
+        text = _text_of_document(content, largest) if content.startswith(_ZIP) else _decoded(content)
+    except ValueError as cause:
         raise error(f"{printable_name(path)}: this is no text file; choose {what}") from cause
     return text.replace("\r\n", "\n").replace("\r", "\n")
+
+
+def _decoded(content: bytes) -> str:
+    """Return text in the encoding that its first bytes show; UnicodeError where it is none."""
+    for mark, encoding in _BYTE_ORDER_MARKS:
+        if content.startswith(mark):
+            return content.decode(encoding)
+    first = content[:_FIRST]
+    if len(first) == _FIRST and first[1::2] == b"\0\0" and first[::2].strip(b"\0"):
+        return content.decode("utf-16-le")
+    if len(first) == _FIRST and first[::2] == b"\0\0" and first[1::2].strip(b"\0"):
+        return content.decode("utf-16-be")
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError:
+        if _BINARY.search(content):  # nearly any bytes are characters of cp1252
+            raise
+        return content.decode("cp1252")
+
+
+def _text_of_document(content: bytes, largest: int) -> str:
+    from phonemeengine.word_document import text_of  # noqa: PLC0415 - 40 ms of libraries for a rare kind of file
+
+    return text_of(content, largest)
 
 
 def begins_like(pattern: bytes) -> Owns:

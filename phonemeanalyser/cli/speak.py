@@ -49,7 +49,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is spoken, by whom, and what is written of it."""
     said = parser.add_mutually_exclusive_group(required=True)
     said.add_argument("text", nargs="?", metavar="TEXT", help="what is said")
-    said.add_argument("--file", type=Path, metavar="F", help="a text file (UTF-8) of it")
+    said.add_argument("--file", type=Path, metavar="F", help="a text file of it, or a Word document (.docx)")
     said.add_argument(
         "--recording", type=Path, metavar="SOUND", help="a sound; its .TextGrid has syllables of pinyin"
     )

@@ -1,7 +1,12 @@
 """The atomic file: what was there stays until what takes its place is complete."""
 
+import codecs
 import errno
+import io
+import os
 import sys
+import zipfile
+from pathlib import Path
 
 import pytest
 
@@ -91,9 +96,88 @@ def test_what_cannot_be_read_is_named_in_a_sentence(tmp_path):
     path.write_bytes(bytes((1 << 20) + 1))
     with pytest.raises(CurveError, match=r"^a\.txt: a curve has at most 1 MB, this has 1\.1 MB; choose another$"):
         read_file(path, 1 << 20, "a curve", CurveError)
-    path.write_bytes(b"\xff\xfe")
+    path.write_bytes(b"\x89PNG\r\n\x1a\n\xff")
     with pytest.raises(CurveError, match=r"^a\.txt: this is no text file; choose a curve$"):
         read_text_file(path, 1 << 20, "a curve", CurveError)
+
+
+TEXT = "One\tGrüße, “naïve” €5\nand two\n"
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        TEXT.encode(),
+        TEXT.encode("utf-8-sig"),
+        TEXT.encode("utf-16"),
+        codecs.BOM_UTF16_BE + TEXT.encode("utf-16-be"),
+        TEXT.encode("utf-16-le"),
+        TEXT.encode("utf-16-be"),
+        TEXT.encode("utf-32"),
+        TEXT.encode("cp1252"),
+        TEXT.replace("\n", "\r\n").encode("cp1252"),
+    ],
+)
+def test_a_text_is_read_in_the_encodings_that_editors_write(tmp_path: Path, content: bytes) -> None:
+    (tmp_path / "a.txt").write_bytes(content)
+    assert read_text_file(tmp_path / "a.txt", 1 << 20, "a text", CurveError) == TEXT
+
+
+def word_document(body: str) -> bytes:
+    """A document as Word has it, as far as it matters here."""
+    name = "http://schemas.openxmlformats.org/wordprocessingml/2006/main"
+    content = io.BytesIO()
+    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("[Content_Types].xml", "<Types/>")
+        archive.writestr("word/document.xml", f'<w:document xmlns:w="{name}"><w:body>{body}</w:body></w:document>')
+    return content.getvalue()
+
+
+def test_of_a_word_document_the_paragraphs_and_the_rows_of_tables_are_read(tmp_path: Path) -> None:
+    body = (
+        "<w:p><w:pPr><w:pStyle w:val='x'/></w:pPr><w:r><w:t>Good </w:t></w:r><w:r><w:rPr><w:b/></w:rPr>"
+        "<w:t>morning.</w:t><w:br/><w:t>All.</w:t></w:r><w:del><w:r><w:delText>gone</w:delText></w:r></w:del></w:p><w:p/>"
+        "<w:tbl><w:tr><w:tc><w:p><w:r><w:t>a.wav</w:t></w:r></w:p></w:tc>"
+        "<w:tc><w:p><w:r><w:t>one &amp; two</w:t></w:r></w:p></w:tc></w:tr></w:tbl>"
+    )
+    (tmp_path / "a.docx").write_bytes(word_document(body))
+    found = read_text_file(tmp_path / "a.docx", 1 << 20, "a script", CurveError)
+    assert found == "Good morning.\nAll.\n\na.wav\tone & two\n"
+
+
+@pytest.mark.parametrize("part", [slice(0, -30), slice(0, -90), slice(0, 4), slice(0, 200)])
+def test_a_damaged_word_document_is_refused_in_a_sentence(tmp_path: Path, part: slice) -> None:
+    document = word_document("<w:p><w:r><w:t>One.</w:t></w:r></w:p>" * 90)
+    (tmp_path / "a.docx").write_bytes(b"PK\x03\x04" + document[part])
+    with pytest.raises(CurveError, match=r"^a\.docx: this is no text file; choose a script$"):
+        read_text_file(tmp_path / "a.docx", 1 << 20, "a script", CurveError)
+
+
+def test_a_word_document_that_would_fill_the_memory_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "a.docx").write_bytes(word_document("<w:p/>" * 400_000))
+    with pytest.raises(CurveError, match="no text file"):
+        read_text_file(tmp_path / "a.docx", 1 << 20, "a script", CurveError)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes with names")
+def test_a_pipe_is_written_into_and_no_file_takes_its_place(tmp_path: Path) -> None:
+    path = tmp_path / "pipe"
+    os.mkfifo(path)
+    reader = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+    try:
+        write_file(path, b"new", CurveError)
+        assert os.read(reader, 9) == b"new"
+    finally:
+        os.close(reader)
+    assert path.is_fifo()
+    assert list(tmp_path.iterdir()) == [path]
+
+
+@pytest.mark.skipif(not Path("/dev/full").is_char_device(), reason="this system has no device that is always full")
+def test_a_device_that_is_full_stays_a_device() -> None:
+    with pytest.raises(CurveError, match=r"^full: cannot be written \(No space left on device\)"):
+        write_file(Path("/dev/full"), b"new", CurveError)
+    assert Path("/dev/full").is_char_device()
 
 
 @pytest.mark.parametrize("name", ["a.wav", "ünï code (2).json", ".hidden", "x" * 251 + ".wav"])

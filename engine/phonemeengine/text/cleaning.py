@@ -41,8 +41,7 @@ def speakable(text: str) -> SpeakableText:
     """
     lines = text.replace("\r\n", "\n").replace("\r", "\n").replace("\t", " ")
     without_emoji, n_emoji = _EMOJI.subn(" ", lines)
-    unspeakable = set(filter(_is_unspeakable, set(without_emoji)))  # each character once: a text may be long
-    kept = without_emoji.translate(dict.fromkeys(map(ord, unspeakable)))
+    unspeakable, kept = _unspeakable_in(without_emoji), without_controls(without_emoji)
     n_others = sum(map(without_emoji.count, unspeakable - _SILENT))
     n_brackets = kept.count("[[")
     kept = re.sub(r"\[{2,}", "[", kept)
@@ -54,6 +53,15 @@ def speakable(text: str) -> SpeakableText:
         (n_brackets, "[[ would ask for phonemes and is read as ["),
     )
     return SpeakableText(kept, tuple(f"{words} ({n} x)" for n, words in remarks if n))
+
+
+def without_controls(text: str) -> str:
+    """Return a text without control characters and those of layout; what stood beside them stands side by side."""
+    return text.translate(dict.fromkeys(map(ord, _unspeakable_in(text))))
+
+
+def _unspeakable_in(text: str) -> set[str]:
+    return set(filter(_is_unspeakable, set(text)))  # each character once: a text may be long
 
 
 def _is_unspeakable(character: str) -> bool:

@@ -5,6 +5,7 @@ is said in it. Lines of the same sound follow each other in it.
 """
 
 import os
+import posixpath
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -67,7 +68,8 @@ class Script:
         return {sounds[0]: self.text}
 
     def _key_of(self, sound: Path) -> str | None:
-        ends = ["/".join(sound.parts[-k:]) for k in range(len(sound.parts), 0, -1)]
+        parts = posixpath.normpath(sound.as_posix()).split("/")
+        ends = ["/".join(parts[-k:]) for k in range(len(parts), 0, -1)]
         candidates = (*ends, *(end.removesuffix(sound.suffix) for end in ends))
         return next((name for name in candidates if name in self.texts), None)
 
@@ -92,7 +94,7 @@ def load_script(path: str | os.PathLike[str]) -> Script:
     texts: dict[str, list[str]] = {}
     for _, line in lines:
         sound, _, words = line.partition("\t")
-        texts.setdefault(sound.strip().replace("\\", "/"), []).append(words.replace("\t", " ").strip())
+        texts.setdefault(_name_in_table(sound), []).append(words.replace("\t", " ").strip())
     return Script(name, "", {sound: "\n".join(words) for sound, words in texts.items()})
 
 
@@ -112,6 +114,11 @@ def script_beside(sound: Path) -> Script | None:
     if not text.strip():
         raise TextError(f"{printable_name(path)}: there is no word in it; write what is said")
     return Script(printable_name(path), text)
+
+
+def _name_in_table(sound: str) -> str:
+    """Return the name of a sound as a table has it, without what leads nowhere, such as ``./``."""
+    return posixpath.normpath(sound.strip().strip('"').replace("\\", "/"))
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -217,7 +217,7 @@ def test_a_table_that_is_not_there_is_refused_with_those_that_are(tmp_path: Path
     (tmp_path / "large.toml").write_bytes(b"#" * ((1 << 20) + 1))
     with pytest.raises(MouthError, match=r"at most 1 MB, this has 1\.1 MB; choose another"):
         load_table(tmp_path / "large.toml")
-    (tmp_path / "picture.toml").write_bytes(b"\x89PNG\xff\xfe")
+    (tmp_path / "picture.toml").write_bytes(b"\x89PNG\r\n\x1a\n\xff")
     with pytest.raises(MouthError, match="no text file"):
         load_table(tmp_path / "picture.toml")
     with pytest.raises(MouthError, match="cannot be read"):

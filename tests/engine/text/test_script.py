@@ -28,6 +28,13 @@ def test_a_table_finds_sounds_by_path_name_or_stem(tmp_path: Path) -> None:
     assert script.texts_of(sounds) == (dict(zip(sounds, ["first", "second", "third", "fourth"], strict=True)), ())
 
 
+@pytest.mark.parametrize("name", ["./a.wav", ".\\a", "one/../a.wav", "takes/./a.wav", '"a.wav"', "../takes/a.wav"])
+def test_a_table_may_lead_to_a_sound_by_any_way(tmp_path: Path, name: str) -> None:
+    script = load_script(_written(tmp_path, f"{name}\tfirst\n"))
+    sound = Path("../takes/a.wav")
+    assert script.texts_of([sound]) == ({sound: "first"}, ())
+
+
 def test_lines_of_the_same_sound_follow_each_other_in_it(tmp_path: Path) -> None:
     script = load_script(_written(tmp_path, "a\tOne.\na\tTwo.\n"))
     assert script.texts == {"a": "One.\nTwo."}

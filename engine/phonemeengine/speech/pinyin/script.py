@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from phonemeengine.labels.pinyin import is_sound
 from phonemeengine.speech.pinyin.table import FULL_FORMS, PinyinTable
 from phonemeengine.text.chinese_numbers import numbers_spelt
+from phonemeengine.text.cleaning import without_controls
 from phonemeengine.text.mandarin import HANZI, pinyin_of
 
 _FOREIGN = rf"(?:(?!{HANZI})[^\W_])+"
@@ -56,7 +57,7 @@ def script_of(text: str, table: PinyinTable) -> PinyinScript:
     """
     written: list[Written] = []
     skipped: list[str] = []
-    for part in _PART.finditer(numbers_spelt(unicodedata.normalize("NFC", text.lstrip()))):
+    for part in _PART.finditer(numbers_spelt(unicodedata.normalize("NFC", without_controls(text).lstrip()))):
         if part.lastgroup == "hanzi":
             written += _syllables_of(part[0], skipped)
         elif part.lastgroup == "mark" and (mark := _mark_of(part[0], table)):
