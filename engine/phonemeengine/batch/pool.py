@@ -12,7 +12,7 @@ from typing import Any
 
 from phonemeengine.batch.order import Order, act_of, worked_through
 from phonemeengine.batch.work import Job, Outcome
-from phonemeengine.processes import single_threaded
+from phonemeengine.processes import end_with_parent, single_threaded
 from phonemeengine.progress import Progress
 
 WAITING = 2
@@ -115,6 +115,7 @@ _shares: Any = None
 
 def _begin_process(order: Order, shares: Any) -> None:
     global _shares, _order
+    end_with_parent()
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     _shares, _order = shares, order
 

@@ -1,23 +1,26 @@
 """The C# for Unity and Godot: compiled by Mono, and run with the library for Linux."""
 
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
+from phonemeengine import Morpher, Phoneme, format_ear, load_preset, load_table, ship
 from phonemeengine.shipping import targets
 from phonemeengine.visemes import NO_VISEME, VISEME_PHONES, Viseme
-from tests.compiled_ears import Frames
+from tests.compiled_ears import SOURCES, Frames
+from tests.compiled_ears import compiled as compiled_library
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech
 from tests.web_ears import frames_of
 
 pytestmark = pytest.mark.csharp
 
 OURS = Path(__file__).parents[2] / "csharp"
-QUEUE = Path(targets.__file__).parent / "unity" / "Runtime" / "FrameQueue.cs"
+SHIPPING = Path(targets.__file__).parent
+QUEUE = SHIPPING / "unity" / "Runtime" / "FrameQueue.cs"
 SOUND = speech()[: 6 * 44_100]
 
 
@@ -31,6 +34,7 @@ def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
 
 def compiled(target: Path, sources: list[Path]) -> None:
     kind = "library" if target.suffix == ".dll" else "exe"
+    assert shutil.which("mcs"), "there is no C# compiler; install mono-mcs and mono-runtime"
     words = ["mcs", "-langversion:7.2", "-warnaserror", f"-target:{kind}", f"-out:{target}", *map(str, sources)]
     done = subprocess.run(words, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -40,9 +44,14 @@ def listen(folder: Path, tmp_path: Path, preset: Path) -> "subprocess.CompletedP
     program = tmp_path / "Listen.exe"
     compiled(program, [OURS / "Listen.cs", QUEUE, *folder.rglob("Ear.cs")])
     (library,) = folder.rglob("libear.so")
-    words = ["mono", str(program), str(preset), "44100"]
+    return in_mono(program, library, str(preset), "44100")
+
+
+def in_mono(program: Path, library: Path, *words: str) -> "subprocess.CompletedProcess[bytes]":
+    """Run a program that finds the ear's library."""
     environment = {**os.environ, "LD_LIBRARY_PATH": str(library.parent)}
-    return subprocess.run(words, input=SOUND.tobytes(), capture_output=True, env=environment, check=False)
+    command = ["mono", str(program), *words]
+    return subprocess.run(command, input=SOUND.tobytes(), capture_output=True, env=environment, check=False)
 
 
 def test_it_hears_and_moves_as_the_engine_does(folder: Path, tmp_path: Path) -> None:
@@ -93,3 +102,15 @@ def test_the_library_of_macos_is_for_both_processors(folder: Path) -> None:
         assert content[at : at + 4] == bytes.fromhex("cffaedfe")
         assert at + size <= len(content)
     assert windows.read_bytes()[:2] == b"MZ"
+
+
+def test_what_was_disposed_of_is_refused_by_every_member(tmp_path: Path) -> None:
+    program, preset = tmp_path / "Disposed.exe", tmp_path / "preset.ear"
+    preset.write_bytes(format_ear(load_preset("thesis")))
+    compiled(program, [OURS / "Disposed.cs", SHIPPING / "csharp" / "Ear.cs"])
+    library = compiled_library("libear.so", [SOURCES / "ear.c"], "-O3", "-shared", "-fPIC")
+    done = in_mono(program, library, str(preset))
+    assert done.returncode == 0, done.stderr.decode()
+    lines = done.stdout.decode().splitlines()
+    assert len(lines) >= 6 + 2 * (5 + 3)
+    assert [line for line in lines if not line.endswith(" ObjectDisposedException")] == []
