@@ -1,15 +1,21 @@
 """What all tests share."""
 
 import os
+import shutil
 import signal
+import sys
 from pathlib import Path
+
+from tests.homes import environment_of, home_of_this_run
+
+os.environ |= home_of_this_run()  # before anything looks for what the user keeps
 
 import numpy as np
 import pytest
 import soundfile
 from hypothesis import settings
 
-from phonemeengine.encoder import model_folder
+from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.plug_ins import Shelf, install_example
 from tests.fakes.whisper_model import write_whisper_model
@@ -28,6 +34,12 @@ settings.load_profile("house")
 def pytest_xdist_auto_num_workers() -> int:
     """One worker more than there are cores: tests of sound cards mostly wait."""
     return (os.cpu_count() or 1) + 1
+
+
+def pytest_unconfigure() -> None:
+    """Remove the home of this run; in a worker it is not this process's."""
+    if "PYTEST_XDIST_WORKER" not in os.environ:
+        shutil.rmtree(os.environ["HOME"], ignore_errors=True)
 
 
 collect_ignore = ["blender"]  # those run in Blender, by `make test-blender`
@@ -59,12 +71,15 @@ def example_site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return install_example(tmp_path_factory.mktemp("site"))
 
 
-@pytest.fixture(autouse=True)
-def _no_whisper(tmp_path_factory: pytest.TempPathFactory, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever this machine has, tests find no model of the speech encoder but those that they make."""
-    monkeypatch.delenv(model_folder.FOLDER_VARIABLE, raising=False)
-    monkeypatch.setattr(model_folder, "data_folder", lambda: tmp_path_factory.getbasetemp() / "no data")
-    monkeypatch.setattr(model_folder, "PACKAGES", ("no_such_package_1", "no_such_package_2"))
+@pytest.fixture
+def home(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A home for one test, in which the program looks for Whisper's model, without the packages that bring it."""
+    for name, value in environment_of(tmp_path / "home").items():
+        monkeypatch.setenv(name, value)
+    monkeypatch.delenv(FOLDER_VARIABLE)
+    for package in PACKAGES:
+        monkeypatch.setitem(sys.modules, package, None)
+    return tmp_path / "home"
 
 
 @pytest.fixture(scope="session")
@@ -76,7 +91,7 @@ def whisper_folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def whisper(whisper_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Have the program find that model."""
-    monkeypatch.setenv(model_folder.FOLDER_VARIABLE, str(whisper_folder))
+    monkeypatch.setenv(FOLDER_VARIABLE, str(whisper_folder))
     return whisper_folder
 
 

@@ -8,8 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-# What people have installed and set is left alone: Blender looks at this before anything else.
+from tests.homes import home_of_this_run
+
+# What people have installed and set is left alone: Blender looks at the first before anything else.
 os.environ["BLENDER_USER_RESOURCES"] = tempfile.mkdtemp()
+os.environ |= home_of_this_run()
 
 import bpy
 

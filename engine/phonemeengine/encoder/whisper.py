@@ -18,7 +18,8 @@ N_STATES = 512
 """Numbers that the base model gives for each of its frames of 20 ms."""
 PERIOD = 0.02
 FILES = ("config.json", "model.bin")
-"""What a model's folder must hold."""
+VOCABULARIES = ("vocabulary.json", "vocabulary.txt")
+"""What a model's folder must hold: all of the first, and one of the second, without which CTranslate2 opens none."""
 BEFORE, AFTER = 0.2, 0.5
 """Seconds of near silence before and after a sound, which are cut off again."""
 DITHER = 1e-4
@@ -48,7 +49,7 @@ class WhisperEncoder:
 
     Parameters
     ----------
-    folder : with `model.bin` and `config.json`.
+    folder : with `model.bin`, `config.json` and a vocabulary.
     n_threads : that work on a sound.
 
     Raises
@@ -91,10 +92,20 @@ def _stretches(n: int) -> Iterator[tuple[int, int, int, int]]:
         yield first, max(0, first - OVERLAP), min(n, last + OVERLAP), last
 
 
-def _load(folder: Path, n_threads: int) -> Any:
+def missing_files(folder: Path) -> list[str]:
+    """Return the names of the files that a folder lacks to be a model."""
     missing = [name for name in FILES if not (folder / name).is_file()]
+    has_vocabulary = any((folder / name).is_file() for name in VOCABULARIES)
+    return missing if has_vocabulary else [*missing, VOCABULARIES[-1]]
+
+
+def _load(folder: Path, n_threads: int) -> Any:
+    missing = missing_files(folder)
     if missing:
-        raise ModelError(f"{folder}: there is no Whisper model, {missing[0]} is missing; choose its folder")
+        raise ModelError(
+            f"{folder}: there is no Whisper model, {missing[0]} is missing; choose its folder, or fetch "
+            "what is missing"
+        )
     try:
         import ctranslate2  # noqa: PLC0415 - it is an extra
     except ImportError as error:
@@ -109,7 +120,16 @@ def _load(folder: Path, n_threads: int) -> Any:
     try:
         return ctranslate2.models.Whisper(str(folder), device="cpu", compute_type="int8", intra_threads=n_threads)
     except (RuntimeError, ValueError, MemoryError) as error:
-        raise ModelError(f"{folder}: the Whisper model is damaged; get it anew") from error
+        raise ModelError(
+            f"{folder}: the Whisper model cannot be opened ({first_line(error)}); get it anew, or choose "
+            "another folder"
+        ) from error
+
+
+def first_line(error: Exception) -> str:
+    """Return the first sentence of what a library says went wrong, for a place in ours."""
+    words = (str(error).strip() or type(error).__name__).splitlines()[0]
+    return words.removeprefix("Got: ").split(". ")[0][:160]
 
 
 def _free_memory() -> float:

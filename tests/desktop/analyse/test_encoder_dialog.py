@@ -5,13 +5,11 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
 
 from phonemeanalyser.desktop.analyse import encoder_dialog
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
-from phonemeengine.encoder import model_folder
 from phonemeengine.errors import ModelError
 
 
 @pytest.fixture
-def dialog(qtbot, tmp_path, monkeypatch):
-    monkeypatch.setattr(model_folder, "data_folder", lambda: tmp_path / "data")
+def dialog(qtbot, home):
     parent = QWidget()
     qtbot.addWidget(parent)
     dialog = EncoderDialog(parent)
@@ -56,7 +54,7 @@ def test_a_folder_without_a_model_is_refused(dialog, qtbot, tmp_path, monkeypatc
     monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
     dialog.buttons[0].click()
     assert said(dialog, qtbot) == (
-        f"{tmp_path}: there is no Whisper model, config.json is missing; choose its folder."
+        f"{tmp_path}: there is no Whisper model, config.json is missing; choose its folder, or fetch what is missing."
     )  # fmt: skip
 
 

@@ -1,36 +1,48 @@
 """Where the speech encoder's model comes from: a folder, two packages, the network."""
 
+import os
+import shutil
+import subprocess
 import sys
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 
-from phonemeengine.encoder import model_folder
-from phonemeengine.encoder.model_folder import choose_whisper, fetch_whisper, find_whisper, has_whisper
+from phonemeengine.encoder.model_folder import (
+    FOLDER_VARIABLE,
+    PACKAGES,
+    REPOSITORY,
+    choose_whisper,
+    fetch_whisper,
+    find_whisper,
+    has_whisper,
+    open_whisper,
+)
 from phonemeengine.errors import ModelError
+from phonemeengine.paths import data_folder
 
 
 @pytest.fixture(autouse=True)
-def data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def data(home: Path) -> Path:
     """The folder in which the program keeps what is the user's."""
-    monkeypatch.setattr(model_folder, "data_folder", lambda: tmp_path / "data")
-    return tmp_path / "data"
+    return data_folder()
 
 
 @pytest.fixture
-def packages(tmp_path: Path, whisper_folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Two packages with the halves of a model."""
+def packages(tmp_path: Path, whisper_folder: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The two packages with the halves of a model, and where they are."""
     content = (whisper_folder / "model.bin").read_bytes()
-    names = ("half_of_it_1", "half_of_it_2")
-    for k, (name, part) in enumerate(zip(names, (content[:5_000_000], content[5_000_000:]), strict=True), 1):
-        (tmp_path / "site" / name / "data").mkdir(parents=True)
-        (tmp_path / "site" / name / "__init__.py").touch()
-        (tmp_path / "site" / name / "data" / f"model.bin.part{k}").write_bytes(part)
-    config = tmp_path / "site" / names[0] / "data" / "config.json"
-    config.write_bytes((whisper_folder / "config.json").read_bytes())
-    monkeypatch.syspath_prepend(tmp_path / "site")
-    monkeypatch.setattr(model_folder, "PACKAGES", names)
+    site = tmp_path / "site"
+    for k, (name, part) in enumerate(zip(PACKAGES, (content[:5_000_000], content[5_000_000:]), strict=True), 1):
+        (site / name / "data").mkdir(parents=True)
+        (site / name / "__init__.py").touch()
+        (site / name / "data" / f"model.bin.part{k}").write_bytes(part)
+        monkeypatch.delitem(sys.modules, name)
+    for name in ("config.json", "vocabulary.json"):
+        shutil.copy(whisper_folder / name, site / PACKAGES[0] / "data")
+    monkeypatch.syspath_prepend(site)
+    return site
 
 
 def hub(monkeypatch: pytest.MonkeyPatch, fetch: object) -> None:
@@ -50,9 +62,9 @@ def test_without_a_model_one_sentence_says_how_to_get_one():
 def test_the_variable_goes_first_then_what_was_chosen(whisper_folder, tmp_path, monkeypatch):
     choose_whisper(whisper_folder)
     assert (find_whisper().path, find_whisper().origin) == (whisper_folder, "chosen")
-    monkeypatch.setenv(model_folder.FOLDER_VARIABLE, str(tmp_path / "other"))
+    monkeypatch.setenv(FOLDER_VARIABLE, str(tmp_path / "other"))
     assert find_whisper().path == tmp_path / "other"
-    monkeypatch.delenv(model_folder.FOLDER_VARIABLE)
+    monkeypatch.delenv(FOLDER_VARIABLE)
     assert has_whisper()
     choose_whisper(None)
     assert not has_whisper()
@@ -70,12 +82,57 @@ def test_the_halves_of_two_packages_are_put_together_once(whisper_folder, data, 
     found = find_whisper()
     assert found.path == data / "whisper-base"
     assert (found.path / "model.bin").read_bytes() == (whisper_folder / "model.bin").read_bytes()
-    monkeypatch.setattr(model_folder, "PACKAGES", ("gone_1", "gone_2"))
+    open_whisper()
+    for name in PACKAGES:
+        monkeypatch.setitem(sys.modules, name, None)
     assert find_whisper().path == found.path
 
 
 @pytest.mark.usefixtures("packages")
+def test_a_folder_that_an_earlier_version_left_without_vocabulary_is_mended(data):
+    left = find_whisper().path
+    (left / "vocabulary.json").unlink()
+    with (left / "model.bin").open("ab"):  # as old as it is: what is whole is not written again
+        before = (left / "model.bin").stat()
+    assert find_whisper().path == left
+    open_whisper()
+    after = (left / "model.bin").stat()
+    assert (after.st_ino, after.st_mtime_ns) == (before.st_ino, before.st_mtime_ns)
+
+
+def test_without_vocabulary_one_sentence_says_what_is_missing_and_gets_it(whisper_folder, data):
+    left = data / "whisper-base"
+    left.mkdir(parents=True)
+    for name in ("config.json", "model.bin"):
+        shutil.copy(whisper_folder / name, left)
+    assert has_whisper()
+    with pytest.raises(ModelError, match=r"vocabulary\.txt is missing; choose its folder, or fetch what is missing"):
+        open_whisper()
+
+
+def test_programs_that_put_it_together_at_once_all_have_it(packages, whisper_folder, data):
+    program = "from phonemeengine import find_whisper; from phonemeengine.encoder.model_folder import open_whisper; "
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(packages), *sys.path])}
+    words = [sys.executable, "-c", program + "open_whisper(); print(find_whisper().path)"]
+    started = [subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(3)]
+    assert [program.communicate()[0].strip() for program in started] == [str(data / "whisper-base")] * 3
+    assert (data / "whisper-base" / "model.bin").read_bytes() == (whisper_folder / "model.bin").read_bytes()
+    assert sorted(path.name for path in (data / "whisper-base").iterdir()) == [
+        "config.json", "model.bin", "vocabulary.json",
+    ]  # fmt: skip
+
+
+def test_turned_off_there_is_none_whatever_lies_there(whisper_folder, monkeypatch):
+    choose_whisper(whisper_folder)
+    monkeypatch.setenv(FOLDER_VARIABLE, "off")
+    assert not has_whisper()
+    with pytest.raises(ModelError, match="PHONEMEANALYSER_WHISPER is 'off', so files are recognised without Whisper"):
+        find_whisper()
+
+
+@pytest.mark.usefixtures("packages")
 def test_where_the_halves_cannot_be_put_together_that_is_said(data):
+    data.parent.mkdir(parents=True)
     data.write_text("a file, where a folder should be")
     with pytest.raises(ModelError, match="Whisper's model cannot be put together here"):
         find_whisper()
@@ -83,9 +140,9 @@ def test_where_the_halves_cannot_be_put_together_that_is_said(data):
 
 def test_it_is_fetched_by_its_usual_name(whisper_folder, data, monkeypatch):
     def fetch(name: str, local_dir: Path, allow_patterns: list[str]) -> None:
-        assert name == model_folder.REPOSITORY
+        assert name == REPOSITORY
         local_dir.mkdir(parents=True)
-        for wanted in allow_patterns:
+        for wanted in {*allow_patterns} & {path.name for path in whisper_folder.iterdir()}:
             (local_dir / wanted).write_bytes((whisper_folder / wanted).read_bytes())
 
     hub(monkeypatch, fetch)

@@ -52,7 +52,9 @@ def test_a_damaged_model_is_refused(tmp_path, whisper_folder):
     shutil.copytree(whisper_folder, tmp_path / "copy")
     content = (tmp_path / "copy" / "model.bin").read_bytes()
     (tmp_path / "copy" / "model.bin").write_bytes(content[: len(content) // 2])
-    with pytest.raises(ModelError, match="the Whisper model is damaged; get it anew"):
+    with pytest.raises(
+        ModelError, match=r"the Whisper model cannot be opened \(.*invalid payload size\); get it anew"
+    ):
         WhisperEncoder(tmp_path / "copy")
 
 

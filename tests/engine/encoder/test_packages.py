@@ -1,0 +1,45 @@
+"""Whisper's encoder as people install it: the real model, of the two packages that hold it in halves."""
+
+import os
+import sys
+from importlib.util import find_spec
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from phonemeengine import SoundReader, find_whisper, for_files, load_preset
+from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.calibration.scores.evaluation import score
+from phonemeengine.encoder.model_folder import PACKAGES, open_whisper
+from phonemeengine.settings import Ear
+from tests.conftest import CORPUS
+
+INSTALLED = all(map(find_spec, PACKAGES))
+pytestmark = pytest.mark.skipif(
+    not (INSTALLED or "CI" in os.environ), reason=f"not installed: {', '.join(PACKAGES)} (133 MB)"
+)
+
+
+@pytest.fixture
+def model(home: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The folder of the model, put together in a home without one."""
+    for package in PACKAGES:
+        monkeypatch.delitem(sys.modules, package)
+    return find_whisper().path
+
+
+def test_the_model_of_the_two_packages_opens_and_tells_speech_from_silence(model):
+    assert model.is_dir()
+    with SoundReader(CORPUS / "espeak_de" / "de" / "de_00.flac") as reader:
+        speech = reader.read_mono()
+    spoken, silent = (open_whisper().encode(sound).astype(float) for sound in (speech, 0 * speech))
+    assert spoken.shape == silent.shape == (-(-len(speech) * 50 // 44_100), 512)
+    assert np.linalg.norm(spoken - silent, axis=1).mean() > np.linalg.norm(np.diff(silent, axis=0), axis=1).mean()
+
+
+def test_a_preset_is_right_more_often_with_it_than_live(model):
+    preset, corpus = load_preset("learned"), read_corpus(CORPUS)[::8]
+    heard = for_files(preset)
+    assert (heard.ear, heard.warnings) == (Ear.WHISPER, ())
+    assert score(heard, corpus).overall.scores.macro_f1 > score(preset, corpus).overall.scores.macro_f1 + 0.02
