@@ -6,7 +6,7 @@ A Chinese text moves the mouth by pinyin, also without a voice, or in step with 
 import argparse
 import re
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, number
@@ -18,6 +18,7 @@ from phonemeanalyser.cli.scripts import say_misfits
 from phonemeanalyser.cli.speech_files import SpeechFiles
 from phonemeengine import (
     FORMATS,
+    DeviceError,
     EngineError,
     Lexicon,
     SpokenSentence,
@@ -30,6 +31,7 @@ from phonemeengine import (
     pinyin_track,
     speak_by_program,
 )
+from phonemeengine.audio.output import Output, open_output
 from phonemeengine.files import printable, read_text_file
 from phonemeengine.live.player import Player
 from phonemeengine.presets.files import DEFAULT_PRESET
@@ -71,7 +73,7 @@ def run(options: argparse.Namespace) -> int:
             _check_without_voice(options, files)
             _move_without_voice(options, files, text)
         elif files.nothing:
-            _play(_spoken(options, text))
+            play_aloud(_spoken(options, text))
         else:
             files.write_spoken(_spoken(options, text), _language_of(options, text), text)
     return 0
@@ -142,23 +144,43 @@ def _with_notes(sentences: Iterator[SpokenSentence], language: str) -> Iterator[
         yield sentence
 
 
-def _play(sentences: Iterator[SpokenSentence]) -> None:
-    """Let the sentences be heard, and print each when it begins."""
+def play_aloud(sentences: Iterable[SpokenSentence], open_device: Callable[[int], Output] = open_output) -> None:
+    """Let sentences be heard to the end, and print each when it begins; a card that sleeps or goes is waited for.
+
+    Parameters
+    ----------
+    sentences : as they come.
+    open_device : opens the output for a number of channels.
+
+    Raises
+    ------
+    DeviceError : there is no sound card, or it has gone and does not come back.
+    """
     spooled = SpooledSpeech(sentences)
-    player = Player(spooled, load_preset(DEFAULT_PRESET))
-    shown = -1.0
+    player = Player(spooled, load_preset(DEFAULT_PRESET), open_device, waits=True)
     try:
         player.play()
-        while not player.finished:
-            player.take_analyses()
-            track = spooled.track_at(player.position)
-            if track is not None and track.start > shown:
-                print(track.text, flush=True)
-                shown = track.start
-            time.sleep(LOOK)
-        player.take_analyses()
+        _follow(player, spooled)
+    except DeviceError as error:
+        raise DeviceError(f"{error}; to write the sound into a file instead, name it with -o") from error
     finally:
         player.close()
+
+
+def _follow(player: Player, spooled: SpooledSpeech) -> None:
+    """Print what is heard, and say when the sound card takes no sound."""
+    shown, was_heard = -1.0, False
+    while not player.finished:
+        player.take_analyses()
+        if was_heard and not player.has_card:
+            say_note("the sound card", "it takes no sound any more; the speech waits for it, and goes on from there")
+        was_heard = player.has_card
+        track = spooled.track_at(player.position)
+        if was_heard and track is not None and track.start > shown:
+            print(track.text, flush=True)
+            shown = track.start
+        time.sleep(LOOK)
+    player.take_analyses()
 
 
 def _check_without_voice(options: argparse.Namespace, files: SpeechFiles) -> None:

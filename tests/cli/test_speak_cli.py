@@ -2,16 +2,20 @@ import json
 import re
 import shlex
 import sys
+from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from phonemeanalyser.cli.main import main
-from phonemeengine import SoundReader
+from phonemeanalyser.cli.speak import play_aloud
+from phonemeengine import DeviceError, Phone, Phoneme, SoundReader, SpokenSentence, Syllable, Word
 from phonemeengine.labels.textgrid import tiers_of
 from phonemeengine.labels.utterance_files import read_utterance
 from tests.conftest import CORPUS
+from tests.fakes.outputs import Cards, SelfMovingOutput
 
 SAID = CORPUS / "espeak_de" / "de" / "de_01.flac"
 TEXT = "Es regnet, aber der See ist eben und leer."
@@ -117,6 +121,30 @@ def test_a_file_that_is_there_is_left_alone_unless_it_is_given_up(tmp_path: Path
     assert out.read_bytes()[:4] == b"RIFF"
 
 
+def sentences() -> Iterator[SpokenSentence]:
+    word = Word("hi", (Syllable((Phone(0.0, 0.5, "a", Phoneme.A),)),))
+    return (SpokenSentence(np.full(22_050, 0.1, np.float32), (word,), text) for text in ("Hi.", "Ho."))
+
+
 def test_without_a_file_the_text_is_played_and_printed(capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["speak", "Hi. Ho.", "--language", "en-us", "--rate", "9"]) == 0
-    assert capsys.readouterr().out.splitlines() == ["Hi.", "Ho."]
+    card = SelfMovingOutput()
+    play_aloud(sentences(), Cards(card))
+    said = capsys.readouterr()
+    assert (said.out.splitlines(), said.err) == (["Hi.", "Ho."], "")
+    assert card.n_written == 44_100
+
+
+def test_a_card_that_goes_in_the_midst_of_a_text_is_told_and_the_rest_is_heard(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    first, second = SelfMovingOutput(lost_after=10_000), SelfMovingOutput()
+    play_aloud(sentences(), Cards(first, second))
+    assert "the sound card: note: it takes no sound any more" in capsys.readouterr().err
+    assert 10_000 <= first.n_written < 44_100
+    assert second.n_written >= 44_100 - first.n_written
+
+
+def test_a_text_that_nobody_can_hear_is_refused_in_one_sentence(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(DeviceError, match=r"^the sound card is not there; to write .* name it with -o$"):
+        play_aloud(sentences(), Cards())
+    assert capsys.readouterr().out == ""

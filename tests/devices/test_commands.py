@@ -4,17 +4,21 @@ import json
 import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
+import numpy as np
 import pytest
 import soundfile
 
 from phonemeanalyser.cli.window import DEMO
 from phonemeengine.audio.wav import HEADER
-from tests.devices.programs import PATIENCE, Program, counted_in, recorder, samples_of
+from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, recorder, samples_of
 from tests.fakes.virtual_sound import VirtualSound
 
 SENTENCE = "phonemeanalyser: "
+LOUD = 100
+"""Samples beyond are speech, of 32768."""
 
 
 def refusal_of(program: Program) -> str:
@@ -55,6 +59,29 @@ def test_a_channel_that_a_device_lacks_is_refused(card: VirtualSound, takes: Pat
         assert program.end(None) in {1, 2}
         assert "999" in program.errors[-1]
         assert not any("Traceback" in line for line in program.errors)
+
+
+def test_a_text_is_heard_to_its_end_on_a_card_that_sleeps(tmp_path: Path) -> None:
+    words = ["-m", "phonemeanalyser", "speak", "The first sentence is heard. And so is the second one.", "--language"]
+    spoken = tmp_path / "spoken.wav"
+    with VirtualSound(sleepy=True) as card:
+        assert Program(tmp_path, card, *words, "en-us", "-o", spoken).end(None) == 0
+        recording = card.record_speaker(tmp_path / "heard.wav")
+        for _ in range(3):  # it sleeps for up to 2 s, and sometimes hardly
+            speak = Program(tmp_path, card, *words, "en-us")
+            assert speak.end(None) == 0, speak.errors
+            assert speak.out == ["The first sentence is heard.", "And so is the second one."]
+        time.sleep(SETTLED)  # until the recorder has taken everything
+        recording.terminate()
+        recording.wait(PATIENCE)
+    heard = np.fromfile(tmp_path / "heard.wav", np.int16, offset=44).reshape(-1, 2)[:, 0]
+    n_spoken = np.count_nonzero(np.abs(soundfile.read(spoken, dtype="int16")[0]) > LOUD)
+    assert np.count_nonzero(np.abs(heard) > LOUD) == pytest.approx(3 * n_spoken, rel=0.02)
+
+
+def test_a_text_that_no_card_plays_is_refused(card: VirtualSound, takes: Path) -> None:
+    card.kill()
+    assert "name it with -o" in refusal_of(Program(takes, card, "-m", "phonemeanalyser", "speak", "你好"))
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

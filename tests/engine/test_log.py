@@ -45,7 +45,7 @@ def test_a_microphone_is_logged_as_it_comes_and_goes_and_once_while_it_is_away(
     hearing.wait(frames_in(N))
     first.lost = True
     wait_for(lambda: len(hearing.openers.asked) == 4, "the other microphone")
-    second.quiet = 3.0
+    second.quiet = 6.0
     hearing.wait_words(REFUSAL)
     hearing.listener.choose(InputChoice("a third"))
     hearing.listener.close()

@@ -1,12 +1,14 @@
 """An output whose time only moves when a test says so."""
 
+import math
+from collections import deque
 from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.audio.output import Output
+from phonemeengine.audio.output import ClockOutput, Output
 from phonemeengine.live.sound import Sound
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -88,3 +90,35 @@ class Outputs:
     @property
     def last(self) -> HandDrivenOutput:
         return self.opened[-1]
+
+
+class SelfMovingOutput(HandDrivenOutput):
+    """A card on which time passes whenever somebody looks, and that goes away once so many samples were heard."""
+
+    def __init__(self, n_channels: int = 1, lost_after: float = math.inf) -> None:
+        self._heard = 0.0
+        self._lost_after = lost_after
+        super().__init__(n_channels)
+
+    @property
+    def heard(self) -> float:
+        """Number of the sample that is heard now."""
+        self._heard = min(self._heard + 441, float(self.n_written))
+        self.lost = self._heard >= self._lost_after
+        return self._heard
+
+    @heard.setter
+    def heard(self, heard: float) -> None:
+        self._heard = heard
+
+
+class Cards:
+    """Opens the cards that are there, in turn; where there is none, the clock."""
+
+    def __init__(self, *cards: HandDrivenOutput) -> None:
+        self.there = deque(cards)
+        self.n_asked = 0
+
+    def __call__(self, _n_channels: int) -> Output:
+        self.n_asked += 1
+        return self.there.popleft() if self.there else ClockOutput("the sound card is not there")

@@ -41,14 +41,21 @@ def wait_for(truth: Callable[[], bool], what: str) -> None:
 
 
 class Rig:
-    """A player on outputs that the test moves."""
+    """A player on outputs that the test moves.
+
+    Attributes
+    ----------
+    sleepy : whether cards that are opened from now on sleep first.
+    """
 
     def __init__(self, path: Path, preset: Preset = PRESET, **options: Channel) -> None:
         self.outputs: list[HandDrivenOutput] = []
+        self.sleepy = False
         self.player = Player(SoundReader(path, **options), preset, self._open)
 
     def _open(self, n_channels: int) -> HandDrivenOutput:
         self.outputs.append(HandDrivenOutput(n_channels))
+        self.outputs[-1].alive = not self.sleepy
         return self.outputs[-1]
 
     @property

@@ -28,10 +28,12 @@ class VirtualSound:
     ----------
     rate : sample rate of microphone and speaker, Hz.
     loopback : let the microphone hear what the speaker plays, rather than what is played into it.
+    sleepy : let the speaker sleep for up to 2 s before it takes its first sound, as PulseAudio's null sink does.
     """
 
-    def __init__(self, rate: int = 44_100, *, loopback: bool = False) -> None:
+    def __init__(self, rate: int = 44_100, *, loopback: bool = False, sleepy: bool = False) -> None:
         self._rate = rate
+        self._sleepy = sleepy
         self._source = "speaker.monitor" if loopback else "mic"
         self._folder = Path(tempfile.mkdtemp(prefix="vsound"))
         self._socket, self._log = self._folder / "native", self._folder / "log"
@@ -77,10 +79,11 @@ class VirtualSound:
         return subprocess.Popen(["paplay", "-d", "mic_in", "--latency-msec=1000", str(path)], env=self.environment)
 
     def record_speaker(self, path: Path) -> subprocess.Popen[bytes]:
-        """Write what is played into a WAV file until terminated."""
+        """Write what is played into a WAV file until terminated; a sleepy speaker is not woken by that."""
+        latency = 5000 if self._sleepy else 10
         return subprocess.Popen(
             ["parec", "-d", "speaker.monitor", "--format=s16le", "--channels=2", f"--rate={self._rate}",
-             "--latency-msec=10", "--file-format=wav", str(path)],
+             f"--latency-msec={latency}", "--file-format=wav", str(path)],
             env=self.environment,
         )  # fmt: skip
 
@@ -107,13 +110,14 @@ class VirtualSound:
         self._start()
 
     def _start(self) -> None:
-        rate = f"rate={self._rate} format=s16le norewinds=1"
+        rate = f"rate={self._rate} format=s16le"
+        steady = f"{rate} norewinds=1"
         log = os.open(self._log, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
         self._server = subprocess.Popen(
             ["pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--disable-shm=yes", "--use-pid-file=no",
              "--realtime=no", "--high-priority=no", "--log-target=stderr",
-             "-L", f"module-null-sink sink_name=speaker channels=2 {rate}",
-             "-L", f"module-null-sink sink_name=mic_in channels=1 channel_map=mono {rate}",
+             "-L", f"module-null-sink sink_name=speaker channels=2 {rate if self._sleepy else steady}",
+             "-L", f"module-null-sink sink_name=mic_in channels=1 channel_map=mono {steady}",
              "-L", "module-remap-source source_name=mic master=mic_in.monitor",
              "-L", f"module-native-protocol-unix socket={self._socket} auth-anonymous=1"],
             env=self._server_environment(), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,

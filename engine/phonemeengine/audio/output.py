@@ -13,7 +13,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import Device
 from phonemeengine.audio.ring import Ring
-from phonemeengine.audio.stream import CardStream, openable_devices
+from phonemeengine.audio.stream import STALLED, CardStream, openable_devices
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -21,8 +21,6 @@ AHEAD = SAMPLE_RATE // 5
 """Samples that are written at most before they are heard; the mouth of a head that talks may be ahead by as much."""
 LATENCY = 0.05
 """What is asked of the card, seconds."""
-STALLED = 1.0
-"""A card that asks for nothing for so long is as good as lost, seconds."""
 
 
 class Output(Protocol):
@@ -75,14 +73,20 @@ class Output(Protocol):
 
 
 class ClockOutput:
-    """No sound card: time passes all the same, and samples count as heard on the clock."""
+    """No sound card: time passes all the same, and samples count as heard on the clock.
+
+    Parameters
+    ----------
+    reason : why there is no card, in a sentence; empty where one was there and has gone.
+    """
 
     name = "no sound card: silent, on the clock"
     is_card = False
     lost = False
     alive = True
 
-    def __init__(self) -> None:
+    def __init__(self, reason: str = "") -> None:
+        self.reason = reason
         self.gain = 1.0
         self.n_written = 0
         self._heard = 0.0
@@ -232,5 +236,5 @@ def open_output(n_channels: int, label: str = "") -> Output:
     try:
         named = [d for d in openable_devices() if d.n_outputs and d.label == label] if label else []
         return CardOutput(n_channels, named[0] if named else None)
-    except DeviceError:
-        return ClockOutput()
+    except DeviceError as error:
+        return ClockOutput(str(error))

@@ -24,6 +24,11 @@ A block to fill is an array, float32, shape (n, n_channels); one that came is ra
 
 CLOSE_TIMEOUT = 10.0
 """Seconds that another process may take to list the devices."""
+STALLED = 5.0
+"""Seconds after which a card is lost that asks for nothing, or brings nothing.
+
+The slowest ones sleep for 2 s, such as PulseAudio's null sink before its first sound; a busy machine adds to that.
+"""
 
 _portaudio_lock = threading.RLock()
 _open: "set[CardStream]" = set()

@@ -18,6 +18,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
+from phonemeengine.audio.stream import STALLED
 from phonemeengine.errors import DeviceError
 from phonemeengine.lifetime import Closing
 from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
@@ -254,7 +255,7 @@ class Listener(Closing):
             self._follow(source, block)
         elif source.lost:
             self._let_go(f"{source.name} has gone; trying again every 2 s")
-        elif source.quiet > RETRY_PERIOD:
+        elif source.quiet > STALLED:
             self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
 
     def _follow(self, source: Input, block: Float32Array) -> None:

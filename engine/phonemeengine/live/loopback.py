@@ -8,8 +8,9 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
-from phonemeengine.audio.input import CardInput
-from phonemeengine.audio.output import CardOutput
+from phonemeengine.audio.input import CardInput, Input
+from phonemeengine.audio.output import CardOutput, Output
+from phonemeengine.audio.stream import STALLED
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -54,6 +55,7 @@ def measure_loopback(choice: InputChoice) -> Loopback:
         speaker = CardOutput(1)
         try:
             speaker.run(running=True)
+            _wait_for(speaker, microphone)
             found = [_click(speaker, microphone) for _ in range(N_CLICKS)]
         finally:
             speaker.close()
@@ -67,6 +69,21 @@ def measure_loopback(choice: InputChoice) -> Loopback:
     trips = [trip for trip, _ in heard]
     capture = max(0.0, statistics.median(capture for _, capture in heard))
     return Loopback(statistics.median(trips), capture, max(trips) - min(trips), len(heard), N_CLICKS)
+
+
+def _wait_for(speaker: Output, microphone: Input) -> None:
+    """Wait until both devices work: a slow one sleeps for a while after it is opened.
+
+    Raises
+    ------
+    DeviceError : one of them does nothing.
+    """
+    deadline, came = time.monotonic() + STALLED, False
+    while not (came and speaker.alive):
+        came = bool(len(microphone.read(0.02))) or came
+        if time.monotonic() > deadline:
+            name = speaker.name if came else microphone.name
+            raise DeviceError(f"{name} opens, but does nothing within {STALLED:g} s; check it, or choose another")
 
 
 def _click(speaker: CardOutput, microphone: CardInput) -> tuple[float, float] | None:

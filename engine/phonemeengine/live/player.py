@@ -5,6 +5,7 @@ heard since. Nothing else passes between the two.
 """
 
 import logging
+import math
 import threading
 import time
 from collections import deque
@@ -18,7 +19,8 @@ from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.audio.slowed_output import SlowedOutput
 from phonemeengine.audio.source import Reader
-from phonemeengine.errors import EngineError
+from phonemeengine.audio.stream import STALLED
+from phonemeengine.errors import DeviceError, EngineError
 from phonemeengine.live.playback_queue import PlaybackQueue
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import MOST_FRAMES_AHEAD
@@ -32,8 +34,13 @@ RETRY_PERIOD = 2.0
 """Seconds between two tries to find a sound card again."""
 STALL_TIMEOUT = 1.0
 """Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
-WAKE_TIMEOUT = 0.3
+WAKE_TIMEOUT = STALLED
 """Seconds that a sound card is given to ask for sound."""
+CARD_TIMEOUT = 15.0
+"""Seconds after which a player that waits for its sound card gives up."""
+
+_NO_CARD = "there is no sound card to play on; connect one"
+_GONE = f"the sound card takes no sound any more, and does not within {CARD_TIMEOUT:g} s; check it, and try again"
 
 _log = logging.getLogger(__name__)
 
@@ -42,23 +49,31 @@ class Player:
     """Plays a sound, and hands out its analysis in step with what is heard.
 
     Starts standing still at the beginning. All methods may be called from any one thread; they return at once.
-    Without a sound card it goes on silently on the clock, and looks for one every two seconds while it plays.
+    Without a sound card it goes on silently on the clock, or waits, and looks for one every two seconds.
 
     Parameters
     ----------
     reader : the sound; it is closed by `close`. All its channels are heard, one is analysed.
     preset : what to recognise with.
     open_device : opens the output for a number of channels.
+    waits : stand still while no sound card plays, so that nothing is passed over unheard; `take_analyses` raises
+        DeviceError if there is none at first, or none again within `CARD_TIMEOUT`.
     """
 
-    def __init__(self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output) -> None:
+    def __init__(
+        self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output, *,
+        waits: bool = False,
+    ) -> None:  # fmt: skip
         self.reader = reader
+        self._waits = waits
         self.loop = False
         self._open_device = open_device
         self._speed = 1.0
         self._output: Output = ClockOutput()
+        self._found: Output | None = None
         self._opened = threading.Event()
         self._next_try = time.monotonic() + RETRY_PERIOD
+        self._wake_until = self._give_up_at = math.inf
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
         self._playing = self._running = self._at_end = False
@@ -220,6 +235,7 @@ class Player:
             self._open()
             self._follow()
         finally:
+            self._let_found_go()
             self._output.close()
             self.reader.close()
 
@@ -228,6 +244,9 @@ class Player:
             output = self._open_slowed()
             output.gain, self._output = self._output.gain, output
             _log.info("playing on %s", output.name)
+            if self._waits and not output.is_card:
+                reason = output.reason if isinstance(output, ClockOutput) else ""
+                self._error = DeviceError(reason or _NO_CARD)
         except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
             self._error = error
             _log.exception("no output can be opened")
@@ -242,6 +261,7 @@ class Player:
     def _reopen(self) -> None:
         """Go on with another output, or at another speed; some cards serve one stream at a time."""
         self._hold()
+        self._let_found_go()
         self._output.close()
         self._change_output(self._open_slowed())
 
@@ -250,9 +270,9 @@ class Player:
             try:
                 while self._commands:
                     self._commands.popleft()()
-                if self._needs_device and time.monotonic() > self._next_try:
-                    self._look_for_card()
-                busy = self._playing and not self._at_end and self._output.room >= STEP
+                self._look_for_card()
+                still = self._waits and not self._output.is_card
+                busy = self._playing and not self._at_end and not still and self._output.room >= STEP
                 if busy:
                     self._advance()
                 elif self._playing and not self._running:
@@ -343,25 +363,35 @@ class Player:
         return self._playing and not self._at_end and not self._output.is_card
 
     def _look_for_card(self) -> None:
-        """Go on aloud if there is a card again; one that opens and stands still is none."""
+        """Go on aloud if there is a card again; one that opens and asks for nothing is none."""
+        if self._found is None:
+            if not self._needs_device or time.monotonic() < self._next_try:
+                return
+            self._found = self._open_slowed()
+            self._wake_until = time.monotonic() + WAKE_TIMEOUT
+        if self._needs_device and self._found.is_card and self._found.alive:
+            output, self._found = self._found, None
+            self._change_output(output)
+        elif not self._needs_device or not self._found.is_card or time.monotonic() > self._wake_until:
+            self._let_found_go()
+            self._check_patience()
+
+    def _let_found_go(self) -> None:
+        if self._found is not None:
+            self._found.close()
+            self._found = None
         self._next_try = time.monotonic() + RETRY_PERIOD
-        found = self._open_slowed()
-        deadline = time.monotonic() + WAKE_TIMEOUT
-        while found.is_card and not found.alive and time.monotonic() < deadline:
-            if self._at_end or self._output.room < STEP:
-                time.sleep(0.01)
-            else:
-                self._advance()
-        if found.is_card and found.alive:
-            self._change_output(found)
-        else:
-            found.close()
+
+    def _check_patience(self) -> None:
+        if self._waits and self._needs_device and time.monotonic() > self._give_up_at:
+            raise DeviceError(_GONE)
 
     def _change_output(self, output: Output) -> None:
         """Go on elsewhere from the first frame that was not handed out."""
         old = self._output
         _log.log(logging.INFO if output.is_card else logging.WARNING, "%s: on with %s", old.name, output.name)
         output.gain = old.gain
+        self._give_up_at = time.monotonic() + CARD_TIMEOUT
         with self._waiting.lock:
             place, over = round(self.position * SAMPLE_RATE), self._at_end and not self._waiting
             frame = self._next_frame if self._waiting.next_frame is None else self._waiting.next_frame

@@ -242,19 +242,20 @@ def test_a_card_that_is_closed_is_not_lost(card: CardOutput) -> None:
     assert not card.lost
 
 
-def test_a_card_that_asks_for_nothing_for_a_second_is_as_good_as_lost(
+def test_a_card_that_sleeps_is_not_lost_until_it_asks_for_nothing_for_long(
     sounddevice: SimpleNamespace, clock: Clock
 ) -> None:
     card = CardOutput(2)
-    clock.now += 0.9
+    card._stream._stream.ask(100)  # what it takes in advance
+    clock.now += 2.5  # PulseAudio's null sink sleeps for 2 s before its first sound
     assert (card.lost, card.alive) == (False, False)
-    clock.now += 0.2
+    clock.now += stream.STALLED
     assert card.lost
     card._stream._stream.ask(100)  # it asks again: a paused card does so all the time
     assert (card.lost, card.alive) == (False, True)
-    clock.now += 0.9
+    clock.now += 2.5
     assert not card.lost
-    clock.now += 0.2
+    clock.now += stream.STALLED
     assert card.lost
     card.close()
     assert (card.lost, card.alive) == (False, False)

@@ -1,7 +1,6 @@
 """A sound card that comes back while a sound plays on without one: it is heard again from the same place."""
 
 import time
-from collections import deque
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -11,27 +10,14 @@ import soundfile
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.output import ClockOutput, Output
 from phonemeengine.live import player as live
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
-from tests.fakes.outputs import HandDrivenOutput
+from tests.fakes.outputs import Cards, HandDrivenOutput
 from tests.fakes.players import PRESET, SPEECH, agree, frames_of, offline, wait_for
 
 LONG = np.concatenate([SPEECH] * 6)
 N_FRAMES = -(-len(LONG) // HOP)
-
-
-class Cards:
-    """Opens the cards that are there, in turn; where there is none, the clock."""
-
-    def __init__(self, *cards: HandDrivenOutput) -> None:
-        self.there = deque(cards)
-        self.n_asked = 0
-
-    def __call__(self, _n_channels: int) -> Output:
-        self.n_asked += 1
-        return self.there.popleft() if self.there else ClockOutput()
 
 
 class Listening:

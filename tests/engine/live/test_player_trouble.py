@@ -8,13 +8,14 @@ from typing import Any
 
 import pytest
 
+from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import AudioError
+from phonemeengine.errors import AudioError, DeviceError
 from phonemeengine.live import playback_queue as waiting
 from phonemeengine.live.player import Player
-from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.settings import FRAME_PERIOD, HOP
 from tests.bad_files import BAD_FILES
-from tests.fakes.outputs import HandDrivenOutput
+from tests.fakes.outputs import Cards, HandDrivenOutput
 from tests.fakes.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, offline, wait_for
 
 
@@ -105,6 +106,54 @@ def test_a_device_lost_in_a_pause_stays_paused_on_the_clock(rig: Rig) -> None:
     time.sleep(0.03)
     assert position - FRAME_PERIOD <= rig.player.position <= position
     assert rig.player.take_analyses() == []
+
+
+def test_a_card_that_sleeps_is_waited_for_and_what_is_asked_meanwhile_is_done(rig: Rig) -> None:
+    rig.player.loop = True
+    rig.player.play()
+    rig.hear(33)
+    first = rig.output
+    first.lost = True
+    rig.sleepy = True
+    rig.player.take_analyses()
+    wait_for(lambda: rig.output is not first, "the card that sleeps")
+    rig.player.seek(0.1)
+    wait_for(lambda: rig.player._target is None, "the seek, while the card sleeps")
+    assert not rig.output.closed
+    rig.output.alive = True
+    wait_for(lambda: rig.player.has_card, "the card that has slept")
+
+
+def test_a_player_that_waits_hands_out_every_frame_once_though_the_card_goes(path: Path) -> None:
+    first, second = HandDrivenOutput(), HandDrivenOutput()
+    cards = Cards(first)
+    player = Player(SoundReader(path), PRESET, cards, waits=True)
+    taken: list[Analysis] = []
+
+    def heard_on(card: HandDrivenOutput, n_frames: int) -> bool:
+        card.move(HOP)
+        taken.extend(player.take_analyses())
+        return len(frames_of(taken)) >= n_frames
+
+    player.play()
+    wait_for(lambda: heard_on(first, 33), "some frames")
+    n, first.lost = len(frames_of(taken)), True
+    taken += player.take_analyses()
+    wait_for(lambda: cards.n_asked > 2, "two looks for a card")  # on the clock, all would be over by then
+    taken += player.take_analyses()
+    assert len(frames_of(taken)) == n
+    cards.there.append(second)
+    wait_for(lambda: heard_on(second, N_FRAMES), "the rest")
+    assert frames_of(taken) == list(range(N_FRAMES))
+    player.close()
+
+
+def test_a_player_that_waits_says_why_there_is_no_card(path: Path) -> None:
+    player = Player(SoundReader(path), PRESET, Cards(), waits=True)
+    player.play()
+    with pytest.raises(DeviceError, match=r"^the sound card is not there$"):
+        player.take_analyses()
+    player.close()
 
 
 def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
