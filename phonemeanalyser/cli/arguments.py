@@ -62,6 +62,19 @@ def add_script(parser: argparse.ArgumentParser) -> None:
     known.add_argument("--script", type=Path, metavar="FILE", help=words)
     parser.add_argument("--language", metavar="L", help="the text's, such as en-us or de")
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
+    add_literal(parser)
+    add_accept_text(parser)
+
+
+def add_literal(parser: argparse.ArgumentParser) -> None:
+    """Let the user have the notation of a script taken as words."""
+    notation = "speakers' names, [directions], *emphasis*, <tags> and &entities; of the text are words, too"
+    parser.add_argument("--literal", action="store_true", help=notation)
+
+
+def add_accept_text(parser: argparse.ArgumentParser) -> None:
+    """Let the user say that the text is right."""
+    parser.add_argument("--accept-text", action="store_true", help="align even where another text seems to be said")
 
 
 def add_clip(parser: argparse.ArgumentParser) -> None:

@@ -10,7 +10,16 @@ from typing import TextIO
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_batch, add_channel, add_ear, add_map, add_preset, number_in, whole_in
+from phonemeanalyser.cli.arguments import (
+    add_batch,
+    add_channel,
+    add_ear,
+    add_literal,
+    add_map,
+    add_preset,
+    number_in,
+    whole_in,
+)
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
 from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
 from phonemeanalyser.cli.prediction_work import PredictionWork
@@ -77,6 +86,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--script", type=Path, metavar="FILE", help="table with a line FILE<TAB>TEXT for each sound")
     parser.add_argument("--language", metavar="L", help="the texts', such as en-us (default: the manifest's)")
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
+    add_literal(parser)
     where = "write where something else was recognised than the labels say, for 30 ms or more"
     parser.add_argument("--errors", type=Path, metavar="CSV", help=where)
     add_channel(parser)

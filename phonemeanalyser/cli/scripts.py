@@ -34,6 +34,10 @@ from phonemeengine.text.script import load_script, script_beside
 AUTO = "auto"
 LABELS = ".textgrid"
 SHOWN_WORDS = 8
+OTHER_TEXT = (
+    "another text seems to be said in it, so it is recognised without the text; check the text and its language, or "
+    "align it anyway with --accept-text"
+)
 
 
 @dataclass(frozen=True)
@@ -46,18 +50,22 @@ class SpokenTexts:
     labels : a TextGrid with the sounds of the only one; None where there are texts.
     language : of the texts, or the labels.
     lexicon : goes before the language's voice.
+    literal : whether the notation of scripts is words, too.
+    accepted : whether texts are aligned even where others seem to be said.
     """
 
     texts: Mapping[Path, str]
     labels: Path | None
     language: str | None
     lexicon: Lexicon | None
+    literal: bool = False
+    accepted: bool = False
 
     def known_of(self, sound: Path) -> str:
         """Return what tells whether something else is said in a sound than before."""
         if self.labels is not None:
             return fingerprint_of(self.labels, self.language)
-        return fingerprint_of(self.texts.get(sound), self.language, self.lexicon)
+        return fingerprint_of(self.texts.get(sound), self.language, self.lexicon, self.literal, self.accepted)
 
     def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
         """Return what is said in a sound of `duration` seconds, and say what of it is not; None where nobody knows.
@@ -71,8 +79,8 @@ class SpokenTexts:
         text = self.texts.get(sound)
         if text is None:
             return None
-        words = words_of(text, self.language, self.lexicon)
-        for note in notes_on(text, self.language):
+        words = words_of(text, self.language, self.lexicon, literal=self.literal)
+        for note in notes_on(text, self.language, literal=self.literal):
             say(printable_name(sound), note)
         return words
 
@@ -90,8 +98,9 @@ class SpokenTexts:
         script = self.script_of(sound, reader.duration, say)
         if script is None:
             return None
-        found = scripted_transcript_of(analyses, script, printable_name(sound), reader.duration, sound)
-        say_misfits(printable_name(sound), found[0], say)
+        name, accepted = printable_name(sound), self.accepted
+        found = scripted_transcript_of(analyses, script, name, reader.duration, sound, accept_text=accepted)
+        say_misfits(name, found[0], say)
         return found
 
 
@@ -109,11 +118,16 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
     if options.text is None and options.script is None:
         if options.language is not None or options.lexicon is not None:
             options.parser.error("--language and --lexicon go with --text or --script: say what is said in the sound")
+        if options.literal or options.accept_text:
+            options.parser.error(
+                "--literal and --accept-text go with --text or --script: say what is said in the sound"
+            )
         return NO_TEXTS
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
     if options.script is not None and options.script.suffix.lower() == LABELS:
         return SpokenTexts({}, _labels_of(options.script, sounds), options.language, None)
-    return SpokenTexts(_texts_of(options, sounds), None, options.language, lexicon)
+    texts = _texts_of(options, sounds)
+    return SpokenTexts(texts, None, options.language, lexicon, options.literal, options.accept_text)
 
 
 @dataclass(frozen=True)
@@ -126,12 +140,14 @@ class WordsToScore:
     language : of the texts; None for the manifest's.
     lexicon : goes before the language's voice.
     tags : the languages that there are.
+    literal : whether the notation of scripts is words, too.
     """
 
     texts: Mapping[Path, str]
     language: str | None
     lexicon: Lexicon | None
     tags: frozenset[str]
+    literal: bool = False
 
     def __call__(self, utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
         """Return the words of a recording, and say at once what cannot be used; None where they are not known."""
@@ -142,7 +158,8 @@ class WordsToScore:
         if utterance.path not in self.texts:
             return None
         try:
-            return words_of(self.texts[utterance.path], self._tag_of(utterance), self.lexicon)
+            text, language = self.texts[utterance.path], self._tag_of(utterance)
+            return words_of(text, language, self.lexicon, literal=self.literal)
         except VoiceError:
             raise
         except TextError as error:
@@ -151,7 +168,8 @@ class WordsToScore:
 
     def known_of(self, utterance: LabelledUtterance) -> str:
         """Return what tells whether something else is said in a recording than before."""
-        return fingerprint_of(self.texts.get(utterance.path), self._tag_of(utterance), self.lexicon)
+        text = self.texts.get(utterance.path)
+        return fingerprint_of(text, self._tag_of(utterance), self.lexicon, self.literal)
 
     def _tag_of(self, utterance: LabelledUtterance) -> str:
         return self.language or _tag_of(utterance.language, self.tags)
@@ -172,7 +190,8 @@ def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtt
     if not texts:
         raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
-    return WordsToScore(texts, options.language, lexicon, frozenset(language.tag for language in languages()))
+    tags = frozenset(language.tag for language in languages())
+    return WordsToScore(texts, options.language, lexicon, tags, options.literal)
 
 
 def _tag_of(language: str, known: Collection[str]) -> str:
@@ -184,7 +203,7 @@ def _tag_of(language: str, known: Collection[str]) -> str:
 def say_misfits(name: str, utterance: Utterance, say: Say) -> None:
     """Say what of a text nobody says, or that another one is said."""
     if is_other_text(utterance):
-        say(name, "another text is said in it, so it is recognised without the text; check the text and its language")
+        say(name, OTHER_TEXT)
     elif utterance.skipped:
         words = " ".join(printable(word) for word in utterance.skipped[:SHOWN_WORDS])
         more = len(utterance.skipped) - SHOWN_WORDS

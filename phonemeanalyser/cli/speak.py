@@ -9,7 +9,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_overwrite, add_preset, number
+from phonemeanalyser.cli.arguments import add_channel, add_literal, add_overwrite, add_preset, number
 from phonemeanalyser.cli.driving import add_driver, driving, pinyin_table_of
 from phonemeanalyser.cli.expression import add_expression
 from phonemeanalyser.cli.jobs import say_note
@@ -87,6 +87,7 @@ def _add_voice(parser: argparse.ArgumentParser) -> None:
     lexicon = "how words are pronounced, .toml or .csv: the voice says those whose sounds it has"
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help=lexicon)
     program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
+    add_literal(parser)
     parser.add_argument("--program", metavar="COMMAND", help=program)
     parser.add_argument("--silent", action="store_true", help="a Chinese text without sound")
 
@@ -120,13 +121,15 @@ def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
     language, lexicon = _language_of(options, text), load_lexicon(options.lexicon) if options.lexicon else Lexicon()
     if options.program is None:
         voice = Voice(language, options.voice, options.rate, lexicon, pinyin_table_of(options))
-        sentences = _with_notes(voice.speak(text), language)
+        sentences = _with_notes(voice.speak(text, literal=options.literal), language)
     else:
-        sentence = speak_by_program(options.program, text, language=language, lexicon=lexicon)
+        sentence = speak_by_program(
+            options.program, text, language=language, lexicon=lexicon, literal=options.literal
+        )
         said = Utterance(sentence.words, sentence.duration, language, sentence.skipped)
         say_misfits("the sound of the program", said, say_note)
         sentences = iter([sentence])
-    for note in notes_on(text, language):
+    for note in notes_on(text, language, literal=options.literal):
         say_note("the text", note)
     return sentences
 
@@ -197,7 +200,7 @@ def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: s
     if options.recording is not None:
         files.write_said(*labelled(options))
         return
-    letters = pinyin_track(text, files.driving.table, rate=options.rate, seed=options.seed)
+    letters = pinyin_track(text, files.driving.table, rate=options.rate, seed=options.seed, literal=options.literal)
     speech = letters.silent_transcript(options.file.name if options.file else "text")
     files.write_said(letters.utterance, speech, letters)
     if skipped := letters.utterance.skipped:

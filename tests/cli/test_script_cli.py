@@ -58,10 +58,34 @@ def test_another_text_is_said_to_be_one_and_the_sound_is_recognised_without_it(
     without = rows_of(capsys.readouterr().out)
     run("analyse", SAID, "--text", OTHER, "--language", "de")
     said = capsys.readouterr()
-    assert "another text is said in it, so it is recognised without the text; check the text" in said.err
+    assert "another text seems to be said in it, so it is recognised without the text; check the text" in said.err
     assert [(r["start_s"], r["phoneme"]) for r in rows_of(said.out)] == [
         (r["start_s"], r["phoneme"]) for r in without
     ]
+
+
+def test_a_text_that_somebody_knows_to_be_right_is_aligned_anyway(capsys: pytest.CaptureFixture[str]) -> None:
+    run("analyse", SAID, "--text", OTHER, "--language", "de", "--accept-text", "--format", "json")
+    said = capsys.readouterr()
+    assert "another text" not in said.err
+    words = [word["word"] for word in json.loads(said.out)["words"]]
+    assert len(words) >= len(OTHER.split()) - 2
+    assert set(words) & set(OTHER.replace(".", "").split())
+
+
+@pytest.mark.parametrize("command", ["analyse", "align"])
+def test_the_notation_of_a_script_is_not_looked_for_unless_it_is_literal(
+    command: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    script = "Anna: [lacht] " + TEXT.replace("See", "*See* &nbsp; <i></i>")
+    run(command, SAID, "--text", script, "--language", "de")
+    told = capsys.readouterr().err
+    assert "names and directions of the script are not spoken: Anna, [lacht]" in told
+    assert "nobody says" not in told
+    run(command, SAID, "--text", script, "--language", "de", "--literal")
+    told = capsys.readouterr().err
+    assert "not spoken" not in told
+    assert "nobody says: Anna" in told
 
 
 def test_a_table_tells_what_is_said_in_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -28,6 +28,8 @@ def align(
     language: str,
     lexicon: Lexicon | None = None,
     channel: Channel = Channel.MIX,
+    literal: bool = False,
+    accept_text: bool = False,
 ) -> Utterance:
     """Return where the words of a text are in a sound file.
 
@@ -42,23 +44,31 @@ def align(
     language : the voice of espeak-ng that reads the text, such as ``de`` or ``en-us``.
     lexicon : how words are pronounced that the voice reads otherwise.
     channel : what is heard of a file of several channels.
+    literal : take the notation of scripts in a text as words, too; see `words_of`.
+    accept_text : align the words even where another text seems to be said.
 
     Raises
     ------
     AudioError : the file cannot be read.
     TextError : there is nothing to say in the text, or no such language.
     """
-    words = words_of(text, language, lexicon) if isinstance(text, str) else text
+    words = words_of(text, language, lexicon, literal=literal) if isinstance(text, str) else text
     with SoundReader(sound, channel) as reader:
-        return align_analyses(analyse_file(reader, preset), words, reader.duration, language)
+        analyses = analyse_file(reader, preset)
+        return align_analyses(analyses, words, reader.duration, language, accept_text=accept_text)
 
 
 def align_analyses(
-    analyses: Iterable[Analysis], words: Sequence[ScriptWord], duration: float, language: str = ""
+    analyses: Iterable[Analysis],
+    words: Sequence[ScriptWord],
+    duration: float,
+    language: str = "",
+    *,
+    accept_text: bool = False,
 ) -> Utterance:
     """Return where words are in a sound of `duration` seconds, from its consecutive analyses; see `align`."""
     n_frames = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
-    aligner, recognised, n = Aligner(words, n_frames), [np.zeros(0, np.uint8)], 0
+    aligner, recognised, n = Aligner(words, n_frames, accepted=accept_text), [np.zeros(0, np.uint8)], 0
     for analysis in analyses:
         part = analysis.part(slice(n_frames - n))
         n += len(part)
@@ -66,7 +76,7 @@ def align_analyses(
             aligner.push(evidence_of(part))
             recognised.append(part.phonemes)
     utterance = aligner.finish(duration, language)
-    if not aligner.fit.is_wrong:
+    if accept_text or not aligner.fit.is_wrong:
         return utterance
     skipped = tuple(word.text for word in words)
     return Utterance(_unknown_words(np.concatenate(recognised), duration), duration, language, skipped)

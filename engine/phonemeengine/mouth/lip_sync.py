@@ -36,8 +36,8 @@ def transcribe(
     preset : what to recognise with.
     channel : what is recognised of a file of several channels.
     pitch : measure the fundamental frequency too, by which a head moves.
-    script : what is said in it, where that is known: its words (see `words_of`), or an `Utterance`; far more exact
-        than listening alone.
+    script : what is said in it, where that is known: its words (see `words_of`), or an `Utterance`, such as
+        `align` gives; far more exact than listening alone.
     progress : called with the share that is done, 0..1.
 
     Raises

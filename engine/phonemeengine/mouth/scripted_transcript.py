@@ -14,9 +14,17 @@ Script = Sequence[ScriptWord] | Utterance
 
 
 def scripted_transcript_of(
-    analyses: Iterable[Analysis], script: Script, name: str, duration: float, path: Path | None = None
+    analyses: Iterable[Analysis],
+    script: Script,
+    name: str,
+    duration: float,
+    path: Path | None = None,
+    *,
+    accept_text: bool = False,
 ) -> tuple[Utterance, Transcript]:
     """Return what is said in a sound of `duration` seconds, from its consecutive analyses; `path` is its file.
+
+    With `accept_text` words are aligned even where another text seems to be said.
 
     Raises
     ------
@@ -34,5 +42,5 @@ def scripted_transcript_of(
         for _ in kept():
             pass
     else:
-        utterance = align_analyses(kept(), script, duration)
+        utterance = align_analyses(kept(), script, duration, accept_text=accept_text)
     return utterance, transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, name, path)

@@ -16,6 +16,7 @@ from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.text.cleaning import speakable
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.lexicon import Lexicon
+from phonemeengine.text.pronunciation import words_of
 
 TEXT, OUTPUT = "{text}", "{output}"
 TIMEOUT = 600.0
@@ -57,7 +58,7 @@ def run_speech_program(template: str, text: str, output: Path) -> None:
 
 
 def speak_by_program(
-    template: str, text: str, *, language: str = "", lexicon: Lexicon | None = None
+    template: str, text: str, *, language: str = "", lexicon: Lexicon | None = None, literal: bool = False
 ) -> SpokenSentence:
     """Return what a program spoke, whole; see `run_speech_program`.
 
@@ -70,6 +71,7 @@ def speak_by_program(
     text : what nobody can speak is left out, see `speakable`.
     language : of the text, such as ``en-us``; only a program that writes a TextGrid does without.
     lexicon : how words are pronounced that a voice reads otherwise.
+    literal : have the program speak the notation of scripts, too.
 
     Raises
     ------
@@ -78,7 +80,7 @@ def speak_by_program(
     CorpusError : what it wrote beside it is no TextGrid with the sound's phones.
     TextError : there is nothing to speak, or no such language.
     """
-    cleaned = speakable(text).text
+    cleaned = speakable(text, language, literal=literal).text
     if language:
         language_of(language)  # rather than after a program that takes minutes
     with tempfile.TemporaryDirectory() as folder:
@@ -90,7 +92,8 @@ def speak_by_program(
         if labels.is_file():
             said = read_utterance(labels, duration)
         else:
-            said = align(output, cleaned, load_preset(DEFAULT_PRESET), language=language, lexicon=lexicon)
+            words = words_of(cleaned, language, lexicon, literal=True)
+            said = align(output, words, load_preset(DEFAULT_PRESET), language=language)
     if not said.words:
         raise VoiceError(f"{printable(_words_of(template)[0])}: nobody speaks in its sound; try it by itself")
     return SpokenSentence(samples, said.words, cleaned, said.skipped)

@@ -89,10 +89,11 @@ class Voice:
                 f"{self.rate:g}; choose another"
             )
 
-    def speak(self, text: str) -> Iterator[SpokenSentence]:
+    def speak(self, text: str, *, literal: bool = False) -> Iterator[SpokenSentence]:
         """Return what is spoken, sentence by sentence, each as soon as it is there.
 
-        What nobody can speak is left out; `notes_on` says what that is.
+        What cannot be spoken is left out, and so is the notation of scripts, unless it is to be taken literally;
+        `notes_on` says what that is.
 
         Raises
         ------
@@ -102,7 +103,7 @@ class Voice:
         """
         language = language_of(self.language)
         check_voice(self.name)
-        cleaned = speakable(text).text
+        cleaned = speakable(text, language.tag, literal=literal).text
         if language.tag in mandarin.TAGS:
             table = self.pinyin_table or load_pinyin_table()
             return _with_words(self._said_in_chinese(clause, language, table) for clause in clauses_of(cleaned))
@@ -138,7 +139,7 @@ class Voice:
         return round(float(np.interp(self.rate, syllables, words)))
 
 
-def speak(text: str, voice: Voice) -> tuple[Float32Array, Utterance]:
+def speak(text: str, voice: Voice, *, literal: bool = False) -> tuple[Float32Array, Utterance]:
     """Return a text as sound and as what is said in it, whole; `Voice.speak` gives a long one sentence by sentence.
 
     Returns
@@ -153,7 +154,7 @@ def speak(text: str, voice: Voice) -> tuple[Float32Array, Utterance]:
     parts: list[Float32Array] = []
     words: list[Word] = []
     n = 0
-    for sentence in voice.speak(text):
+    for sentence in voice.speak(text, literal=literal):
         words += (shifted(word, n / SAMPLE_RATE) for word in sentence.words)
         parts.append(sentence.samples)
         n += len(sentence.samples)

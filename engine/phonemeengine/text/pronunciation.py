@@ -59,23 +59,28 @@ class ScriptWord:
     pronunciations: tuple[Pronunciation, ...]
 
 
-def words_of(text: str, language: str | None, lexicon: Lexicon | None = None) -> tuple[ScriptWord, ...]:
+def words_of(
+    text: str, language: str | None, lexicon: Lexicon | None = None, *, literal: bool = False
+) -> tuple[ScriptWord, ...]:
     """Return the words of a text, in order, and how they are pronounced.
 
-    Numbers, dates and abbreviations are read as the voice of the language reads them.
+    Numbers, dates and abbreviations are read as the voice of the language reads them. The notation of scripts, such
+    as ``MARY (sighs): *Never*``, is not spoken.
 
     Parameters
     ----------
     text : of any length; what nobody can speak is left out, see `speakable`.
     language : such as ``en-us`` or ``de``; see `espeak.languages`.
     lexicon : goes before the voice.
+    literal : take the notation of scripts as words, too.
 
     Raises
     ------
     TextError : there is nothing to speak, or no such language.
     VoiceError : the library of voices is missing or broken.
     """
-    known, lexicon, cleaned = language_of(language), lexicon or Lexicon(), speakable(text).text
+    known, lexicon = language_of(language), lexicon or Lexicon()
+    cleaned = speakable(text, language, literal=literal).text
     if known.tag in mandarin.TAGS:
         reader: _WordReader | _MandarinReader = _MandarinReader(known, lexicon)
     else:
@@ -103,18 +108,18 @@ def check_script(text: str, language: Language) -> None:
         )
 
 
-def notes_on(text: str, language: str | None = None) -> tuple[str, ...]:
+def notes_on(text: str, language: str | None = None, *, literal: bool = False) -> tuple[str, ...]:
     """Return what a user should know of a text before it is spoken, or found in a sound: a sentence each.
 
-    Emoji and control characters are left out; words of scripts that the voice of the language does not read are spelt
-    letter by letter.
+    Names, directions, emoji and control characters are left out; words of scripts that the voice of the language does
+    not read are spelt letter by letter. With `literal` names and directions are spoken.
 
     Raises
     ------
     TextError : there is nothing to speak, or no such language.
     VoiceError : the library of voices is missing or broken.
     """
-    cleaned = speakable(text)
+    cleaned = speakable(text, language, literal=literal)
     spelt = _spelt_words(cleaned.text, language_of(language)) if language else ()
     if not spelt:
         return cleaned.notes

@@ -149,6 +149,7 @@ class TalkDialogs(QObject):
         keep("talk/text", talking.text.text if len(talking.text.text) <= MOST_KEPT else "")
         keep("talk/language", talking.text.language)
         keep("talk/lexicon", str(talking.text.lexicon_path or ""))
+        keep("talk/literal", int(talking.text.literal))
         self._keep_voice()
         self._keep_drivers()
         self._keep_expression()
@@ -176,6 +177,7 @@ class TalkDialogs(QObject):
         lexicon = Path(self._kept("talk/lexicon", ""))
         if lexicon.is_file():
             talking.text.set_lexicon(lexicon)
+        talking.text.set_literal(self._kept("talk/literal", "0") == "1")
         self._restore_voice()
         self._restore_drivers()
         self._restore_expression()

@@ -38,6 +38,8 @@ class ScriptedSound:
     preset : what to recognise with.
     text, language : what is said in it; the language as `languages` has it.
     lexicon : goes before the language's voice, where there is one.
+    literal : whether the notation of scripts is words, too.
+    accepted : whether the text is aligned even where another one seems to be said.
     """
 
     sound: Path
@@ -46,6 +48,8 @@ class ScriptedSound:
     text: str
     language: str
     lexicon: Lexicon | None = None
+    literal: bool = False
+    accepted: bool = False
 
 
 @dataclass(frozen=True)
@@ -70,7 +74,7 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
     EngineError : the sound cannot be read, or there is nothing to say in the text.
     Cancelled : nobody wants it any more.
     """
-    words = words_of(script.text, script.language, script.lexicon)
+    words = words_of(script.text, script.language, script.lexicon, literal=script.literal)
     with SoundReader(script.sound, script.channel) as reader:
 
         def heard() -> Iterator[Analysis]:
@@ -79,7 +83,7 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
                 report_progress(progress, min(1.0, end / max(reader.duration, FRAME_PERIOD)))
                 yield analysis
 
-        return align_analyses(heard(), words, reader.duration, script.language)
+        return align_analyses(heard(), words, reader.duration, script.language, accept_text=script.accepted)
 
 
 def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSentence]:
@@ -90,8 +94,9 @@ def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSente
     EngineError : it cannot be spoken; before anything is.
     """
     if voice.by_program:
-        return iter([speak_by_program(voice.program, text, language=language, lexicon=voice.lexicon)])
-    return Voice(language, voice.name, voice.rate, voice.lexicon or Lexicon()).speak(text)
+        lexicon, literal = voice.lexicon, voice.literal
+        return iter([speak_by_program(voice.program, text, language=language, lexicon=lexicon, literal=literal)])
+    return Voice(language, voice.name, voice.rate, voice.lexicon or Lexicon()).speak(text, literal=voice.literal)
 
 
 def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path) -> None:

@@ -85,6 +85,8 @@ class TextModel(QObject):
     text : the script of the sound in hand, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
+    literal : whether the notation of scripts is taken as words, too.
+    refused : what was not aligned, since another text seems to be said; None where there is nothing.
     """
 
     changed = Signal()
@@ -107,6 +109,8 @@ class TextModel(QObject):
         self.words = SoundWords(session.preset.undo_stack)
         self.text = self.language = ""
         self.lexicon_path: Path | None = None
+        self.literal = False
+        self.refused: ScriptedSound | None = None
         self._lexicon: Lexicon | None = None
         self._speech: RunningSpeech | None = None
         self._until: float | None = None
@@ -170,13 +174,19 @@ class TextModel(QObject):
     def set_text(self, text: str) -> None:
         """Take another text."""
         if text != self.text:
-            self.text = text
+            self.text, self.refused = text, None
             self.changed.emit()
 
     def set_language(self, tag: str) -> None:
         """Take the text to be of another language; of an empty one, it is not known."""
         if tag != self.language:
-            self.language = tag
+            self.language, self.refused = tag, None
+            self.changed.emit()
+
+    def set_literal(self, on: bool) -> None:
+        """Take the notation of scripts, such as speakers' names and directions, as words, or not."""
+        if on != self.literal:
+            self.literal, self.refused = on, None
             self.changed.emit()
 
     def set_lexicon(self, path: Path | None) -> None:
@@ -198,12 +208,18 @@ class TextModel(QObject):
         elif session.source is not SoundSource.FILE or session.path is None:
             self.error.emit(tr("There is no sound file in hand; open the recording of this text, then align."))
         elif self._may_read():
-            script = ScriptedSound(
-                session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon
-            )
-            self._work.submit(
-                lambda progress: self.tools.align(script, progress), lambda found: self._take_aligned(script, found)
-            )
+            self._align(
+                ScriptedSound(
+                    session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon,
+                    self.literal,
+                )
+            )  # fmt: skip
+
+    def align_anyway(self) -> None:
+        """Find the words of the text that was refused in its sound, since the user knows that they are said."""
+        if self.refused is not None and not self.busy:
+            self.error.emit("")
+            self._align(replace(self.refused, accepted=True))
 
     def say(self) -> None:
         """Have the voice speak the text, as soon as it can."""
@@ -272,6 +288,7 @@ class TextModel(QObject):
             self._speech = None
         if session.source is SoundSource.FILE and not self.words.is_of(session.path, session.duration):
             another = session.path != self.words.sound
+            self.refused = None
             self.words.follow(session.path)
             self._work.cancel()
             self._look_beside(with_script=another)
@@ -300,6 +317,13 @@ class TextModel(QObject):
             work.close(CLOSE_TIMEOUT)
 
     # -- inside -------------------------------------------------------------------------------------------
+
+    def _align(self, script: ScriptedSound) -> None:
+        self.refused = None
+        self._work.submit(
+            lambda progress: self.tools.align(script, progress), lambda found: self._take_aligned(script, found)
+        )
+        self.changed.emit()
 
     @property
     def _language_of_text(self) -> str:
@@ -336,8 +360,13 @@ class TextModel(QObject):
     def _take_aligned(self, script: ScriptedSound, found: Utterance) -> None:
         if script.sound != self.words.sound:
             return
-        if is_other_text(found):
-            self.error.emit(tr("Another text is said in this sound; check the text and its language."))
+        if is_other_text(found) and not script.accepted:
+            self.refused = script
+            sentence = tr(
+                "Another text seems to be said in this sound; check the text and its language, or align anyway."
+            )
+            self.error.emit(sentence)
+            self.changed.emit()
             return
         if found.skipped:
             words = " ".join(printable(word) for word in found.skipped[:SHOWN_WORDS])
@@ -348,7 +377,7 @@ class TextModel(QObject):
 
     @property
     def _voice(self) -> VoiceChoice:
-        return replace(self.voice.choice, lexicon=self._lexicon)
+        return replace(self.voice.choice, lexicon=self._lexicon, literal=self.literal)
 
     def _spoken(
         self, text: str, language: str, voice: VoiceChoice, *, look_up: bool

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QTextCursor
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -19,6 +19,10 @@ INVITATION = tr_noop(
     "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
 )
 
+NOTATION = tr_noop(
+    "Take speakers’ names, [directions], *emphasis*, <tags> and &entities; of a script as words; otherwise they are "
+    "not spoken"
+)
 EDITABLE = tr_noop("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
 FIXED = tr_noop(
     "Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag "
@@ -89,7 +93,11 @@ class TextPanel(QWidget):
         self.lexicon = _button(
             tr("Lexicon…"), tr("A file that says how words are pronounced; without one, the voice knows")
         )
+        self.literal = QCheckBox(tr("Literal"))
         self.align = _button(tr("Align"), tr("Find the words of the text in the sound (Ctrl+Shift+Return)"))
+        self.anyway = _button(
+            tr("Align Anyway"), tr("The text is right: find its words, though another text seems to be said")
+        )
         self.say = _button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
@@ -107,9 +115,10 @@ class TextPanel(QWidget):
         self.language.setToolTip(tr("The language of the text, which is not guessed"))
         self.language.setAccessibleName(tr("language of the text"))
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.literal.setToolTip(tr(NOTATION))
         row = QHBoxLayout()
         row.setSpacing(6)
-        for widget in (self.language, self.voice, self.lexicon, self.align, self.say):
+        for widget in (self.language, self.voice, self.lexicon, self.literal, self.align, self.anyway, self.say):
             row.addWidget(widget)
         row.addWidget(self.state, 1)
         column = QVBoxLayout(self)
@@ -126,7 +135,9 @@ class TextPanel(QWidget):
         self.field.align_asked.connect(texts.align)
         self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
         self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
+        self.literal.clicked.connect(texts.set_literal)
         self.align.clicked.connect(lambda _checked: texts.align())
+        self.anyway.clicked.connect(lambda _checked: texts.align_anyway())
         self.say.clicked.connect(lambda _checked: texts.say())
         texts.changed.connect(self._show_state)
         texts.voice.changed.connect(self._show_state)
@@ -148,6 +159,8 @@ class TextPanel(QWidget):
         self._show_lexicon()
         self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
         self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
+        self.anyway.setVisible(texts.refused is not None and not texts.busy)
+        self.literal.setChecked(texts.literal)
         lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
         self.state.setText(texts.progress or lack)
         self.state.setToolTip(texts.progress or lack)

@@ -30,6 +30,7 @@ class VoiceChoice:
     program : a text-to-speech program of the user's own, as a command.
     by_program : whether that program speaks, at a rate of its own.
     lexicon : how words are pronounced that the voice reads otherwise; None for none.
+    literal : whether the notation of scripts is spoken, too.
     """
 
     name: str = ""
@@ -37,6 +38,7 @@ class VoiceChoice:
     program: str = ""
     by_program: bool = False
     lexicon: Lexicon | None = None
+    literal: bool = False
 
 
 @dataclass(frozen=True)

@@ -131,6 +131,42 @@ def test_another_text_is_said_to_be_one_and_changes_nothing(desk, tmp_path):
     assert desk.texts.utterance is None
 
 
+def test_a_refused_text_can_be_aligned_anyway(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.aligner.found = Utterance((word(UNKNOWN_WORD, 0.6, 1.1),), DURATION, "en-us", ("never",))
+    desk.align("so oh")
+    assert desk.texts.refused is not None
+    desk.aligner.found = SAID
+    desk.texts.align_anyway()
+    desk.wait()
+    assert [asked.accepted for asked in desk.aligner.asked] == [False, True]
+    assert (desk.words(), desk.texts.refused) == (["so", "oh"], None)
+
+
+@pytest.mark.parametrize("change", ["text", "language", "literal", "sound"])
+def test_what_was_refused_is_forgotten_when_it_changes(desk, tmp_path, change):
+    desk.open(tmp_path)
+    desk.aligner.found = Utterance((word(UNKNOWN_WORD, 0.6, 1.1),), DURATION, "en-us", ("never",))
+    desk.align("so oh")
+    (tmp_path / "other").mkdir()
+    changes = {
+        "text": lambda: desk.texts.set_text("so"),
+        "language": lambda: desk.texts.set_language("de"),
+        "literal": lambda: desk.texts.set_literal(True),
+        "sound": lambda: desk.open(tmp_path / "other"),
+    }
+    changes[change]()
+    assert desk.texts.refused is None
+
+
+def test_a_literal_script_is_aligned_and_spoken_as_it_is(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.texts.set_literal(True)
+    desk.align()
+    assert desk.aligner.asked[0].literal
+    assert desk.texts._voice.literal
+
+
 def test_an_alignment_of_a_sound_that_is_no_longer_in_hand_is_dropped(desk, tmp_path):
     desk.open(tmp_path)
     desk.texts.set_text("so oh")

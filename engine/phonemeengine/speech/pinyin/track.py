@@ -16,6 +16,9 @@ from phonemeengine.speech.pinyin.plan import Plan, PlanKind
 from phonemeengine.speech.pinyin.script import script_of
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import USUAL_RATE, plan_at_rate, plan_of
+from phonemeengine.text.notation import spoken_part
+
+LANGUAGE = "cmn"
 
 
 @dataclass(frozen=True)
@@ -75,6 +78,7 @@ def pinyin_track(
     text: str = "",
     rate: float = USUAL_RATE,
     seed: int | None = None,
+    literal: bool = False,
 ) -> PinyinTrack:
     """Have a mouth say a text without sound, or what is said in a sound.
 
@@ -85,17 +89,19 @@ def pinyin_track(
     text : of an utterance, for the marks of its pauses.
     rate : syllables per second of a text, 0.5..10.
     seed : of the variation of onsets; none varies where it is None.
+    literal : take the notation of scripts as words, too.
 
     Raises
     ------
     TextError : there is no Chinese syllable in it, or the rate lies outside its range.
     """
     table = table or load_pinyin_table()
+    written = text if isinstance(said, Utterance) else said
+    script = script_of(written if literal else spoken_part(written, LANGUAGE).text, table)
     if isinstance(said, Utterance):
-        return PinyinTrack(said, plan_of(said, table, script_of(text, table).written, seed), table)
-    script = script_of(said, table)
+        return PinyinTrack(said, plan_of(said, table, script.written, seed), table)
     plan = plan_at_rate(script.written, table, rate, seed)
-    return PinyinTrack(Utterance(tuple(_words_of(plan)), plan.duration, "cmn", script.skipped), plan, table)
+    return PinyinTrack(Utterance(tuple(_words_of(plan)), plan.duration, LANGUAGE, script.skipped), plan, table)
 
 
 def _words_of(plan: Plan) -> Iterator[Word]:
