@@ -364,6 +364,11 @@
             <translation>Ausrichten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Align Anyway</source>
+            <translation>Trotzdem ausrichten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Align it with the sound</source>
             <translation>Ihn am Klang ausrichten</translation>
@@ -475,8 +480,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
-            <source>Another text is said in this sound; check the text and its language.</source>
-            <translation>In diesem Klang wird ein anderer Text gesprochen; Text und Sprache prüfen.</translation>
+            <source>Another text seems to be said in this sound; check the text and its language, or align anyway.</source>
+            <translation>In dieser Aufnahme scheint ein anderer Text gesprochen zu werden; Text und Sprache prüfen oder trotzdem ausrichten.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
@@ -2658,6 +2663,11 @@
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>Listening for clicks from the loudspeaker, for three seconds …</source>
             <translation>Es wird drei Sekunden lang auf Klicks aus dem Lautsprecher gehört …</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Literal</source>
+            <translation>Wörtlich</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -5146,6 +5156,11 @@
             <translation>Take</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Take speakers’ names, [directions], *emphasis*, &lt;tags&gt; and &amp;entities; of a script as words; otherwise they are not spoken</source>
+            <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;Tags&gt; und &amp;Entitäten; eines Skripts als Wörter nehmen; sonst werden sie nicht gesprochen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
             <source>takes</source>
             <translation>Takes</translation>
@@ -5504,6 +5519,11 @@
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>The text below the head</source>
             <translation>Der Text unter dem Kopf</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>The text is right: find its words, though another text seems to be said</source>
+            <translation>Der Text stimmt: seine Wörter suchen, auch wenn ein anderer gesprochen scheint</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/unsaved.py" />
