@@ -179,6 +179,7 @@ _PAGE = {
     "alignment.growing": "GrownWords",
     "text.lexicon": "Lexicon load_lexicon",
     "text.pronunciation": "Pronunciation ScriptWord notes_on words_of",
+    "text.script": "timed_script",
     "text.syllables": "SpokenSyllable",
     # A text, as a voice says it
     "speech.voice": "SpokenSentence Voice speak",

@@ -157,6 +157,7 @@ from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
 from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, notes_on, words_of
+from phonemeengine.text.script import timed_script
 from phonemeengine.text.syllables import SpokenSyllable
 from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
 
@@ -423,6 +424,7 @@ __all__ = [
     "spoken_text",
     "table_to_toml",
     "timed_frames",
+    "timed_script",
     "transcribe",
     "transcript_of_utterance",
     "units_of",

@@ -58,8 +58,12 @@ def add_script(parser: argparse.ArgumentParser) -> None:
     """Let the user say what is said in the sounds."""
     known = parser.add_mutually_exclusive_group()
     known.add_argument("--text", metavar="TEXT", help="what is said in the sound: recognition becomes far more exact")
-    words = "file with it, table with a line FILE<TAB>TEXT for each sound, .TextGrid, or auto: x.txt beside x.wav"
+    words = (
+        "file with it, table with a line FILE<TAB>TEXT for each sound, .TextGrid or .json with times of words, or "
+        "auto: x.txt beside x.wav"
+    )
     known.add_argument("--script", type=Path, metavar="FILE", help=words)
+    parser.add_argument("--speaker", metavar="NAME", help="whose words, of a .TextGrid or .json of several speakers")
     parser.add_argument("--language", metavar="L", help="the text's, such as en-us or de")
     parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
     add_literal(parser)

@@ -2,7 +2,7 @@
 
 import argparse
 from collections.abc import Collection, Iterable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
@@ -19,7 +19,6 @@ from phonemeengine import (
     VoiceError,
     load_lexicon,
     notes_on,
-    read_utterance,
     words_of,
 )
 from phonemeengine.alignment.align import is_other_text
@@ -29,10 +28,11 @@ from phonemeengine.batch.work import Made, Say
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.text.espeak import languages
-from phonemeengine.text.script import load_script, script_beside
+from phonemeengine.text.script import load_script, script_beside, timed_script
 
 AUTO = "auto"
-LABELS = ".textgrid"
+WITH_TIMES = frozenset({".textgrid", ".json"})
+"""Endings, in small letters, of scripts that tell when their words are said."""
 SHOWN_WORDS = 8
 OTHER_TEXT = (
     "another text seems to be said in it, so it is recognised without the text; check the text and its language, or "
@@ -47,11 +47,12 @@ class SpokenTexts:
     Attributes
     ----------
     texts : by the sound's file.
-    labels : a TextGrid with the sounds of the only one; None where there are texts.
+    labels : a TextGrid or JSON with words and times of the only one; None where there are texts.
     language : of the texts, or the labels.
     lexicon : goes before the language's voice.
     literal : whether the notation of scripts is words, too.
     accepted : whether texts are aligned even where others seem to be said.
+    speaker : whose words of the labels.
     """
 
     texts: Mapping[Path, str]
@@ -60,11 +61,12 @@ class SpokenTexts:
     lexicon: Lexicon | None
     literal: bool = False
     accepted: bool = False
+    speaker: str | None = None
 
     def known_of(self, sound: Path) -> str:
         """Return what tells whether something else is said in a sound than before."""
         if self.labels is not None:
-            return fingerprint_of(self.labels, self.language)
+            return fingerprint_of(self.labels, self.language, self.lexicon, self.speaker)
         return fingerprint_of(self.texts.get(sound), self.language, self.lexicon, self.literal, self.accepted)
 
     def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
@@ -75,7 +77,7 @@ class SpokenTexts:
         EngineError : its text cannot be spoken, or its labels cannot be read.
         """
         if self.labels is not None:
-            return replace(read_utterance(self.labels, duration), language=self.language or "")
+            return timed_script(self.labels, duration, self.language, self.lexicon, self.speaker)
         text = self.texts.get(sound)
         if text is None:
             return None
@@ -116,16 +118,21 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
     EngineError : a script or the lexicon cannot be read, or says nothing about the sounds.
     """
     if options.text is None and options.script is None:
-        if options.language is not None or options.lexicon is not None:
-            options.parser.error("--language and --lexicon go with --text or --script: say what is said in the sound")
+        if any(given is not None for given in (options.language, options.lexicon, options.speaker)):
+            options.parser.error(
+                "--language, --lexicon and --speaker go with --text or --script: say what is said in the sound"
+            )
         if options.literal or options.accept_text:
             options.parser.error(
                 "--literal and --accept-text go with --text or --script: say what is said in the sound"
             )
         return NO_TEXTS
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
-    if options.script is not None and options.script.suffix.lower() == LABELS:
-        return SpokenTexts({}, _labels_of(options.script, sounds), options.language, None)
+    if options.script is not None and options.script.suffix.lower() in WITH_TIMES:
+        labels = _labels_of(options.script, sounds)
+        return SpokenTexts({}, labels, options.language, lexicon, speaker=options.speaker)
+    if options.speaker is not None:
+        options.parser.error("--speaker goes with a --script that tells speakers apart: a .TextGrid or .json")
     texts = _texts_of(options, sounds)
     return SpokenTexts(texts, None, options.language, lexicon, options.literal, options.accept_text)
 

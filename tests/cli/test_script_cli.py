@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from phonemeanalyser.cli.main import main
-from phonemeengine.labels.utterance_files import read_utterance, script_in
+from phonemeengine.labels.textgrid import format_tiers
+from phonemeengine.labels.timed_words import read_timed_words
+from phonemeengine.labels.utterance_files import read_utterance
 from tests.conftest import CORPUS
 from tests.tables import outputs_in, refused, rows_of
 
@@ -35,11 +37,46 @@ def test_a_textgrid_holds_words_phones_and_phonemes_and_is_read_again(tmp_path: 
     grid = tmp_path / "said.TextGrid"
     run("analyse", SAID, "--text", TEXT, "--language", "de", "-o", grid)
     run("analyse", SAID, "--text", TEXT, "--language", "de", "-o", grid)  # its own file is replaced
-    assert script_in(grid) == " ".join(WORDS)
+    assert [word.text for word in read_timed_words(grid, 3.0)] == WORDS
     again = read_utterance(grid, 3.0)
     assert [word.text for word in again.words] == WORDS
     run("analyse", SAID, "--script", grid, "-o", tmp_path / "again.TextGrid")
     assert (tmp_path / "again.TextGrid").read_text("utf-8") == grid.read_text("utf-8")
+
+
+def test_words_with_times_from_another_program_keep_them_and_get_phones(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    run("analyse", SAID, "--text", TEXT, "--language", "de", "--format", "json")
+    words = [(word["word"], word["start_s"], word["end_s"]) for word in json.loads(capsys.readouterr().out)["words"]]
+    moved = [(word, round(start + 0.01, 3), round(end + 0.01, 3)) for word, start, end in words]
+    whisper = tmp_path / "words.json"
+    entries = [{"word": f" {word}", "start": start, "end": end, "speaker": "A"} for word, start, end in moved]
+    other = {"word": " Nein", "start": 0.0, "end": 0.2, "speaker": "B"}
+    whisper.write_text(json.dumps({"segments": [{"words": [other, *entries]}]}), encoding="utf-8")
+    grid, out = tmp_path / "words.TextGrid", tmp_path / "out.TextGrid"
+    grid.write_text(
+        format_tiers({"words": [(start, end, word) for word, start, end in moved]}, 3.0), encoding="utf-8"
+    )
+    for script in ((whisper, "--speaker", "A"), (grid,)):
+        run("export", SAID, "--script", *script, "--language", "de", "--format", "textgrid", "-o", out, "--overwrite")
+        said = read_utterance(out, 3.0)
+        assert [word.text for word in said.words] == WORDS
+        times = [time for word in said.words for time in (word.start, word.end)]
+        assert times == pytest.approx([time for _, start, end in moved for time in (start, end)], abs=1e-6)
+        assert [phone.ipa for phone in said.words[0].phones] == ["ɛ", "s"]
+
+
+def test_what_words_with_times_lack_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = [
+        {"word": "Es", "start": 0.1, "end": 0.4, "speaker": "A"},
+        {"word": "so", "start": 1, "end": 2, "speaker": "B"},
+    ]
+    (tmp_path / "w.json").write_text(json.dumps({"words": words}), encoding="utf-8")
+    assert main(["analyse", str(SAID), "--script", str(tmp_path / "w.json"), "--language", "de"]) == 1
+    assert "w.json: it tells 2 speakers apart, 'A', 'B'; choose one as the speaker" in capsys.readouterr().err
+    assert main(["analyse", str(SAID), "--script", str(tmp_path / "w.json"), "--speaker", "A"]) == 1
+    assert "w.json: it has words without phones; name their language" in capsys.readouterr().err
 
 
 def test_a_word_that_nobody_says_is_named(capsys: pytest.CaptureFixture[str]) -> None:

@@ -16,6 +16,7 @@ from phonemeanalyser.server.messages import later_words_of, start_of
 from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.labels.pinyin import timed_syllable
 from phonemeengine.labels.textgrid import format_tiers
+from phonemeengine.labels.timed_words import read_timed_words
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.mouth.curves_file import read_curves
@@ -79,6 +80,12 @@ CURVES = """{"format": "phonemeanalyser curves 1", "sound": "a.wav", "duration":
  "curves": [{"name": "jawOpen", "values": [0, 0.5, 1]}, {"name": "mouthClose", "values": [0, 0, 0.25]}],
  "head": [{"name": "pitch", "values": [0, 1, 2]}]}
 """
+TIMED = (
+    '{"segments": [{"words": [{"word": " Hi,", "start": 0.5, "end": 0.9}, {"word": " 7"}], "speaker": "A"}]}',
+    '{"NBest": [{"Words": [{"Word": "hi", "Offset": 5000000, "Duration": 4000000}]}]}',
+    '{"alignment": {"characters": ["a", " "], "character_start_times_seconds": [0, 0.1],'
+    ' "character_end_times_seconds": [0.1, 0.2]}}',
+)
 SCRIPT = "Es regnet, aber der See ist leer.\nUnd 1984? [[ <b> 你好。\n"
 SCRIPT_TABLE = "a.wav\tEs regnet.\nfolder/b.wav\tDer See ist leer.\na.wav\tUnd 1984?\n"
 START = b'{"encoding": "f32", "rate": 44100, "channels": 2, "table": "vrm", "language": "de", "text": "Guten Tag."}'
@@ -148,6 +155,9 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "lexicon as table": Kind((LEXICON_ROWS.encode(),), _through(folder / "lexicon.csv", _say_lexicon)),
         "script": Kind((SCRIPT.encode(), SCRIPT_TABLE.encode()), _through(folder / "script.txt", _find_texts)),
         "utterance": Kind(utterances, _through(folder / "said.TextGrid", lambda path: read_utterance(path, 2.0))),
+        "timed words": Kind(
+            tuple(map(str.encode, TIMED)), _through(folder / "words.json", lambda path: read_timed_words(path, 2.0))
+        ),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
         "opus as it comes": Kind((_opus(),), _heard),
         "message of a stream": Kind((START, LATER), _understood),

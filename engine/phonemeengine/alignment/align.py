@@ -8,6 +8,7 @@ import numpy as np
 
 from phonemeengine.alignment.aligner import Aligner
 from phonemeengine.alignment.evidence import evidence_of
+from phonemeengine.alignment.timed import align_timed
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
@@ -66,7 +67,12 @@ def align_analyses(
     *,
     accept_text: bool = False,
 ) -> Utterance:
-    """Return where words are in a sound of `duration` seconds, from its consecutive analyses; see `align`."""
+    """Return where words are in a sound of `duration` seconds, from its consecutive analyses; see `align`.
+
+    Words that have an interval, see `timed_words_of`, stay in it.
+    """
+    if words and words[0].interval is not None:
+        return align_timed(map(evidence_of, analyses), words, duration, language)
     n_frames = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
     aligner, recognised, n = Aligner(words, n_frames, accepted=accept_text), [np.zeros(0, np.uint8)], 0
     for analysis in analyses:

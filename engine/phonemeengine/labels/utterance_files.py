@@ -17,14 +17,14 @@ from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.pinyin import sound_of, timed_syllable
 from phonemeengine.labels.text_io import read_text
 from phonemeengine.labels.textgrid import Interval, Tier, format_tiers, tiers_of
+from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER, tiers_of_speaker
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 
 WORDS, SYLLABLES, PHONES, PHONEMES = "words", "syllables", "phones", "phonemes"
-"""The names of the tiers that are written; of those that are read, four letters count."""
+"""The names of the tiers that are written; of those that are read, the beginnings count."""
 STRESS_MARKS = ("", "ˈ", "ˌ")
 """What stands before a syllable in the IPA, by its stress."""
-_LETTERS = 4
 _HALF = 0.5
 """The share of a syllable that its onset has where only the syllable is labelled."""
 
@@ -52,7 +52,21 @@ def format_utterance(
     return format_tiers(named | dict(more or {}), utterance.duration)
 
 
-def read_utterance(path: str | os.PathLike[str], duration: float, mapping: PhonemeMap | None = None) -> Utterance:
+def tells_sounds(path: str | os.PathLike[str], speaker: str | None = None) -> bool:
+    """Return whether a TextGrid has a tier of sounds, or of syllables, besides its words; see `read_utterance`.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, or has several speakers and none of them was chosen.
+    """
+    name = printable_name(path := Path(path))
+    tiers = tiers_of_speaker(tiers_of(read_text(path), name), speaker, name)
+    return any(_labels_in(tiers, names) is not None for names in (TIER_NAMES, (SYLLABLE_TIER,)))
+
+
+def read_utterance(
+    path: str | os.PathLike[str], duration: float, mapping: PhonemeMap | None = None, speaker: str | None = None
+) -> Utterance:
     """Read what is said in a sound from a TextGrid with a tier of sounds, or of syllables of pinyin.
 
     Where there is a tier of words, these are known, and of syllables, these. Without words, what is said between two
@@ -64,16 +78,18 @@ def read_utterance(path: str | os.PathLike[str], duration: float, mapping: Phone
     path : the file.
     duration : of the sound, seconds.
     mapping : what names stand for that nobody knows.
+    speaker : whose tiers, where they name speakers (``mary - phones``).
 
     Raises
     ------
     UnknownPhonemeError : names of sounds stand for no phoneme.
-    CorpusError : it cannot be read, has neither tier, or says something impossible.
+    CorpusError : it cannot be read, has neither tier, says something impossible, or has several speakers and none of
+        them was chosen.
     """
     path, mapping = Path(path), mapping or PhonemeMap()
     name = printable_name(path)
-    tiers = tiers_of(read_text(path), name)
-    begins = (TIER_NAMES, (WORDS[:_LETTERS],), (SYLLABLES[:_LETTERS],))
+    tiers = tiers_of_speaker(tiers_of(read_text(path), name), speaker, name)
+    begins = (TIER_NAMES, (WORD_TIER,), (SYLLABLE_TIER,))
     of_sounds, of_words, of_syllables = (_labels_in(tiers, names) for names in begins)
     if of_sounds is None and of_syllables is None:
         raise CorpusError(
@@ -94,17 +110,6 @@ def read_utterance(path: str | os.PathLike[str], duration: float, mapping: Phone
         words = words or syllables
     said = tuple(_words_of(phones, _Stretches(words), _Stretches(pinyin or syllables)))
     return Utterance(said, max([duration, *(word.end for word in said)]))
-
-
-def script_in(path: Path) -> str | None:
-    """Return the words of a TextGrid that has a tier of words; None for one that has none.
-
-    Raises
-    ------
-    CorpusError : it cannot be read.
-    """
-    words = _labels_in(tiers_of(read_text(path), printable_name(path)), (WORDS[:_LETTERS],))
-    return " ".join(raw.name for raw in words or ()) or None
 
 
 class _Stretches:

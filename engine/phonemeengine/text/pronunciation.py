@@ -4,9 +4,10 @@ import re
 import unicodedata
 from collections import defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from phonemeengine.errors import TextError
+from phonemeengine.errors import TextError, VoiceError
+from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.text import espeak, mandarin
 from phonemeengine.text.clauses import clauses_of, tokens_of
 from phonemeengine.text.cleaning import speakable
@@ -32,6 +33,10 @@ _SAMPLED = 40
 _SHOWN = 5
 
 
+Interval = tuple[float, float]
+"""Start and end, seconds."""
+
+
 @dataclass(frozen=True)
 class Pronunciation:
     """A way to pronounce a word: its syllables, at least one."""
@@ -53,10 +58,12 @@ class ScriptWord:
     text : as it is written, without the marks around it.
     pronunciations : the likeliest first: as it is said in its clause, then alone; or as a lexicon has it. At least
         one.
+    interval : when it is said, start and end in seconds, where that is known; several words may share one.
     """
 
     text: str
     pronunciations: tuple[Pronunciation, ...]
+    interval: Interval | None = None
 
 
 def words_of(
@@ -90,6 +97,38 @@ def words_of(
     if not words:
         raise TextError(f"the voice of {known.tag} has no sounds for this text; check its language")
     return words
+
+
+def timed_words_of(
+    words: Sequence[TimedWord], language: str | None, lexicon: Lexicon | None = None
+) -> tuple[ScriptWord, ...]:
+    """Return words with given times, and how they are pronounced; those without a sound are left out.
+
+    Parameters
+    ----------
+    words : in order of time; see `read_timed_words`.
+    language, lexicon : as in `words_of`.
+
+    Raises
+    ------
+    TextError, VoiceError : as in `words_of`.
+    """
+    read = words_of(" ".join(word.text for word in words), language, lexicon)
+    if [word.text for word in read] == [word.text.strip(MARKS) for word in words]:
+        return tuple(replace(one, interval=(w.start, w.end)) for one, w in zip(read, words, strict=True))
+    # What one side takes for a word is none, or several, to the other, so each is read on its own.
+    return tuple(
+        replace(one, interval=(w.start, w.end)) for w in words for one in _words_alone(w.text, language, lexicon)
+    )
+
+
+def _words_alone(text: str, language: str | None, lexicon: Lexicon | None) -> tuple[ScriptWord, ...]:
+    try:
+        return words_of(text, language, lexicon)
+    except VoiceError:
+        raise
+    except TextError:  # a mark, or a word of another script
+        return ()
 
 
 def check_script(text: str, language: Language) -> None:

@@ -8,11 +8,16 @@ import os
 import posixpath
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from phonemeengine.errors import TextError
 from phonemeengine.files import printable, printable_name, read_text_file
+from phonemeengine.labels.timed_words import read_timed_words
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance_files import read_utterance, tells_sounds
+from phonemeengine.text.lexicon import Lexicon
+from phonemeengine.text.pronunciation import ScriptWord, timed_words_of
 
 LARGEST = 64 << 20
 """Bytes of a script at most."""
@@ -119,6 +124,34 @@ def script_beside(sound: Path) -> Script | None:
 def _name_in_table(sound: str) -> str:
     """Return the name of a sound as a table has it, without what leads nowhere, such as ``./``."""
     return posixpath.normpath(sound.strip().strip('"').replace("\\", "/"))
+
+
+def timed_script(
+    path: str | os.PathLike[str], duration: float, language: str | None = None, lexicon: Lexicon | None = None,
+    speaker: str | None = None,
+) -> Utterance | tuple[ScriptWord, ...]:  # fmt: skip
+    """Return what a file with times says of a sound: all of it, or its words, whose phones are still to be found.
+
+    Parameters
+    ----------
+    path : a TextGrid, or JSON; see `read_utterance` and `read_timed_words`.
+    duration : of the sound, seconds.
+    language : of the words; of no use where the file has phones.
+    lexicon : pronunciations that go before the language's voice.
+    speaker : whose words, where the file tells speakers apart.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, or says something impossible.
+    TextError : its words need a language that is not given, or cannot be spoken.
+    """
+    path = Path(path)
+    if path.suffix.lower() != ".json" and tells_sounds(path, speaker):
+        return replace(read_utterance(path, duration, speaker=speaker), language=language or "")
+    words = read_timed_words(path, duration, speaker)
+    if language is None:
+        raise TextError(f"{printable_name(path)}: it has words without phones; name their language")
+    return timed_words_of(words, language, lexicon)
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -9,11 +9,12 @@ from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import AudioError, CorpusError, EngineError
+from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.files import atomic_write, printable_name, reason_of
 from phonemeengine.labels.text_io import write_text
+from phonemeengine.labels.timed_words import TimedWord, read_timed_words
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.labels.utterance_files import format_utterance, read_utterance, script_in
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance, tells_sounds
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, report_progress
 from phonemeengine.settings import FRAME_PERIOD, Channel
@@ -21,7 +22,7 @@ from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spoken_text import spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.text.lexicon import Lexicon
-from phonemeengine.text.pronunciation import words_of
+from phonemeengine.text.pronunciation import timed_words_of, words_of
 from phonemeengine.text.script import script_beside
 
 LABELS = ".TextGrid"
@@ -40,6 +41,7 @@ class ScriptedSound:
     lexicon : goes before the language's voice, where there is one.
     literal : whether the notation of scripts is words, too.
     accepted : whether the text is aligned even where another one seems to be said.
+    timed : the words of the text with their times, where these are known.
     """
 
     sound: Path
@@ -50,6 +52,7 @@ class ScriptedSound:
     lexicon: Lexicon | None = None
     literal: bool = False
     accepted: bool = False
+    timed: tuple[TimedWord, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -60,10 +63,12 @@ class FoundWords:
     ----------
     utterance : what is said when; None where there are no labels.
     text : what is said; empty where there is no script.
+    timed : the words of the text with their times, where labels tell these.
     """
 
     utterance: Utterance | None = None
     text: str = ""
+    timed: tuple[TimedWord, ...] = ()
 
 
 def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
@@ -74,7 +79,10 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
     EngineError : the sound cannot be read, or there is nothing to say in the text.
     Cancelled : nobody wants it any more.
     """
-    words = words_of(script.text, script.language, script.lexicon, literal=script.literal)
+    if script.timed:
+        words = timed_words_of(script.timed, script.language, script.lexicon)
+    else:
+        words = words_of(script.text, script.language, script.lexicon, literal=script.literal)
     with SoundReader(script.sound, script.channel) as reader:
 
         def heard() -> Iterator[Analysis]:
@@ -123,7 +131,7 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
 def words_beside(sound: Path, duration: float) -> FoundWords:
     """Return what is known of a sound of `duration` seconds: ``x.TextGrid`` and ``x.txt`` beside ``x.wav``.
 
-    Of labels without times of phones, or of syllables of pinyin, the words are the script.
+    Of labels without phones, or syllables of pinyin, the words are the script, and have times.
 
     Raises
     ------
@@ -133,10 +141,7 @@ def words_beside(sound: Path, duration: float) -> FoundWords:
     text = script.text if script is not None else ""
     if not labels.is_file():
         return FoundWords(None, text)
-    try:
+    if tells_sounds(labels):
         return FoundWords(read_utterance(labels, duration), text)
-    except CorpusError:
-        words = text or script_in(labels)
-        if not words:
-            raise
-        return FoundWords(None, words)
+    timed = read_timed_words(labels, duration)
+    return FoundWords(None, " ".join(word.text for word in timed), timed)

@@ -29,6 +29,7 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable
 from phonemeengine.labels.boundaries import LabelUnit, with_boundary
 from phonemeengine.labels.text_io import write_text
+from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
@@ -112,6 +113,8 @@ class TextModel(QObject):
         self.literal = False
         self.refused: ScriptedSound | None = None
         self._lexicon: Lexicon | None = None
+        self._timed: tuple[TimedWord, ...] = ()
+        self._timed_text = ""  # the text that they are the words of
         self._speech: RunningSpeech | None = None
         self._until: float | None = None
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
@@ -211,7 +214,7 @@ class TextModel(QObject):
             self._align(
                 ScriptedSound(
                     session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon,
-                    self.literal,
+                    self.literal, timed=self._timed if self.text == self._timed_text else (),
                 )
             )  # fmt: skip
 
@@ -353,6 +356,7 @@ class TextModel(QObject):
         if sound != self.words.sound:
             return
         if found.text:
+            self._timed, self._timed_text = found.timed, found.text
             self.set_text(found.text)
         if found.utterance is not None and self.words.utterance is None:
             self.words.put(KnownWords(found.utterance))

@@ -8,8 +8,9 @@ from parselmouth.praat import call
 
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.timed_words import read_timed_words
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.labels.utterance_files import format_utterance, read_utterance, script_in
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.timing import plan_of
 from tests.engine.speech.pinyin.saying import TABLE
@@ -87,7 +88,7 @@ def test_an_utterance_that_is_written_is_read_again(tmp_path: Path, silence: str
     ]
     assert heard(again) == heard(MIXED)
     assert [phone.ipa for phone in again.phones] == [phone.ipa for phone in MIXED.phones]
-    assert script_in(path) == "你好 Silence"
+    assert [word.text for word in read_timed_words(path, MIXED.duration)] == ["你好", "Silence"]
 
 
 def test_phones_win_over_those_of_pinyin_unless_nobody_knows_them(tmp_path: Path) -> None:
