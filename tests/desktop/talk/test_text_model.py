@@ -16,6 +16,7 @@ from phonemeanalyser.desktop.talk.voice_model import FASTEST, VoiceModel
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.files import read_labels
+from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.mouth.face_driver import FaceDriver
@@ -48,6 +49,20 @@ def test_a_script_beside_a_sound_is_its_text(desk, tmp_path):
     desk.open(tmp_path)
     assert desk.texts.text.strip() == "so oh"
     assert desk.texts.utterance is None
+
+
+def test_words_with_times_beside_a_sound_are_aligned_in_these_until_the_text_is_edited(desk, tmp_path):
+    words = {"words": [(0.2, 0.5, "so"), (0.6, 0.9, "oh")]}
+    (tmp_path / "said.TextGrid").write_text(format_tiers(words, DURATION), encoding="utf-8")
+    desk.open(tmp_path)
+    assert (desk.texts.text, desk.texts.utterance) == ("so oh", None)
+    desk.align()
+    assert [(word.text, word.start, word.end) for word in desk.aligner.asked[-1].timed] == [
+        ("so", 0.2, 0.5), ("oh", 0.6, 0.9),
+    ]  # fmt: skip
+    desk.texts.set_text("so oh oh")
+    desk.align()
+    assert desk.aligner.asked[-1].timed == ()
 
 
 def test_damaged_labels_beside_a_sound_are_said_and_the_sound_is_in_hand(desk, tmp_path):
