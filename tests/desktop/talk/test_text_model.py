@@ -60,8 +60,7 @@ def test_words_with_times_beside_a_sound_are_aligned_in_these_until_the_text_is_
     assert [(word.text, word.start, word.end) for word in desk.aligner.asked[-1].timed] == [
         ("so", 0.2, 0.5), ("oh", 0.6, 0.9),
     ]  # fmt: skip
-    desk.texts.set_text("so oh oh")
-    desk.align()
+    desk.align("so oh oh")
     assert desk.aligner.asked[-1].timed == ()
 
 
