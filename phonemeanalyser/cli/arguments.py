@@ -86,7 +86,7 @@ def add_clip(parser: argparse.ArgumentParser) -> None:
     out = ".mp4, .gif or a folder for .png"
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="OUT", help=out)
     usual = USUAL_CLIP_RATE
-    parser.add_argument("--fps", type=float, default=usual, metavar="N", help=f"frames per second ({usual:g})")
+    parser.add_argument("--fps", type=number, default=usual, metavar="N", help=f"frames per second ({usual:g})")
     size = size_in((SMALLEST_CLIP, SMALLEST_CLIP), (LARGEST_CLIP, LARGEST_CLIP))
     parser.add_argument("--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="pixels (640x640)")
     add_theme(parser)

@@ -34,6 +34,7 @@ COMMANDS = {
     "whisper": "Say where the speech encoder's model is that helps to hear files, choose it, or fetch it.",
 }
 """Every command, each a module of this package with `add_arguments` and `run`, and what it does."""
+_TABLES, _TABLE = "--performance", ".sqlite"
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -47,7 +48,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         parser.set_defaults(parser=parser)
         module.add_arguments(parser)
         add_log(parser)
-        options = parser.parse_args(rest)
+        options = parser.parse_args(_with_each_table(rest))
         with logged_to(options.log):
             return int(module.run(options))
     except EngineError as error:
@@ -59,6 +60,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # whoever read has gone: nothing to flush to
         return 0
+
+
+def _with_each_table(words: Sequence[str]) -> list[str]:
+    """Return a command line in which each table has its option: ``--performance a.sqlite b.sqlite`` names two.
+
+    What else follows, such as a text or a sound, is none of them, so argparse cannot read them as a list.
+    """
+    found: list[str] = []
+    listing = False
+    for word in words:
+        follows = bool(found) and found[-1] == _TABLES
+        if listing and not follows and word.endswith(_TABLE):
+            found.append(_TABLES)
+        listing = follows or (listing and word.endswith(_TABLE))
+        found.append(word)
+    return found
 
 
 def _module_of(command: str) -> ModuleType:

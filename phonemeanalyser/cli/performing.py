@@ -32,7 +32,7 @@ CHOICES = [choice.value for choice in ExampleChoice]
 
 def add_performance(parser: argparse.ArgumentParser) -> None:
     """Let the user have recorded faces say what is said, and choose how they are looked up."""
-    table = "a table of recorded faces moves the face; of several, --use chooses"
+    table = "a table of recorded faces moves the face, or several, of which --use chooses one"
     parser.add_argument("--performance", type=Path, action="append", metavar="T.sqlite", help=table)
     parser.add_argument("--use", metavar="NAME", help="the name of the table that is used")
     parser.add_argument("--choice", choices=CHOICES, help=f"among examples of a unit (default: {CHOICES[0]})")

@@ -1,9 +1,11 @@
 """The command line as a program: its words, its exit codes, and what it says without a display."""
 
+import importlib
 import os
 import re
 import subprocess
 import sys
+from argparse import ArgumentError, ArgumentParser
 from importlib.metadata import version
 from pathlib import Path
 
@@ -116,6 +118,20 @@ def test_every_command_explains_itself(command: str, capsys: pytest.CaptureFixtu
         main([command, "--help"])
     assert end.value.code == 0
     assert " ".join(capsys.readouterr().out.split()).startswith(f"usage: phonemeanalyser {command} ")
+
+
+@pytest.mark.parametrize("command", sorted(COMMANDS))
+def test_no_option_of_numbers_takes_what_is_no_number(command: str) -> None:
+    parser = ArgumentParser()
+    importlib.import_module(f"phonemeanalyser.cli.{command}").add_arguments(parser)
+    for action in parser._actions:
+        if action.option_strings and action.type is not None:
+            for written in ("nan", "inf", "-inf", "1e999"):
+                try:
+                    value = parser._get_value(action, written)
+                except ArgumentError:
+                    continue
+                assert not isinstance(value, float), f"{action.option_strings[0]} takes {written}"
 
 
 def test_a_command_imports_no_other_and_no_window() -> None:

@@ -94,6 +94,15 @@ def test_formats_with_shapes_of_their_own_follow_the_phones(
     assert said.out.startswith("0.00\t")
 
 
+def test_several_tables_may_follow_one_option_wherever_the_text_stands(recorded: Path) -> None:
+    build_table(recorded, recorded / "bob.sqlite", name="Bob")
+    tables = ["--performance", "ann.sqlite", "bob.sqlite"]
+    for words in ([*tables, "mami.wav", "--use", "Bob"], ["mami.wav", "--use", "Ann", *tables]):
+        script = ["--script", "mami.TextGrid", "--format", "livelink-csv", "-o", "out.csv"]
+        assert main(["export", *words, *script]) == 0
+        assert max(jaws_in(recorded / "out.csv")) > 0.5
+
+
 TABLES = ["--performance", "ann.sqlite", "--performance", "ann.sqlite"]
 EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
 

@@ -47,6 +47,16 @@ VOWEL_CLASSES: dict[str, str] = {
 }
 
 
+OPENNESS: dict[str, int] = {
+    letter: height
+    for height, letters in enumerate(
+        ("i y ɨ ʉ ɯ u ɿ ʅ", "ɪ ʏ ʊ ᵻ", "e ø ɘ ɵ ɤ o", "ə ɚ", "ɛ œ ɜ ɞ ʌ ɔ ɝ", "æ ɐ", "a ɶ ɑ ɒ")
+    )
+    for letter in letters.split()
+}
+"""How open each vowel is, in rows of the chart: 0 close, 6 open."""
+
+
 def _with_all(rows: dict[str, str], name: str) -> dict[str, frozenset[str]]:
     classes = {key: frozenset(letters.split()) for key, letters in rows.items()}
     return classes | {name: frozenset().union(*classes.values())}

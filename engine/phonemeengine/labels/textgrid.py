@@ -73,6 +73,20 @@ def tiers_of(text: str, file: str, *, points: bool = False) -> tuple[Tier, ...]:
     return tuple(tier for tier in tiers if points or not tier.points)
 
 
+def length_of(text: str, file: str) -> float:
+    """Return how long a TextGrid says that its sound is, seconds.
+
+    Raises
+    ------
+    CorpusError : as `tiers_of`.
+    """
+    words = _Words(text, file)
+    for what in ("the kind of file", "the kind of object"):
+        words.text(what)
+    words.number("where it begins")
+    return words.number("where it ends")
+
+
 def format_textgrid(labels: Sequence[Label], duration: float, *, short: bool = False) -> str:
     """Write labels, in order of time, as the text of a TextGrid: a tier ``phonemes`` holds our names.
 

@@ -11,12 +11,12 @@ from typing import NamedTuple
 from phonemeengine.errors import CorpusError, TextError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.files import TIER_NAMES, names_in
-from phonemeengine.labels.label import ROUNDING, RawLabel, in_order
+from phonemeengine.labels.label import LONGEST_OVERHANG, ROUNDING, RawLabel, in_order
 from phonemeengine.labels.phone_sets import marks_silence
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.pinyin import sound_of, timed_syllable
 from phonemeengine.labels.text_io import read_text
-from phonemeengine.labels.textgrid import Interval, Tier, format_tiers, tiers_of
+from phonemeengine.labels.textgrid import Interval, Tier, format_tiers, length_of, tiers_of
 from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER, tiers_of_speaker
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
@@ -87,11 +87,12 @@ def read_utterance(
         them was chosen.
     """
     path, mapping = Path(path), mapping or PhonemeMap()
-    name = printable_name(path)
-    tiers = tiers_of_speaker(tiers_of(read_text(path), name), speaker, name)
+    name, text = printable_name(path), read_text(path)
+    tiers = tiers_of_speaker(tiers_of(text, name), speaker, name)
+    _check_length(length_of(text, name), duration, name)
     begins = (TIER_NAMES, (WORD_TIER,), (SYLLABLE_TIER,))
     of_sounds, of_words, of_syllables = (_labels_in(tiers, names) for names in begins)
-    if of_sounds is None and of_syllables is None:
+    if of_sounds is None and (of_syllables is None or (of_syllables and not any(map(_is_pinyin, of_syllables)))):
         raise CorpusError(
             f"{name}: there is no tier named {PHONES!r} with a label, or {SYLLABLES!r} of pinyin; add one in Praat, "
             "or align it by its words"
@@ -147,6 +148,21 @@ def _as_pinyin(syllables: Sequence[RawLabel]) -> tuple[RawLabel, ...]:
         return tuple(replace(raw, name=sound_of(raw.name)) for raw in syllables)
     except TextError:
         return ()
+
+
+def _check_length(labelled: float, duration: float, file: str) -> None:
+    if labelled > duration + LONGEST_OVERHANG:
+        raise CorpusError(
+            f"{file}: this TextGrid is of a sound of {labelled:.2f} s, and the sound here lasts {duration:.2f} s; "
+            "check that they belong together, or cut the TextGrid in Praat"
+        )
+
+
+def _is_pinyin(raw: RawLabel) -> bool:
+    try:
+        return bool(sound_of(raw.name))
+    except TextError:
+        return False
 
 
 def _check_pinyin(syllables: Sequence[RawLabel], file: str) -> None:

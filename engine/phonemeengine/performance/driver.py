@@ -27,12 +27,16 @@ from phonemeengine.performance.smoothing import (
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.tongue import tongue_weights
 from phonemeengine.performance.units import UnitKind
+from phonemeengine.text.syllables import is_vowel
 
 FACE = (*ARKIT, *SHOULDERS, *TONGUE)
 """The movestates of a face that a table moves."""
 MOUTH = ("jaw", "mouth", "cheek", "nose", "tongue")
 """What the names of movestates begin with that units move: eyes, brows and the head have their own times."""
 
+MOST_OUT = 0.05
+"""How far the tongue may be out in the middle of a vowel."""
+_OUT = "tongueOut"
 _TONGUE = slice(len(FACE) - len(TONGUE), None)
 
 
@@ -163,12 +167,28 @@ class PerformanceDriver:
         shares = pose_shares(sentence, self._poses, times, frame)
         if PerformancePart.POSES not in without:
             weights = posed_weights(weights, shares, self._poses, self._moved)
+            weights = self._behind_teeth(weights, sentence, times)
         if PerformancePart.ENERGY not in without:
             louder = 1 + (gains_of(sentence, times) - 1) * (1 - shares.firm)
             weights[:, self._loud] *= louder[:, None]
         if PerformancePart.WINDOW not in without:
             weights = brought_to_rest(weights, sentence, times)
         return bounded(weights)
+
+    def _behind_teeth(self, weights: Float32Array, sentence: Sentence, times: Float64Array) -> Float32Array:
+        """Have the tongue be back in the mouth in the middle of each vowel, however short that is."""
+        if _OUT not in self._moved:
+            return weights
+        out = weights[:, self._moved.index(_OUT)]
+        for phone in sentence:
+            if is_vowel(phone.name):
+                inside = (phone.start < times) & (times < phone.end)
+                most = float(out[inside].max(initial=0.0))
+                way = 0.25 * phone.duration  # a quarter back, half behind the teeth, a quarter out again
+                from_ends = np.minimum(times[inside] - phone.start, phone.end - times[inside])
+                middle = 0.5 - 0.5 * np.cos(np.pi * np.clip(from_ends / way, 0.0, 1.0))
+                out[inside] *= 1 - middle * (1 - MOST_OUT / max(most, MOST_OUT))
+        return weights
 
 
 def _used(placed: tuple[PlacedUnit, ...], chosen: list[Chosen], bounds: Float64Array) -> Iterator[UsedUnit]:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from phonemeengine.labels.articulation import articulations_of, letters_of
+from phonemeengine.labels.articulation import OPENNESS, articulations_of, letters_of
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
 from phonemeengine.performance.units import Unit, UnitKind, units_of
 
@@ -77,14 +77,15 @@ def likest(name: str, inventory: Inventory, kind: UnitKind) -> str:
     Of a diphthong or the like, the left half is that of its first sound, the right half that of its last one.
     """
     side = -1 if kind is UnitKind.RIGHT_HALF else 0
-    classes = _classes_of(name, side)
+    classes, openness = _classes_of(name, side), _openness_of(name, side)
 
-    def likeness(other: str) -> tuple[bool, int, float, str]:
+    def likeness(other: str) -> tuple[bool, int, int, float, str]:
         theirs = _classes_of(other, side)
         common = classes & theirs
         place = next((k for k, place in enumerate(PLACES) if place in common), len(PLACES))
         same_lips = (classes & {*LIPS}) == (theirs & {*LIPS})
-        return same_lips, -place, len(common) / max(len(classes | theirs), 1), other
+        farther = abs(_openness_of(other, side) - openness)
+        return same_lips, -place, -farther, len(common) / max(len(classes | theirs), 1), other
 
     known = (names[0] for names in inventory[kind])
     return max((other for other in known if other != SILENCE), key=likeness, default=SILENCE)
@@ -103,3 +104,8 @@ def _placed(unit: Unit, inventory: Inventory) -> PlacedUnit | None:
 def _classes_of(name: str, side: int) -> frozenset[str]:
     letters = letters_of(name)
     return frozenset(articulations_of(letters[side])) if letters else frozenset()
+
+
+def _openness_of(name: str, side: int) -> int:
+    letters = letters_of(name)
+    return OPENNESS.get(letters[side], 0) if letters else 0

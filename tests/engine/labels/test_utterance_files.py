@@ -55,6 +55,19 @@ def test_what_is_no_pinyin_is_refused_with_its_place(tmp_path: Path) -> None:
         read_utterance(path, DURATION)
 
 
+def test_syllables_that_are_no_pinyin_need_a_tier_of_sounds(tmp_path: Path) -> None:
+    path = saved(tmp_path / "a.TextGrid", ["ˈɹuθ", "", "ˈsɛd"])
+    with pytest.raises(CorpusError, match=r"^a.TextGrid: there is no tier named 'phones' with a label, or"):
+        read_utterance(path, DURATION)
+
+
+def test_a_file_that_is_longer_than_its_sound_is_refused(tmp_path: Path) -> None:
+    path = saved(tmp_path / "a.TextGrid", ["ma1", "", "sil"])
+    assert heard(read_utterance(path, DURATION - 0.04)) == [("ma1", 0.0, 0.3)]
+    with pytest.raises(CorpusError, match=r"is of a sound of 1\.50 s, and the sound here lasts 0\.50 s; check"):
+        read_utterance(path, 0.5)
+
+
 def test_a_file_without_sounds_and_syllables_is_refused(tmp_path: Path) -> None:
     path = saved(tmp_path / "a.TextGrid", ["ma1"], "words others")
     with pytest.raises(CorpusError, match=r"^a.TextGrid: there is no tier named 'phones' with a label, or"):

@@ -89,6 +89,12 @@ def test_the_right_half_of_a_diphthong_is_like_its_last_vowel() -> None:
     ]
 
 
+@pytest.mark.parametrize(("vowel", "like"), [("æ", "ɛ"), ("a", "ɛ"), ("i", "ɪ"), ("ɐ", "ɛ")])
+def test_a_vowel_that_nobody_said_looks_like_the_one_that_is_as_open(vowel: str, like: str) -> None:
+    table = inventory_of(performance_of("tɪt tet tɛt"))
+    assert likest(vowel, table, UnitKind.LEFT_HALF) == like
+
+
 def test_a_sound_of_the_lips_is_never_taken_for_one_of_the_tongue() -> None:
     table = inventory_of(performance_of("mana ka"))
     assert likest("ŋ", table, UnitKind.LEFT_HALF) == "k"  # m is a nasal too, but its lips are shut

@@ -25,7 +25,7 @@ from tests.engine.performance.sentences import phones_in
 from tests.fakes.osc_receiver import Receiver
 from tests.fakes.players import wait_for
 
-JAW, PUCKER = ARKIT.index("jawOpen"), ARKIT.index("mouthPucker")
+JAW, PUCKER, TONGUE_OUT = (ARKIT.index(name) for name in ("jawOpen", "mouthPucker", "tongueOut"))
 PLAIN = PerformanceOptions(without=frozenset(PerformancePart))
 CHANNELS = ("headYaw", "mouthPucker", "jawOpen", "eyeBlinkLeft")
 
@@ -101,6 +101,27 @@ def test_lips_are_shut_at_p_b_and_m_even_where_the_recorded_ones_are_not(tmp_pat
             for phone in utterance.phones:
                 jaw = animation.weights[(animation.times >= phone.start) & (animation.times <= phone.end), JAW]
                 assert jaw.min() <= 0.06 if phone.ipa in "bmp" else jaw.max() > 0.4
+
+
+def test_the_tongue_is_behind_the_teeth_in_the_middle_of_a_vowel_however_short(tmp_path: Path) -> None:
+    spoken = recorded("aθa")
+    channels = (*CHANNELS, "tongueOut")
+    out = np.full((len(spoken.weights), 1), 0.3, np.float32)
+    weights = np.hstack([spoken.weights, out]).astype(np.float32)
+    write_table(tmp_path / "out.sqlite", [replace(spoken, channels=channels, weights=weights)])
+    with PerformanceTable.open(tmp_path / "out.sqlite") as table:
+        for length in (0.04, 0.06, 0.15):
+            utterance = utterance_of("aθa", length=length)
+            animation = track_of(table, utterance, PerformanceOptions()).animation(heard(utterance), 120.0)
+            shown = {
+                phone.start: np.interp(
+                    (phone.start + phone.end) / 2, animation.times, animation.weights[:, TONGUE_OUT]
+                )
+                for phone in utterance.phones
+            }
+            first, middle, last = shown.values()
+            assert max(first, last) <= 0.0501
+            assert middle > 0.15
 
 
 def test_sentences_are_parted_by_pauses_and_go_over_into_each_other(tmp_path: Path) -> None:
