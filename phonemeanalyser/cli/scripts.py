@@ -28,11 +28,9 @@ from phonemeengine.batch.work import Made, Say
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.text.espeak import languages
-from phonemeengine.text.script import load_script, script_beside, timed_script
+from phonemeengine.text.script import TIMED_SUFFIXES, load_script, script_beside, timed_script
 
 AUTO = "auto"
-WITH_TIMES = frozenset({".textgrid", ".json"})
-"""Endings, in small letters, of scripts that tell when their words are said."""
 SHOWN_WORDS = 8
 OTHER_TEXT = (
     "another text seems to be said in it, so it is recognised without the text; check the text and its language, or "
@@ -128,7 +126,7 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
             )
         return NO_TEXTS
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
-    if options.script is not None and options.script.suffix.lower() in WITH_TIMES:
+    if options.script is not None and options.script.suffix.lower() in TIMED_SUFFIXES:
         labels = _labels_of(options.script, sounds)
         return SpokenTexts({}, labels, options.language, lexicon, speaker=options.speaker)
     if options.speaker is not None:

@@ -177,6 +177,7 @@ class MainWindow(QMainWindow):
         page.preset_asked.connect(self.dialogs.ask_preset)
         page.choices.mesh_asked.connect(dialogs.ask_mesh)
         page.choices.table_asked.connect(dialogs.ask_table)
+        page.text.script_asked.connect(dialogs.ask_script)
         page.text.lexicon_asked.connect(dialogs.ask_lexicon)
         page.expression.file_asked.connect(dialogs.ask_expression)
         page.text.voice.panel.table_asked.connect(dialogs.ask_performance)

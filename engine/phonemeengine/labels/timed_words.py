@@ -132,6 +132,23 @@ def read_timed_words(
     return tuple(_within(timed, duration, name))
 
 
+def speakers_in(path: str | os.PathLike[str]) -> tuple[str, ...]:
+    """Return the speakers whom a TextGrid or JSON tells apart, in order; see `read_timed_words`.
+
+    Raises
+    ------
+    CorpusError : it cannot be read.
+    """
+    path = Path(path)
+    name = printable_name(path)
+    if path.suffix.lower() == ".json":
+        names = [entry.speaker for entry in _words_in(_document_in(path, name))]
+    else:
+        found = (_OF_SPEAKER.fullmatch(tier.name) for tier in tiers_of(read_text(path), name))
+        names = [tier["speaker"] for tier in found if tier]
+    return tuple(dict.fromkeys(name for name in names if name))
+
+
 def tiers_of_speaker(tiers: Sequence[Tier], speaker: str | None, file: str) -> tuple[Tier, ...]:
     """Return the tiers of one speaker, without the name before them; all tiers where they name no speaker.
 

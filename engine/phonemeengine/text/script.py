@@ -126,6 +126,10 @@ def _name_in_table(sound: str) -> str:
     return posixpath.normpath(sound.strip().strip('"').replace("\\", "/"))
 
 
+TIMED_SUFFIXES = frozenset({".textgrid", ".json"})
+"""Endings, in small letters, of scripts that tell when their words are said."""
+
+
 def timed_script(
     path: str | os.PathLike[str], duration: float, language: str | None = None, lexicon: Lexicon | None = None,
     speaker: str | None = None,

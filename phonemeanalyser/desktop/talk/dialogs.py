@@ -21,6 +21,7 @@ from phonemeengine.performance.choice import ExampleChoice
 MESHES = tr_noop("Meshes and movestates ({endings})")
 MESH_ENDINGS = " ".join(f"*{kind}" for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))
 TABLES = tr_noop("Mouth tables (*.toml)")
+SCRIPTS = tr_noop("Scripts (*.txt *.docx *.TextGrid *.json);;All files (*)")
 LEXICONS = tr_noop("Lexicons (*.toml *.csv)")
 PERFORMANCES = tr_noop("Tables of recorded faces (*.sqlite)")
 EXPRESSIONS = tr_noop("Recorded faces, Live Link Face (*.csv)")
@@ -72,6 +73,14 @@ class TalkDialogs(QObject):
         if name:
             self._settings.setValue("folder/table", str(Path(name).parent))
             self._talking.set_table(name)
+
+    def ask_script(self) -> None:
+        """Let the user choose the words of the sound in hand."""
+        sound = self._talking.text.words.sound
+        folder = str(sound.parent if sound else Path.home())
+        name, _ = QFileDialog.getOpenFileName(self._window, tr("The words of the sound"), folder, tr(SCRIPTS))
+        if name:
+            self._talking.text.open_script(Path(name))
 
     def ask_lexicon(self) -> None:
         """Let the user choose a lexicon."""

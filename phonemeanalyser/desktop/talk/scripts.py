@@ -1,7 +1,7 @@
 """What is said in a sound, as the engine finds it: in files beside it, by its script, or as a voice speaks it."""
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr
@@ -12,7 +12,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.files import atomic_write, printable_name, reason_of
 from phonemeengine.labels.text_io import write_text
-from phonemeengine.labels.timed_words import TimedWord, read_timed_words
+from phonemeengine.labels.timed_words import TimedWord, read_timed_words, speakers_in
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance, tells_sounds
 from phonemeengine.presets.preset import Preset
@@ -23,7 +23,7 @@ from phonemeengine.speech.spoken_text import spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import timed_words_of, words_of
-from phonemeengine.text.script import script_beside
+from phonemeengine.text.script import TIMED_SUFFIXES, load_script, script_beside
 
 LABELS = ".TextGrid"
 
@@ -64,11 +64,15 @@ class FoundWords:
     utterance : what is said when; None where there are no labels.
     text : what is said; empty where there is no script.
     timed : the words of the text with their times, where labels tell these.
+    speakers : whom the labels tell apart.
+    script : the file of the labels.
     """
 
     utterance: Utterance | None = None
     text: str = ""
     timed: tuple[TimedWord, ...] = ()
+    speakers: tuple[str, ...] = ()
+    script: Path | None = None
 
 
 def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
@@ -141,7 +145,26 @@ def words_beside(sound: Path, duration: float) -> FoundWords:
     text = script.text if script is not None else ""
     if not labels.is_file():
         return FoundWords(None, text)
-    if tells_sounds(labels):
-        return FoundWords(read_utterance(labels, duration), text)
-    timed = read_timed_words(labels, duration)
-    return FoundWords(None, " ".join(word.text for word in timed), timed)
+    found = words_in(labels, sound, duration)
+    return replace(found, text=found.text or text)
+
+
+def words_in(path: Path, sound: Path, duration: float, speaker: str | None = None) -> FoundWords:
+    """Return what a script says of a sound of `duration` seconds: a text, words with times, or phones too.
+
+    Where it tells speakers apart and none is chosen, it is only told who they are.
+
+    Raises
+    ------
+    EngineError : it cannot be read, or is of no use.
+    """
+    if path.suffix.lower() not in TIMED_SUFFIXES:
+        return FoundWords(None, load_script(path).texts_of([sound])[0][sound])
+    speakers = speakers_in(path)
+    if speaker is None and len(speakers) > 1:
+        return FoundWords(speakers=speakers, script=path)
+    if path.suffix.lower() == LABELS.lower() and tells_sounds(path, speaker):
+        said = read_utterance(path, duration, speaker=speaker)
+        return FoundWords(said, speakers=speakers, script=path)
+    timed = read_timed_words(path, duration, speaker)
+    return FoundWords(None, " ".join(word.text for word in timed), timed, speakers, path)

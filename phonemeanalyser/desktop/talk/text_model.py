@@ -19,6 +19,7 @@ from phonemeanalyser.desktop.talk.scripts import (
     aligned,
     spoken,
     words_beside,
+    words_in,
     write_speech,
 )
 from phonemeanalyser.desktop.talk.sound_words import KnownWords, SoundWords
@@ -86,6 +87,8 @@ class TextModel(QObject):
     text : the script of the sound in hand, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
+    speakers : whom the script of the sound in hand tells apart.
+    speaker : the one whose words are taken; empty where none is chosen.
     literal : whether the notation of scripts is taken as words, too.
     refused : what was not aligned, since another text seems to be said; None where there is nothing.
     """
@@ -113,6 +116,9 @@ class TextModel(QObject):
         self.literal = False
         self.refused: ScriptedSound | None = None
         self._lexicon: Lexicon | None = None
+        self.speakers: tuple[str, ...] = ()
+        self.speaker = ""
+        self._script: Path | None = None  # the file that tells the speakers apart
         self._timed: tuple[TimedWord, ...] = ()
         self._timed_text = ""  # the text that they are the words of
         self._speech: RunningSpeech | None = None
@@ -200,6 +206,23 @@ class TextModel(QObject):
             self._looking.submit(
                 lambda _progress: load_lexicon(path), lambda lexicon: self._take_lexicon(path, lexicon)
             )
+
+    def open_script(self, path: Path, speaker: str | None = None) -> None:
+        """Take the text, or the words with their times, of a script for the sound in hand; in the background."""
+        sound, duration = self._session.path, self._session.duration
+        if self._session.source is not SoundSource.FILE or sound is None:
+            self.error.emit(tr("There is no sound file in hand; open the recording of this script, then the script."))
+            return
+        self._looking.replace(
+            lambda _progress: words_in(path, sound, duration, speaker),
+            lambda found: self._take_script(sound, replace(found, script=path)),
+        )
+
+    def choose_speaker(self, name: str) -> None:
+        """Take the words of one of the `speakers`."""
+        if self._script is not None:
+            self.speaker = name
+            self.open_script(self._script, name)
 
     # -- what is done -------------------------------------------------------------------------------------
 
@@ -294,6 +317,8 @@ class TextModel(QObject):
             self.refused = None
             self.words.follow(session.path)
             self._work.cancel()
+            if another:
+                self.speakers, self.speaker, self._script = (), "", None
             self._look_beside(with_script=another)
         self._tell()
 
@@ -355,11 +380,28 @@ class TextModel(QObject):
     def _take_found(self, sound: Path, found: FoundWords) -> None:
         if sound != self.words.sound:
             return
+        if found.script != self._script:
+            self.speaker = ""
+        self.speakers, self._script = found.speakers, found.script
+        if len(found.speakers) > 1 and not self.speaker:
+            self.info.emit(tr("Several people speak in these labels; choose the speaker below the text."))
         if found.text:
             self._timed, self._timed_text = found.timed, found.text
             self.set_text(found.text)
         if found.utterance is not None and self.words.utterance is None:
             self.words.put(KnownWords(found.utterance))
+
+    def _take_script(self, sound: Path, found: FoundWords) -> None:
+        """Take what a script says that the user has opened, instead of what was known before."""
+        if sound != self.words.sound:
+            return
+        self.error.emit("")
+        if found.utterance is not None:
+            self.words.edit(found.utterance, tr("script"), by_hand=False)
+            words = " ".join(word.text for word in found.utterance.words if word.text)
+            found = replace(found, text=found.text or words)
+        self._take_found(sound, found)
+        self.changed.emit()
 
     def _take_aligned(self, script: ScriptedSound, found: Utterance) -> None:
         if script.sound != self.words.sound:

@@ -15,6 +15,7 @@ from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 
 N_LINES = 2
 NO_LANGUAGE = tr_noop("language?")
+NO_SPEAKER = tr_noop("Choose speaker…")
 INVITATION = tr_noop(
     "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
 )
@@ -79,15 +80,20 @@ class TextPanel(QWidget):
 
     Signals
     -------
-    lexicon_asked : the user wants to choose a lexicon.
+    script_asked, lexicon_asked : the user wants to choose a script, or a lexicon.
     """
 
+    script_asked = Signal()
     lexicon_asked = Signal()
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
         self._talking, self._texts = talking, talking.text
         self.field = TextField()
+        self.script = _button(
+            tr("Script…"), tr("Open the words of the sound: a text, a TextGrid, or JSON with times of words")
+        )
+        self.speaker = QComboBox()
         self.language = QComboBox()
         self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
         self.lexicon = _button(
@@ -115,10 +121,15 @@ class TextPanel(QWidget):
         self.language.setToolTip(tr("The language of the text, which is not guessed"))
         self.language.setAccessibleName(tr("language of the text"))
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.speaker.setToolTip(tr("Whose words of the labels are taken"))
+        self.speaker.setAccessibleName(tr("speaker"))
         self.literal.setToolTip(tr(NOTATION))
         row = QHBoxLayout()
         row.setSpacing(6)
-        for widget in (self.language, self.voice, self.lexicon, self.literal, self.align, self.anyway, self.say):
+        for widget in (
+            self.script, self.speaker, self.language, self.voice, self.lexicon, self.literal, self.align, self.anyway,
+            self.say,
+        ):  # fmt: skip
             row.addWidget(widget)
         row.addWidget(self.state, 1)
         column = QVBoxLayout(self)
@@ -133,6 +144,8 @@ class TextPanel(QWidget):
         self.field.textChanged.connect(lambda: texts.set_text(self.field.toPlainText()))
         self.field.say_asked.connect(texts.say)
         self.field.align_asked.connect(texts.align)
+        self.script.clicked.connect(lambda _checked: self.script_asked.emit())
+        self.speaker.textActivated.connect(self._choose_speaker)
         self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
         self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
         self.literal.clicked.connect(texts.set_literal)
@@ -142,6 +155,10 @@ class TextPanel(QWidget):
         texts.changed.connect(self._show_state)
         texts.voice.changed.connect(self._show_state)
         session.transport_changed.connect(self._show_state)
+
+    def _choose_speaker(self, name: str) -> None:
+        if name in self._texts.speakers:
+            self._texts.choose_speaker(name)
 
     def _choose_lexicon(self) -> None:
         """Choose a lexicon, or do without the one that is in use."""
@@ -155,6 +172,7 @@ class TextPanel(QWidget):
         if self.field.toPlainText() != texts.text:
             with QSignalBlocker(self.field):
                 self.field.replace_text(texts.text)
+        self._show_speakers()
         self._show_languages()
         self._show_lexicon()
         self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
@@ -166,6 +184,14 @@ class TextPanel(QWidget):
         self.state.setToolTip(texts.progress or lack)
         self.lanes.setVisible(texts.utterance is not None)
         self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
+
+    def _show_speakers(self) -> None:
+        names = [tr(NO_SPEAKER), *self._texts.speakers]
+        if names != [self.speaker.itemText(k) for k in range(self.speaker.count())]:
+            self.speaker.clear()
+            self.speaker.addItems(names)
+        self.speaker.setCurrentText(self._texts.speaker or tr(NO_SPEAKER))
+        self.speaker.setVisible(len(self._texts.speakers) > 1)
 
     def _show_languages(self) -> None:
         languages = self._texts.voice.installed.languages

@@ -64,6 +64,45 @@ def test_words_with_times_beside_a_sound_are_aligned_in_these_until_the_text_is_
     assert desk.aligner.asked[-1].timed == ()
 
 
+MFA = {
+    "mary - words": [(0.2, 0.5, "so")], "mary - phones": [(0.2, 0.3, "s"), (0.3, 0.5, "o")],
+    "john - words": [(0.6, 0.9, "oh")], "john - phones": [(0.6, 0.9, "o")],
+}  # fmt: skip
+
+
+def test_of_labels_of_several_people_one_is_chosen(desk, tmp_path):
+    (tmp_path / "said.TextGrid").write_text(format_tiers(MFA, DURATION), encoding="utf-8")
+    desk.open(tmp_path)
+    assert desk.texts.speakers == ("mary", "john")
+    assert (desk.texts.utterance, desk.failed) == (None, [])
+    assert "Several people speak" in desk.told[-1]
+    for name, said in (("john", "oh"), ("mary", "so")):
+        desk.texts.choose_speaker(name)
+        desk.wait()
+        assert (desk.words(), desk.texts.text, desk.texts.speaker) == ([said], said, name)
+    desk.session.preset.undo_stack.undo()
+    assert desk.words() == ["oh"]
+
+
+def test_a_script_is_opened_for_the_sound_in_hand(desk, tmp_path):
+    text, words, labels = (tmp_path / name for name in ("a.txt", "a.json", "b.TextGrid"))
+    text.write_text("oh so", encoding="utf-8")
+    words.write_text('{"words": [{"word": "Oh,", "start": 0.2, "end": 0.5}]}', encoding="utf-8")
+    labels.write_text(format_utterance(SAID), encoding="utf-8")
+    desk.texts.open_script(text)
+    assert "There is no sound file in hand" in desk.failed[-1]
+    desk.open(tmp_path)
+    for script, shown, said in ((text, "oh so", []), (words, "Oh,", []), (labels, "so oh", ["so", "oh"])):
+        desk.texts.open_script(script)
+        desk.wait()
+        assert (desk.texts.text, desk.words()) == (shown, said)
+    (tmp_path / "c.json").write_text("{}", encoding="utf-8")
+    desk.texts.open_script(tmp_path / "c.json")
+    desk.wait()
+    assert "c.json: there is no word with a time in it" in desk.failed[-1]
+    assert (desk.texts.text, desk.words()) == ("so oh", ["so", "oh"])
+
+
 def test_damaged_labels_beside_a_sound_are_said_and_the_sound_is_in_hand(desk, tmp_path):
     (tmp_path / "said.TextGrid").write_text("nonsense", encoding="utf-8")
     desk.open(tmp_path)
