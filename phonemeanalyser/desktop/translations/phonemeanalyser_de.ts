@@ -944,6 +944,11 @@
             <translation>eine von diesen wählen: {names}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Choose speaker…</source>
+            <translation>Sprecher wählen…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>Choose the folder of the takes, or write labels for other programs beside them</source>
             <translation>Den Ordner der Takes wählen oder Beschriftungen für andere Programme daneben schreiben</translation>
@@ -3580,6 +3585,11 @@
             <translation>Klang öffnen…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Open the words of the sound: a text, a TextGrid, or JSON with times of words</source>
+            <translation>Den Text der Aufnahme öffnen: Textdatei, TextGrid oder JSON mit Wortzeiten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/session.py" />
             <source>Opening</source>
             <translation>Öffnen</translation>
@@ -4531,6 +4541,21 @@
             <translation>Maßstab</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <source>script</source>
+            <translation>Skript</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Scripts (*.txt *.docx *.TextGrid *.json);;All files (*)</source>
+            <translation>Skripte (*.txt *.docx *.TextGrid *.json);;Alle Dateien (*)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Script…</source>
+            <translation>Skript…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/manual.py" />
             <source>search</source>
             <translation>suchen</translation>
@@ -4634,6 +4659,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Sets amplitudes below the threshold to 0.</source>
             <translation>Setzt Amplituden unter der Schwelle auf 0.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <source>Several people speak in these labels; choose the speaker below the text.</source>
+            <translation>In diesen Labels sprechen mehrere Personen; Sprecher unter dem Text wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -5561,6 +5591,11 @@
             <translation>Das Ganze</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>The words of the sound</source>
+            <translation>Text der Aufnahme</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>Theme</source>
             <translation>Farben</translation>
@@ -5634,6 +5669,11 @@
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>There is no sound file in hand; open the one whose phonemes are to be saved.</source>
             <translation>Es ist keine Klangdatei geöffnet; die öffnen, deren Phoneme gespeichert werden sollen.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <source>There is no sound file in hand; open the recording of this script, then the script.</source>
+            <translation>Keine Audiodatei geöffnet; zuerst die Aufnahme zu diesem Skript öffnen, dann das Skript.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
@@ -6249,6 +6289,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>Who says the text: a voice of espeak-ng, or a text-to-speech program of your own</source>
             <translation>Wer den Text spricht: eine Stimme von espeak-ng oder ein eigenes Sprachprogramm</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>Whose words of the labels are taken</source>
+            <translation>Wessen Wörter aus den Labels übernommen werden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
