@@ -33,7 +33,7 @@ async function listenInWorklet() {
   };
   globalThis.registerProcessor = (_, made) => (Processor = made);
   await import(pathToFileURL(place("ear-worklet.js")));
-  const processor = new Processor({ processorOptions: { code, preset } });
+  const processor = new Processor({ processorOptions: model().forWorklet(Number(rate)) });
   const blocks = [];
   for (let at = 0; at + 128 <= samples.length; at += 128) blocks.push([[samples.subarray(at, at + 128)]]);
   processor.process([[]]);
@@ -47,6 +47,9 @@ async function listenInWorklet() {
   const before = process.memoryUsage().heapUsed;
   again(80);
   console.error((process.memoryUsage().heapUsed - before) / (80 * blocks.length));
+  const idle = processor.process([[]]); // a source may come later
+  processor.port.onmessage();
+  console.error(idle, processor.process(blocks[0]), processor.process([[]]));
 }
 
 /* Times, phonemes, visemes and intensities come in; a mouth's weights at each time go out. */
@@ -59,6 +62,13 @@ function move() {
   }
 }
 
+/* Closed twice, which is once. */
+function closed(opened) {
+  opened.close();
+  opened.close();
+  return opened;
+}
+
 function refuse() {
   const damaged = Uint8Array.from(preset);
   damaged[1000] ^= 1;
@@ -67,6 +77,12 @@ function refuse() {
     () => new EarModel(new WebAssembly.Module(code), code),
     () => model().ear(500),
     () => model().mouth("nothing"),
+    () => model().forWorklet(500),
+    () => model().ear(44100).take(new Float32Array(4097)),
+    ...["push", "take"].map((name) => () => closed(model().ear(44100))[name](new Float32Array(128))),
+    ...["finish", "reset"].map((name) => () => closed(model().ear(44100))[name]()),
+    () => closed(model().mouth("arkit")).weights(0),
+    () => closed(model().mouth("arkit")).hear(0, { phoneme: 0, viseme: 0, intensity: 0 }),
   ]) {
     try {
       wrong();

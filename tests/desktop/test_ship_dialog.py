@@ -45,7 +45,7 @@ def choose(dialog, name: str) -> None:
 
 def test_a_preset_of_the_list_is_shipped_as_the_command_line_does(dialog, window, qtbot, tmp_path):
     choose(dialog, "Templates")
-    assert "Shipped 9 files into" in start(dialog, window, qtbot)
+    assert "Shipped 10 files into" in start(dialog, window, qtbot)
     assert main(["ship", "templates", "-o", str(tmp_path / "typed")]) == 0
     assert contents(tmp_path / "window") == contents(tmp_path / "typed")
     assert window.banner.action.text() == "Open Folder"
@@ -79,7 +79,7 @@ def test_what_goes_wrong_is_a_banner_and_changed_files_stay_unless_they_are_give
     again = next(d for d in window.findChildren(ShipDialog) if d.isVisible())
     assert again.folder.text() == str(tmp_path / "window")
     again.overwrite.setChecked(True)
-    assert "Shipped 9 files" in start(again, window, qtbot)
+    assert "Shipped 10 files" in start(again, window, qtbot)
 
 
 def test_without_a_folder_nothing_can_be_shipped(dialog):

@@ -21,6 +21,10 @@ _WASM = (
 )
 """For a module that asks its page for nothing, and gives all functions of `ear.h`."""
 
+_LICENCE = next(folder for folder in (_HERE, _HERE.parents[2]) if (folder / "LICENSE").is_file()) / "LICENSE"
+"""Of the program, and so of all that is shipped: beside this module where it is installed, as in a checkout."""
+_WORKLET_PLACE = 'const WORKLET = "";'
+
 DESCRIPTION = "Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them."
 
 Files = dict[str, bytes]
@@ -35,13 +39,14 @@ class ShipTarget:
     words : what it is for, for people.
     sources : folders of this package, each with the folder that its files go to.
     makes : what gives the files that are made when it is shipped.
-    preset : the name of the preset's file.
+    preset, licence : the names of the files of the preset, and of the licence.
     """
 
     words: str
     sources: Mapping[str, str]
     makes: tuple[Callable[[], Files], ...] = ()
     preset: str = "preset.ear"
+    licence: str = "LICENSE"
 
     def files(self) -> Files:
         """Return the files that it gets beside the preset, by their path in the folder.
@@ -50,7 +55,7 @@ class ShipTarget:
         ------
         ExportError : something that makes them is missing.
         """
-        found: Files = {}
+        found: Files = {self.licence: _LICENCE.read_bytes()}
         for source, place in self.sources.items():
             for path in sorted(path for path in (_HERE / source).rglob("*") if path.is_file()):
                 found[(Path(place) / path.relative_to(_HERE / source)).as_posix()] = path.read_bytes()
@@ -74,12 +79,17 @@ def _web_module() -> Files:
             "./preset.ear": "./preset.ear",
         },
         "types": "ear.d.ts",
-        "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear.wasm", "preset.ear"],
+        "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear.wasm", "preset.ear", "LICENSE"],
     }
-    return {
-        "ear.wasm": compile_ear(_WASM),
-        "package.json": _json(package),
-    }
+    return {"ear.js": _with_worklet(), "ear.wasm": compile_ear(_WASM, "ear.wasm"), "package.json": _json(package)}
+
+
+def _with_worklet() -> bytes:
+    """Return the module with the worklet in it, so that no bundler has to know of a second file."""
+    module, worklet = ((_HERE / "web" / name).read_text(encoding="utf-8") for name in ("ear.js", "ear-worklet.js"))
+    before, place, after = module.partition(_WORKLET_PLACE)
+    assert place
+    return f"{before}const WORKLET = {json.dumps(worklet)};{after}".encode()
 
 
 def _demo_page() -> Files:
@@ -122,6 +132,7 @@ TARGETS: Mapping[str, ShipTarget] = {
         {"unity": "", "csharp": "Runtime"},
         (_unity_package,),
         "preset.bytes",
+        "LICENSE.md",  # which Unity shows
     ),
     "godot": ShipTarget(
         "an add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (shared_libraries,)

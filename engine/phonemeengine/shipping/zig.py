@@ -23,7 +23,7 @@ _SYSTEMS = {
     "libear.so": (("--target=x86_64-linux-gnu.2.17", "-fPIC", _SEEN),),
     "ear.dll": (("--target=x86_64-windows-gnu", "-DEAR_API=__declspec(dllexport)"),),
     "libear.dylib": tuple(
-        (f"--target={processor}-macos", "-Wl,-install_name,@rpath/libear.dylib", _SEEN)
+        (f"--target={processor}-macos.11.0", "-Wl,-install_name,@rpath/libear.dylib", _SEEN)
         for processor in ("x86_64", "aarch64")
     ),
 }
@@ -37,26 +37,26 @@ def shared_libraries() -> dict[str, bytes]:
     ------
     ExportError : there is no zig, or it fails.
     """
-    made = {name: [compile_ear((*_SHARED, *flags)) for flags in all_flags] for name, all_flags in _SYSTEMS.items()}
+    made = {name: [compile_ear((*_SHARED, *flags), name) for flags in tried] for name, tried in _SYSTEMS.items()}
     return {name: slices[0] if len(slices) == 1 else _universal(slices) for name, slices in made.items()}
 
 
-def compile_ear(flags: tuple[str, ...]) -> bytes:
-    """Return what zig makes of `ear.c`.
+def compile_ear(flags: tuple[str, ...], name: str) -> bytes:
+    """Return what zig makes of `ear.c`, which may tell the name of its file.
 
     Raises
     ------
     ExportError : there is no zig, or it fails.
     """
     with tempfile.TemporaryDirectory() as folder:
-        command = [*_zig(), "cc", "-std=c99", "-O3", *flags, str(_EAR), "-o", "made"]
+        command = [*_zig(), "cc", "-std=c99", "-O3", *flags, str(_EAR), "-o", name]
         try:
             done = subprocess.run(  # noqa: S603 - our own words
                 command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=TIMEOUT, check=False
             )
         except (OSError, subprocess.SubprocessError) as error:
             raise ExportError(f"the compiler zig does not run ({error}); install it again") from error
-        made = Path(folder) / "made"
+        made = Path(folder) / name
         if done.returncode or not made.exists():
             why = next((line for line in done.stderr.splitlines() if "error" in line), "no reason given")
             raise ExportError(f"the compiler zig cannot compile the ear ({why:.200}); install a newer one")

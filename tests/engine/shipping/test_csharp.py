@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import struct
 import subprocess
 from pathlib import Path
 
@@ -101,6 +102,8 @@ def test_the_library_of_macos_is_for_both_processors(folder: Path) -> None:
         assert kind == processor
         assert content[at : at + 4] == bytes.fromhex("cffaedfe")
         assert at + size <= len(content)
+        assert oldest_macos(content[at : at + size]) == 11
+    assert b"\0ear.dll\0" in windows.read_bytes()
     assert windows.read_bytes()[:2] == b"MZ"
 
 
@@ -114,3 +117,14 @@ def test_what_was_disposed_of_is_refused_by_every_member(tmp_path: Path) -> None
     lines = done.stdout.decode().splitlines()
     assert len(lines) >= 6 + 2 * (5 + 3)
     assert [line for line in lines if not line.endswith(" ObjectDisposedException")] == []
+
+
+def oldest_macos(library: bytes) -> int:
+    """Give the version that a library asks for: its command LC_BUILD_VERSION."""
+    (n_commands,), at = struct.unpack_from("<I", library, 16), 32
+    for _ in range(n_commands):
+        kind, size = struct.unpack_from("<II", library, at)
+        if kind == 0x32:
+            return int(struct.unpack_from("<I", library, at + 12)[0]) >> 16
+        at += size
+    raise AssertionError("it names no version")

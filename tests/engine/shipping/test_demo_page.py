@@ -57,25 +57,32 @@ class Quiet(http.server.SimpleHTTPRequestHandler):
 
 
 @contextmanager
-def opened(address: str, *flags: str) -> Iterator[Page]:
-    """Open the page; what it asks of other hosts, and what goes wrong in it, is a failure."""
+def chromium(*flags: str) -> Iterator[Page]:
+    """Give a page of the browser; what it asks of other hosts, and what goes wrong in it, is a failure."""
     from playwright.sync_api import sync_playwright
 
     wrong: list[str] = []
-    chromium = shutil.which("chromium") or shutil.which("google-chrome") or os.environ.get("CHROMIUM")
+    program = shutil.which("chromium") or shutil.which("google-chrome") or os.environ.get("CHROMIUM")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(
-            executable_path=chromium, args=["--no-sandbox", "--enable-unsafe-swiftshader", *flags]
+            executable_path=program, args=["--no-sandbox", "--enable-unsafe-swiftshader", *flags]
         )
         page = browser.new_page(viewport={"width": 640, "height": 480})
         page.on("pageerror", lambda error: wrong.append(str(error)))
         page.on("request", lambda asked: wrong.append(asked.url) if "localhost" not in asked.url else None)
         page.on("requestfailed", lambda asked: wrong.append(asked.url))
-        page.goto(address)
-        page.wait_for_selector("#microphone:not([disabled])")
         yield page
         browser.close()
     assert [word for word in wrong if not word.startswith(("data:", "blob:"))] == []
+
+
+@contextmanager
+def opened(address: str, *flags: str) -> Iterator[Page]:
+    """Open the demo page."""
+    with chromium(*flags) as page:
+        page.goto(address)
+        page.wait_for_selector("#microphone:not([disabled])")
+        yield page
 
 
 def microphone(tmp_path: Path, sound: Sound) -> tuple[str, ...]:
@@ -176,7 +183,16 @@ def test_the_folder_packs_into_a_package_that_another_project_imports(folder: Pa
 
     (package,) = json.loads(do("npm", "pack", str(folder), "--json"))
     names = {file["path"] for file in package["files"]}
-    assert names == {"README.md", "package.json", "ear.d.ts", "ear.js", "ear-worklet.js", "ear.wasm", "preset.ear"}
+    assert names == {
+        "LICENSE",
+        "README.md",
+        "package.json",
+        "ear.d.ts",
+        "ear.js",
+        "ear-worklet.js",
+        "ear.wasm",
+        "preset.ear",
+    }
     do("npm", "install", "--offline", f"./{package['filename']}")
     line = "import { Ear } from 'phoneme-ear'; console.log(Ear.name, import.meta.resolve('phoneme-ear/ear.wasm'))"
     assert do("node", "--input-type=module", "-e", line).startswith("Ear file:")

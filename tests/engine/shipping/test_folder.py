@@ -21,12 +21,14 @@ from phonemeengine import (
     ship,
 )
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.shipping import targets
 from tests.compiled_ears import CModel, EarLibrary
+from tests.conftest import ROOT
 from tests.engine.shipping.test_same_results import speech
 from tests.models import centred_model
 
 FILES = {
-    "preset.ear", "ear.h", "ear.c", "Makefile", "README.md", "examples/files.h", "examples/wav.h",
+    "LICENSE", "preset.ear", "ear.h", "ear.c", "Makefile", "README.md", "examples/files.h", "examples/wav.h",
     "examples/rhubarb_tsv.c", "examples/mouth_from_microphone.c",
 }  # fmt: skip
 
@@ -161,13 +163,36 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, target: str
 ) -> None:
     compiler = tmp_path / "zig"  # what the real one makes is tried by make test-csharp
-    compiler.write_text("#!/bin/sh\nprintf 'a library of zig' > made\n", encoding="utf-8")
+    compiler.write_text("#!/bin/sh\nfor last; do :; done\nprintf 'a library of zig' > \"$last\"\n", encoding="utf-8")
     compiler.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
     files = ship(load_preset("thesis"), tmp_path / target, target)
     assert {path.name for path in files} >= {"Ear.cs", "TalkingFace.cs", "libear.so", "ear.dll", "libear.dylib"}
     assert sum(path.read_bytes().startswith(b"EAR\x1a") for path in files) == 1
+    licence = "LICENSE.md" if target == "unity" else "LICENSE"
+    assert (tmp_path / target / licence).read_bytes() == (ROOT / "LICENSE").read_bytes()
     readme = (tmp_path / target / "README.md").read_text(encoding="utf-8")
     named = [path for path in files if path.suffix == ".cs" or path.name.startswith("preset")]
     assert len(named) >= 5
     assert all(path.name in readme for path in named)
+
+
+SOURCES_OF_TARGETS = ("c", "csharp", "godot", "unity", "web", "web_demo")
+SIGNED = {".c", ".h", ".cs", ".js", ".ts", ".css", ".html", ""}
+"""Endings of files that can say their licence; a Makefile has none."""
+
+
+@pytest.mark.parametrize("source", SOURCES_OF_TARGETS)
+def test_every_source_that_is_shipped_says_its_licence(source: str) -> None:
+    files = [path for path in (Path(targets.__file__).parent / source).rglob("*") if path.is_file()]
+    said = {path.name: "SPDX-License-Identifier: MIT" in path.read_text("utf-8") for path in files}
+    assert [path.name for path in files if path.suffix in SIGNED and not said[path.name]] == []
+    assert any(said.values())
+
+
+def test_every_target_has_sources_that_are_looked_through() -> None:
+    assert {source for target in targets.TARGETS.values() for source in target.sources} == {*SOURCES_OF_TARGETS}
+
+
+def test_a_shipped_folder_holds_the_licence_whole(built: Path) -> None:
+    assert (built / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()

@@ -42,11 +42,13 @@ def test_rules_hear_the_same_as_well(tmp_path: Path) -> None:
 
 def test_in_the_thread_of_the_sound_it_hears_the_same_and_allocates_nothing(folder: Path) -> None:
     sound = speech()[: 2 * 44_100]
-    numbers, growth = in_node(folder, "listenInWorklet", sound)
+    numbers, words = in_node(folder, "listenInWorklet", sound)
+    growth, goes_on = words.splitlines()
     frames, whole = frames_of(numbers), frames_of(in_node(folder, "hear", sound)[0])
     assert len(frames) > 190
     assert (frames == whole[: len(frames)]).all()
     assert float(growth) < 6  # bytes for each block of 128 samples; the least object has 16
+    assert goes_on == "true false false"  # while nothing is connected, and after it was closed
 
 
 def test_a_microphone_of_48_khz_is_heard(folder: Path) -> None:
@@ -87,7 +89,16 @@ def test_what_cannot_be_opened_is_refused_in_a_sentence(folder: Path) -> None:
     refused = in_node(folder, "refuse", silence(0.0))[1].splitlines()
     for line, words in zip(
         refused,
-        ("is damaged or cut off", "are no .ear file", "must lie in 1000..768000 Hz", "choose one of"),
+        (
+            "is damaged or cut off",
+            "are no .ear file",
+            "must lie in 1000..768000 Hz",
+            "choose one of",
+            "must lie in 1000..768000 Hz",
+            "at most 4096 samples at once, got 4097; push takes any number",
+            *["this ear was closed; open another one"] * 4,
+            *["this mouth was closed; open another one"] * 2,
+        ),
         strict=True,
     ):
         assert line.startswith("EarError: ")

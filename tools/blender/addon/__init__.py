@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Lip sync for faces with shape keys: movestates, curves, cues, mouth tables and sounds of PhonemeAnalyser.
 
 What knows Blender is imported once Blender asks for it, so that the other modules can be tested without it.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Actions: the curves by which Blender moves a value from frame to frame."""
 
 from typing import Any

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A face that moves by curves: an action for its shape keys, and one for its head."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Axes: in files y points upwards and z to the viewer; in Blender z points upwards and the viewer is at -y.
 
 Importers of glTF turn the vertices of a mesh. That of OBJ leaves them, and turns the object instead.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Import of movement: curves JSON and Live Link CSV, as curves or as strips."""
 
 import bpy

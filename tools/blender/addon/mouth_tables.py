@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Mouth tables as the panel edits them: the movements of each mouth shape, on the shape keys of a face."""
 
 from collections.abc import Iterable, Mapping, Sequence

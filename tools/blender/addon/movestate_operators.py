@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Import and export of movestates: .3dm and .3dma."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Where a person finds all of this: the sidebar of the 3D view, and the menus File > Import and Export."""
 
 from typing import Any

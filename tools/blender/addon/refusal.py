@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Operators that say in one sentence what they refuse, and leave everything as it was."""
 
 from pathlib import Path

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What the add-on adds to Blender."""
 
 import bpy

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Movestates as shape keys of a mesh, and back."""
 
 from contextlib import suppress

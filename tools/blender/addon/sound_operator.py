@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Speaking a sound: `phonemeanalyser export` tells how the face moves with it."""
 
 import shutil

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """A face that moves by cues: a pose of each mouth shape as an action, and strips that show them one after the other.
 
 Two tracks take turns. A strip lasts until the next one, on the other track, is wholly there; the upper track's strips

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """Mouth tables: made for a face, loaded, edited and saved."""
 
 import bpy

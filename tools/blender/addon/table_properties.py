@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """What a mesh keeps of its mouth table, in the file of Blender."""
 
 import bpy

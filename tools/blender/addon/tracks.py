@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 """How a face moves with a sound, out of a file: curves JSON, or the CSV of Live Link Face."""
 
 from collections.abc import Mapping

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * ear: hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them.
  *

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 // Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: the functions of ear.h.
 //
 // A model may be listened with by any number of ears, each on a thread of its own. An ear, and a mouth, belongs to one

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /** What a frame's viseme is where nobody knows it. */
 export const NO_VISEME = 255;
 
@@ -30,9 +31,9 @@ export function loadModel(wasm: string | URL, preset: string | URL): Promise<Ear
 
 /** A preset, with the memory of all that listens with it. */
 export class EarModel {
-  /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file; `code`: the bytes of ear.wasm, for earNode. */
-  constructor(module: WebAssembly.Module, preset: Uint8Array, code?: Uint8Array | null);
-  readonly code: Uint8Array | null;
+  /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file. */
+  constructor(module: WebAssembly.Module, preset: Uint8Array);
+  readonly module: WebAssembly.Module;
   readonly preset: Uint8Array;
   readonly name: string;
   /** For how long it waits before it says what a frame is, seconds. */
@@ -43,6 +44,8 @@ export class EarModel {
   readonly tables: readonly string[];
   /** Open an ear that listens to one sound of a sample rate, 1000..768000 Hz. */
   ear(rate: number): Ear;
+  /** What a worklet of your own needs to listen at a sample rate; see ear-worklet.js. */
+  forWorklet(rate: number): WorkletOptions;
   /** Open a mouth that moves by a table; equal seeds make equal mouths. */
   mouth(table: string, seed?: number): Mouth;
   /** The blend shapes that a table moves. */
@@ -51,14 +54,27 @@ export class EarModel {
   shapeOf(table: string, heard: Pick<Frame, "phoneme" | "viseme">): string;
 }
 
-/** Listens to one sound; made by EarModel.ear. */
+/** The module, and a memory in which an ear is open: `ear` and what follows are places in it, `room` is in frames. */
+export interface WorkletOptions {
+  readonly module: WebAssembly.Module;
+  readonly memory: ArrayBuffer;
+  readonly frameBytes: number;
+  readonly ear: number;
+  readonly samples: number;
+  readonly mostSamples: number;
+  readonly frames: number;
+  readonly room: number;
+  readonly count: number;
+}
+
+/** Listens to one sound; made by EarModel.ear. Once it is closed, it throws an EarError. */
 export class Ear {
   private constructor();
   /** From the middle of a frame to when it is known, on the average, seconds. */
   readonly latency: number;
   /** The bytes of the frames that `take` found, for readFrame. */
   readonly slots: readonly Uint8Array[];
-  /** Take samples, at most 4096, and return how many frames became known. Allocates nothing. */
+  /** Take samples, at most 4096 (more throw an EarError), and return how many frames became known. Allocates nothing. */
   take(samples: Float32Array): number;
   /** Take samples, as many as you like, and return the frames that became known. */
   push(samples: Float32Array): Frame[];
@@ -70,7 +86,7 @@ export class Ear {
   close(): void;
 }
 
-/** Moves smoothly from shape to shape; made by EarModel.mouth. */
+/** Moves smoothly from shape to shape; made by EarModel.mouth. Once it is closed, it throws an EarError. */
 export class Mouth {
   private constructor();
   readonly movestates: readonly string[];
@@ -82,16 +98,23 @@ export class Mouth {
   close(): void;
 }
 
+/** Listens in the thread of the sound; made by earNode. */
+export interface EarNode extends AudioWorkletNode {
+  /** Stop listening, and let go of the node and its memory. */
+  close(): void;
+}
+
 /**
  * Make a node that listens in the thread of the sound. Connect a source to it; it is silent itself.
- * `hear` is called with each frame, in the thread of the page. `worklet`: where ear-worklet.js is, if not beside ear.js.
+ * `hear` is called with each frame, in the thread of the page. `worklet`: the address of ear-worklet.js, for pages whose
+ * security policy forbids scripts from blob: addresses.
  */
 export function earNode(
-  context: AudioContext,
+  context: BaseAudioContext,
   model: EarModel,
   hear: (frame: Frame) => void,
   worklet?: string | URL,
-): Promise<AudioWorkletNode>;
+): Promise<EarNode>;
 
 /** Ask for a microphone as it is, without what browsers do to a voice in calls. */
 export function openMicrophone(): Promise<MediaStream>;

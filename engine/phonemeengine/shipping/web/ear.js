@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /*
  * Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: ear.wasm, with a preset.
  *
@@ -12,6 +13,7 @@ const MOST_SAMPLES = 4096; // that are handed to the module at once
 const LAST_FRAMES = 32; // that a sound's end gives at most
 const PHONEMES = 11;
 const VISEMES = 15;
+const WORKLET = ""; // the text of ear-worklet.js: `phonemeanalyser ship` puts it in, so that bundles need no other file
 
 /** What a frame's viseme is where nobody knows it. */
 export const NO_VISEME = 255;
@@ -39,7 +41,7 @@ export function readFrame(bytes) {
 /** Fetch the module and a preset, and open them. */
 export async function loadModel(wasm, preset) {
   const [code, content] = await Promise.all([fetchBytes(wasm), fetchBytes(preset)]);
-  return new EarModel(await WebAssembly.compile(code), content, code);
+  return new EarModel(await WebAssembly.compile(code), content);
 }
 
 async function fetchBytes(place) {
@@ -53,11 +55,11 @@ export class EarModel {
   #c;
   #model;
 
-  /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file; `code`: the bytes of ear.wasm, for earNode. */
-  constructor(module, preset, code = null) {
+  /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file. */
+  constructor(module, preset) {
     this.#c = new WebAssembly.Instance(module, {}).exports;
     this.#c._initialize();
-    this.code = code;
+    this.module = module;
     this.preset = preset;
     const bytes = this.#allocate(preset.length);
     new Uint8Array(this.#c.memory.buffer).set(preset, bytes);
@@ -75,14 +77,27 @@ export class EarModel {
 
   /** Open an ear that listens to one sound of a sample rate. */
   ear(rate) {
-    const ear = this.#made((place) => this.#c.ear_open(this.#model, rate, 0, 0, place));
+    const { ear, room, ...buffers } = this.#opened(rate);
+    return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code));
+  }
+
+  /** What a worklet needs to listen at a sample rate without opening anything: a memory in which an ear is open. */
+  forWorklet(rate) {
+    const fresh = new EarModel(this.module, this.preset); // alone in its memory
+    const opened = fresh.#opened(rate);
+    const memory = fresh.#c.memory.buffer.slice(0);
+    return { module: this.module, memory, mostSamples: MOST_SAMPLES, frameBytes: FRAME_BYTES, ...opened };
+  }
+
+  #opened(rate) {
     const room = Math.max(Math.floor((MOST_SAMPLES * 100) / rate) + 2, LAST_FRAMES);
-    const buffers = {
+    return {
+      ear: this.#made((place) => this.#c.ear_open(this.#model, rate, 0, 0, place)),
       samples: this.#allocate(4 * MOST_SAMPLES),
       frames: this.#allocate(FRAME_BYTES * room),
+      room,
       count: this.#allocate(4),
     };
-    return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code));
   }
 
   /** Open a mouth that moves by a table. */
@@ -170,6 +185,10 @@ export class Ear {
 
   /** Take samples, at most 4096, and return how many frames became known; their bytes lie in `slots`. Allocates nothing. */
   take(samples) {
+    if (samples.length > MOST_SAMPLES) {
+      throw new EarError(`take hears at most ${MOST_SAMPLES} samples at once, got ${samples.length}; push takes any number`);
+    }
+    checkOpen(this.#ear, "ear");
     if (this.#memory !== this.#c.memory.buffer) this.#look();
     this.#samples.set(samples);
     const { samples: from, frames, count } = this.#buffers;
@@ -180,6 +199,7 @@ export class Ear {
 
   /** Take samples, as many as you like, and return the frames that became known. */
   push(samples) {
+    checkOpen(this.#ear, "ear");
     const found = [];
     for (let at = 0; at < samples.length; at += MOST_SAMPLES) {
       const n = this.take(samples.subarray(at, at + MOST_SAMPLES));
@@ -190,6 +210,7 @@ export class Ear {
 
   /** The sound is over: return its last frames. Then the ear is as new. */
   finish() {
+    checkOpen(this.#ear, "ear");
     if (this.#memory !== this.#c.memory.buffer) this.#look();
     this.#check(this.#c.ear_finish(this.#ear, this.#buffers.frames, this.#room, this.#buffers.count));
     return this.slots.slice(0, this.#count[0]).map(readFrame);
@@ -197,13 +218,16 @@ export class Ear {
 
   /** Forget the sound, and begin another one. */
   reset() {
+    checkOpen(this.#ear, "ear");
     this.#c.ear_reset(this.#ear);
   }
 
   /** Give its memory back; it is of no use any more. */
   close() {
+    if (!this.#ear) return;
     this.#c.ear_close(this.#ear);
     Object.values(this.#buffers).forEach((place) => this.#c.free(place));
+    this.#ear = 0;
   }
 
   /** Look at the module's memory anew, which moves when it grows. */
@@ -232,39 +256,57 @@ export class Mouth {
 
   /** Take what is heard from a time on, seconds of a clock of yours, which never goes back. */
   hear(time, { phoneme, viseme, intensity }) {
+    checkOpen(this.#mouth, "mouth");
     this.#c.ear_mouth_hear(this.#mouth, time, phoneme, viseme, intensity);
   }
 
   /** The weights of its movestates at a time, 0..1; times never go back. */
   weights(time) {
+    checkOpen(this.#mouth, "mouth");
     this.#c.ear_mouth_weights(this.#mouth, time, this.#weights);
     return new Float32Array(this.#c.memory.buffer, this.#weights, this.movestates.length).slice();
   }
 
   /** Give its memory back; it is of no use any more. */
   close() {
+    if (!this.#mouth) return;
     this.#c.ear_mouth_close(this.#mouth);
     this.#c.free(this.#weights);
+    this.#mouth = 0;
   }
 }
 
+/* What was closed lies in memory that others have by now. */
+function checkOpen(handle, name) {
+  if (!handle) throw new EarError(`this ${name} was closed; open another one`);
+}
+
+let workletPlace; // one for all nodes: a browser runs each address once
+
 /**
  * Make a node that listens in the thread of the sound. Connect a source to it; it is silent itself.
- * `hear` is called with each frame, in the thread of the page.
+ * `hear` is called with each frame, in the thread of the page. `close()` ends the node. `worklet`: the address of
+ * ear-worklet.js, for pages whose security policy forbids scripts from blob: addresses.
  */
-export async function earNode(context, model, hear, worklet = new URL("./ear-worklet.js", import.meta.url)) {
+export async function earNode(context, model, hear, worklet) {
   if (!context.audioWorklet) {
     throw new EarError("this page may not listen; open it by https or from localhost, in a current browser");
   }
-  model.ear(context.sampleRate).close(); // refuses a rate that no ear can have, here and not in the other thread
-  await context.audioWorklet.addModule(worklet);
+  const processorOptions = model.forWorklet(context.sampleRate); // refuses a rate that no ear can have
+  workletPlace ??= URL.createObjectURL(new Blob([WORKLET], { type: "text/javascript" }));
+  await context.audioWorklet.addModule(worklet ?? workletPlace);
   const node = new AudioWorkletNode(context, "phoneme-ear", {
     channelCount: 1,
     channelCountMode: "explicit",
-    processorOptions: { code: model.code, preset: model.preset },
+    processorOptions,
   });
   node.port.onmessage = ({ data }) => hear(readFrame(data));
   node.connect(context.destination); // what leads nowhere is not asked to listen
+  node.close = () => {
+    node.port.postMessage("close");
+    node.port.onmessage = null;
+    node.disconnect();
+  };
   return node;
 }
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* Joins the page: a microphone or a file is heard by the ear, and shown as phonemes, as a spectrum, and by the head. */
 import { NO_VISEME, earNode, loadModel, openMicrophone } from "../ear.js";
 import { Head } from "./head.js";

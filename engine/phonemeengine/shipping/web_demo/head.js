@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* A head in a GLB file, whose morph targets say what is heard. */
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 /* The spectrum of the last seconds, a column for each frame of 10 ms, with a band of phonemes beneath. */
 
 const BAND = 26; // pixels of the phonemes

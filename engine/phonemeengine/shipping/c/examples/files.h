@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads files for the examples, or ends the program with a sentence. */
 #ifndef FILES_H
 #define FILES_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /*
  * Moves a mouth by what a microphone hears. The sound comes on the standard input as 32-bit floats at 44.1 kHz:
  *

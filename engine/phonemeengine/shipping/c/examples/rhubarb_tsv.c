@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Prints the mouth shapes of a WAV file as Rhubarb Lip Sync does: rhubarb_tsv preset.ear speech.wav > speech.tsv */
 #include "../ear.h"
 #include "wav.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Reads WAV files of 16 bits for the examples. */
 #ifndef WAV_H
 #define WAV_H
