@@ -24,10 +24,9 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import scores_in
+from phonemeengine.recognition.scores import scores_in, separations_of
 from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
 from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
@@ -57,8 +56,9 @@ class Analysis:
     phonemes : uint8, shape (n_frames,): the same after the statistics.
     visemes : uint8, shape (n_frames,): codes of `Viseme` that go with the phonemes, or `NO_VISEME`.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
+    confidences : float32, shape (n_frames,): how sure the phonemes are: the share of such answers that are
+        right, 0..1; NaN where that is not known, see `sure_of`.
     settings : with which all of this was found.
-    curve : how scores become confidences.
     """
 
     start: int
@@ -67,8 +67,8 @@ class Analysis:
     phonemes: UInt8Array
     visemes: UInt8Array
     intensities: Float32Array
+    confidences: Float32Array
     settings: AnalysisSettings
-    curve: ConfidenceCurve = UNFITTED
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -99,18 +99,6 @@ class Analysis:
         return self.frames.features
 
     @property
-    def confidences(self) -> Float32Array:
-        """How sure the phonemes are, float32, shape (n_frames,): the share of such answers that are right, 0..1.
-
-        NaN where nobody knows: the recogniser has no scores, and the preset was not measured.
-        """
-        scores = scores_in(self.features)
-        if scores is None:
-            known = 1.0 if self.curve != UNFITTED else np.nan
-            return self.curve.of(np.full(len(self), known, np.float32))
-        return self.curve.of(scores[np.arange(len(self)), self.phonemes])
-
-    @property
     def times(self) -> Float64Array:
         """Middle of each frame in seconds, shape (n_frames,)."""
         return (self.start + np.arange(len(self), dtype=float) + 0.5) * FRAME_PERIOD
@@ -126,6 +114,7 @@ class Analysis:
             phonemes=self.phonemes[first:last],
             visemes=self.visemes[first:last],
             intensities=self.intensities[first:last],
+            confidences=self.confidences[first:last],
         )
 
 
@@ -252,16 +241,18 @@ class Analyser:
         levels = measured.features["volume"]
         if recognition.scores is not None:
             measured = measured.with_columns(self._recogniser.scores, recognition.scores)
+        has_deficits = spec_of(self._preset.recogniser).has_deficits
+        wavers = settings.statistics and self._statistics.has_change(recognised)
+        by_rules = self._preset.is_measured and recognition.scores is None and has_deficits
+        deficits = self._recogniser.deficits(measured.features) if wavers or by_rules else None
         if settings.statistics:
-            wavers = self._statistics.has_change(recognised)
-            deficits = self._recogniser.deficits(measured.features) if wavers else None
-            phonemes = self._statistics.smooth(recognised, deficits)
+            phonemes = self._statistics.smooth(recognised, deficits if wavers else None)
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
         visemes = self._visemes.follow(phonemes, recognition.visemes)
-        curve = self._preset.curve
-        return Analysis(start, measured, recognised, phonemes, visemes, intensities, settings, curve)
+        sure = sure_of(self._preset, phonemes, scores_in(measured.features), deficits if by_rules else None)
+        return Analysis(start, measured, recognised, phonemes, visemes, intensities, sure, settings)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
         if self._leaves_features_out(preset):
@@ -285,6 +276,26 @@ class Analyser:
         """Have the new one asked, with the next frames, about those of which the old one has not said anything."""
         self._recogniser = recogniser
         self._unasked = True
+
+
+def sure_of(
+    preset: Preset, phonemes: UInt8Array, scores: Float32Array | None, deficits: Float32Array | None
+) -> Float32Array:
+    """Return how sure phonemes are, float32, shape (n_frames,): the share of such answers that are right, 0..1.
+
+    Parameters
+    ----------
+    preset : whose curve turns scores into shares; rules say how far they are from naming another phoneme.
+    phonemes : what is named, shape (n_frames,).
+    scores : of a recogniser that has them, shape (n_frames, n_phonemes).
+    deficits : of one by rules, shape (n_frames, n_phonemes). With neither, or where rules were not measured on
+        labelled speech, all is NaN.
+    """
+    if scores is not None:
+        return preset.curve.of(scores[np.arange(len(phonemes)), phonemes])
+    if deficits is not None and preset.is_measured:
+        return preset.curve.of(separations_of(deficits, phonemes))
+    return np.full(len(phonemes), np.nan, np.float32)
 
 
 def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analysis]:
@@ -319,15 +330,15 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         phonemes=np.concatenate([a.phonemes for a in analyses]),
         visemes=np.concatenate([a.visemes for a in analyses]),
         intensities=np.concatenate([a.intensities for a in analyses]),
+        confidences=np.concatenate([a.confidences for a in analyses]),
         settings=analyses[-1].settings,
-        curve=analyses[-1].curve,
     )
 
 
 class Reading(NamedTuple):
     """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1, or None.
 
-    None says that nobody knows: the recogniser has no scores, and the preset's confidence was not measured.
+    None says that this is not known: the recogniser has no scores, or is one by rules that was not measured.
     """
 
     phoneme: Phoneme = Phoneme.SILENCE

@@ -2,12 +2,13 @@
 
 import numpy as np
 
+from phonemeengine.analyser import BLOCK, sure_of
 from phonemeengine.calibration.workbench.measuring import front_end_key, names_of, recogniser_key, rules_in
 from phonemeengine.calibration.workbench.retuner import Retuner
+from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.confidence import UNFITTED
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.visemes import usual_visemes
@@ -46,13 +47,18 @@ class RetunedSound:
         levels = tracks.columns[tracks.names.index("volume")]
         tracks.intensities[:] = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         tracks.intensities[codes == 0] = 0
-        if rules_in(preset) is None and scores is not None:
+        rules = rules_in(preset)
+        if rules is None and scores is not None:
             first = tracks.names.index(SCORES[0])
             tracks.columns[first : first + len(SCORES)] = scores
-            tracks.confidences[:] = for_files(preset).curve.of(scores[codes, np.arange(len(codes))])
+            tracks.confidences[:] = sure_of(for_files(preset), codes, scores.T, None)
         else:
-            known = 1.0 if preset.curve != UNFITTED else np.nan
-            tracks.confidences[:] = preset.curve.of(np.full(len(codes), known, np.float32))
+            tracks.confidences[:] = np.nan
+        if rules is not None and preset.is_measured:
+            for first in range(0, len(codes), BLOCK):
+                part = slice(first, first + BLOCK)
+                deficits = rules.deficits(Features(tracks.names, tracks.columns[:, part].T))
+                tracks.confidences[part] = sure_of(preset, codes[part], None, deficits)
         tracks.states[:] = FrameState.KNOWN
         tracks.revision += 1
         return True

@@ -10,6 +10,7 @@ from tqdm import tqdm
 from phonemeengine import EngineError, load_preset, save_preset
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import confidence_of, predict
+from phonemeengine.recognition.confidence import UNFITTED
 
 
 def main() -> int:
@@ -26,7 +27,7 @@ def main() -> int:
         for path in args.presets:
             preset = load_preset(path)
             others = {ear: curve for ear, curve in preset.confidences.items() if ear is not preset.ear}
-            bare = replace(preset, confidences=others)
+            bare = replace(preset, confidences={**others, preset.ear: UNFITTED})
             curve = confidence_of([predict(u, bare) for u in tqdm(utterances, desc=path.name, unit="recording")])
             save_preset(replace(preset, confidences={**others, preset.ear: curve}), path)
             print(f"{path}: {', '.join(f'{share:.2f}' for share in curve.shares)}")

@@ -43,7 +43,7 @@ class Preset:
     sensitivities : by phoneme, log-odds in nats that recognisers by scores add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
     confidences : by ear, how the scores of what is named become confidences; those without one take a score for what
-        it is.
+        it is, and rules say nothing.
     notes : free text.
     warnings : what of it could not be had, and what serves instead, a sentence each; two presets that differ in
         nothing else are equal.
@@ -94,6 +94,11 @@ class Preset:
     def curve(self) -> ConfidenceCurve:
         """How scores become confidences with the ear in use."""
         return self.confidences.get(self.ear, UNFITTED)
+
+    @property
+    def is_measured(self) -> bool:
+        """Whether its confidence was measured on labelled speech, with the ear in use."""
+        return self.ear in self.confidences
 
     @property
     def phoneme_data(self) -> PhonemeData:

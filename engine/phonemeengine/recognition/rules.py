@@ -144,14 +144,15 @@ class RuleRecogniser:
         is named falls short by 0. Returns float32, shape (n_frames, n_phonemes).
         """
         margins = (self._compared(features) - self._limits) / np.maximum(np.abs(self._limits), 1e-9)
-        always = np.full((len(margins), 1), np.inf, np.float32)
-        strengths = np.concatenate((margins, always), axis=1)[:, self._condition_columns].min(axis=2)
-        in_the_way = np.maximum.accumulate(strengths, axis=1)[:, :-1]
+        of_conditions = np.full((len(self._conditions) + 1, len(margins)), np.inf, np.float32)
+        of_conditions[:-1] = margins.T  # frames last: whole rows are compared, which is far quicker
+        strengths = of_conditions[self._condition_columns].min(axis=1)
+        in_the_way = np.maximum.accumulate(strengths, axis=0)[:-1]
         costs = np.maximum(-strengths, 0)
-        costs[:, 1:] = np.maximum(costs[:, 1:], in_the_way)
-        least = np.full((len(margins), len(Phoneme)), np.inf, np.float32)
-        least[:, self._named] = np.minimum.reduceat(costs[:, self._by_phoneme], self._firsts, axis=1)
-        return least
+        costs[1:] = np.maximum(costs[1:], in_the_way)
+        least = np.full((len(Phoneme), len(margins)), np.inf, np.float32)
+        least[self._named] = np.minimum.reduceat(costs[self._by_phoneme], self._firsts, axis=0)
+        return least.T
 
     def explain(self, features: Features, k: int) -> Trace:
         """Return why frame `k` of a block is recognised as it is: all comparisons down to the rule that fired.

@@ -9,7 +9,7 @@ from types import MappingProxyType
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
@@ -98,6 +98,27 @@ def deficits_of_scores(features: Features) -> Float32Array | None:
         return None
     deficits: Float32Array = scores.max(axis=1, keepdims=True) - scores
     return deficits
+
+
+def separations_of(deficits: Float32Array, phonemes: UInt8Array) -> Float32Array:
+    """Return how far phonemes are from giving way to another one, 0..1, shape (n_frames,).
+
+    It is d / (1 + |d|), where d is by how much the nearest other phoneme falls short of being named, less by how much
+    the phoneme itself does; 0.5 stands for d = 0, and less for a phoneme that is held though another is named.
+
+    Parameters
+    ----------
+    deficits : by how much each phoneme falls short, 0 or more, shape (n_frames, n_phonemes); infinite of those that
+        are never named.
+    phonemes : of the frames, codes, shape (n_frames,).
+    """
+    places = np.arange(len(phonemes))
+    others = deficits.copy()
+    others[places, phonemes] = np.inf
+    with np.errstate(invalid="ignore"):
+        apart = others.min(axis=1) - deficits[places, phonemes]
+        ratios = apart / (1 + np.abs(apart))
+    return np.asarray(0.5 + 0.5 * np.where(np.isinf(apart), np.sign(apart), ratios), np.float32)
 
 
 def trace_of_scores(features: Features, k: int) -> Trace:

@@ -23,7 +23,6 @@ from phonemeengine.features.variables import (
 from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.confidence import UNFITTED
 from phonemeengine.recognition.intensity import line_of
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
@@ -83,7 +82,7 @@ def _live_model(model: Model) -> Model:
 def _preset(preset: Preset, spec: RecogniserSpec, kind: int, look_ahead: int) -> Section:
     section, settings = SectionWriter(), preset.settings
     weighs = Tuning.SENSITIVITIES in spec.tuned_by
-    curve = preset.curve if weighs or preset.curve != UNFITTED else None
+    curve = preset.curve if weighs or preset.is_measured else None
     section.text(preset.name)
     section.whole(kind, look_ahead, settings.statistics, frames_held(settings.minimum_hold))
     section.floats(settings.hysteresis if spec.has_deficits else 0.0)

@@ -182,6 +182,7 @@ def test_where_no_encoder_is_installed_nobody_hears_of_it_unless_he_asks(monkeyp
     assert told.startswith("the speech encoder is not installed; pip install")
 
 
+@pytest.mark.usefixtures("home")
 def test_where_there_is_no_model_of_it_nobody_hears_of_that_unless_he_asks():
     assert (for_files(BOTH).ear, for_files(BOTH).warnings) == (Ear.TWIN, ())
     (told,) = for_files(BOTH, Ear.WHISPER).warnings

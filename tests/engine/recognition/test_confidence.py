@@ -10,15 +10,17 @@ from hypothesis import strategies as st
 
 from phonemeengine.analyser import Analyser, latest_reading
 from phonemeengine.calibration.scores.corpus import read_corpus
-from phonemeengine.calibration.scores.evaluation import score
+from phonemeengine.calibration.scores.evaluation import confidence_of, predict, score
 from phonemeengine.errors import PresetError
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.recognition.confidence import (
+    UNFITTED,
     ConfidenceCurve,
     calibration_errors,
     fit_confidence,
 )
-from phonemeengine.settings import Ear
+from phonemeengine.recognition.scores import separations_of
+from phonemeengine.settings import SAMPLE_RATE, Ear
 from tests.conftest import CORPUS
 from tests.corpora import speech
 
@@ -84,13 +86,38 @@ def test_every_frame_has_a_confidence_and_a_poll_gives_the_last_one(name: str):
     np.testing.assert_allclose(Analyser(sure).push(speech()).confidences, 2 * analysis.confidences, atol=1e-6)
 
 
-def test_rules_are_as_sure_as_they_were_measured_and_say_so_where_they_were_not():
+def test_rules_are_surer_the_farther_a_frame_is_from_all_limits_and_silent_where_they_were_not_measured():
     thesis = load_preset("thesis")
     analysis = Analyser(thesis).push(speech())
-    assert analysis.confidences == pytest.approx(np.full(len(analysis), thesis.confidences[Ear.LIVE].shares[0]))
+    assert analysis.confidences.std() > 0.1
+    assert latest_reading(analysis).confidence == pytest.approx(analysis.confidences[-1])
+    digital_silence = Analyser(thesis).push(np.zeros(SAMPLE_RATE, np.float32))
+    assert (digital_silence.confidences > np.median(analysis.confidences) + 0.2).all()
     unmeasured = Analyser(replace(thesis, confidences={})).push(speech())
     assert np.isnan(unmeasured.confidences).all()
     assert latest_reading(unmeasured).confidence is None
+
+
+def test_a_phoneme_is_the_farther_from_giving_way_the_more_the_nearest_other_one_lacks():
+    deficits = np.array([[0, 1, 3], [2, 0, 0.25], [0, np.inf, np.inf], [np.inf, 0, 1]], np.float32)
+    assert separations_of(deficits, np.array([0, 1, 0, 0], np.uint8)).tolist() == pytest.approx([0.75, 0.6, 1, 0])
+    assert separations_of(deficits[:2], np.array([1, 0], np.uint8)).tolist() == pytest.approx([0.25, 1 / 6])
+
+
+@pytest.mark.parametrize("name", ["thesis", "extended"])
+def test_a_curve_of_rules_holds_for_speakers_whom_it_was_not_fitted_to_and_tells_right_from_wrong(name: str):
+    bare = replace(load_preset(name), confidences={Ear.LIVE: UNFITTED})
+    predictions = [predict(utterance, bare) for utterance in read_corpus(CORPUS)]
+    sure, right = [], []
+    for speaker in {p.utterance.speaker for p in predictions}:
+        heard = [p for p in predictions if p.utterance.speaker == speaker]
+        curve = confidence_of([p for p in predictions if p.utterance.speaker != speaker])
+        sure += [curve.of(p.confidences[p.labels.certain]) for p in heard]
+        right += [p.right[p.labels.certain] for p in heard]
+    shares, hits = np.concatenate(sure), np.concatenate(right)
+    assert calibration_errors(shares, hits)[0] < 0.05
+    high = shares > np.median(shares)
+    assert hits[high].mean() > 1.8 * hits[~high].mean()
 
 
 @pytest.mark.parametrize("name", ["thesis", "thesis-calm", "thesis-anti-aliased", "extended", "templates"])

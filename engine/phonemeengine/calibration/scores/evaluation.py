@@ -289,12 +289,10 @@ def _confidences_in(predictions: Iterable[Predictions]) -> tuple[Float32Array, B
 
 
 def confidence_of(predictions: Iterable[Predictions]) -> ConfidenceCurve:
-    """Fit how sure answers are, where labels are certain; scores are taken for what they are if there are none.
-
-    Of a recogniser without scores it is one share for all answers.
-    """
+    """Fit how sure answers are, where labels are certain; scores are taken for what they are if there are none."""
     sure, right = _confidences_in(predictions)
-    return fit_confidence(np.nan_to_num(sure, nan=1.0), right) if len(sure) else UNFITTED
+    known = ~np.isnan(sure)
+    return fit_confidence(sure[known], right[known]) if known.any() else UNFITTED
 
 
 def kind_of(utterance: LabelledUtterance) -> str:

@@ -1867,12 +1867,14 @@ static uint32_t ask_rules(const ear *of)
     return EAR_UNIDENTIFIED;
 }
 
-/* By how much, as a share of them, limits would have to give way for a phoneme to be named by the rules. */
-static float deficit_by_rules(const ear *of, uint32_t phoneme)
+/* By how much, as a share of them, limits would have to give way for each phoneme to be named by the rules. */
+static void deficits_by_rules(const ear *of, float *deficits)
 {
     const rules *all = &of->model->rules;
-    float in_the_way = -HUGE_VALF, least = HUGE_VALF;
+    float in_the_way = -HUGE_VALF;
     size_t k, c;
+    for (k = 0; k < EAR_PHONEMES; k++)
+        deficits[k] = HUGE_VALF;
     for (k = 0; k < all->n_rules; k++) {
         const rule *here = &all->rules[k];
         float strength = HUGE_VALF, cost;
@@ -1883,11 +1885,25 @@ static float deficit_by_rules(const ear *of, uint32_t phoneme)
         }
         cost = -strength > 0 ? -strength : 0;
         cost = cost > in_the_way ? cost : in_the_way;
-        if (here->phoneme == phoneme && cost < least)
-            least = cost;
+        if (cost < deficits[here->phoneme])
+            deficits[here->phoneme] = cost;
         in_the_way = strength > in_the_way ? strength : in_the_way;
     }
-    return least;
+}
+
+/* How far a phoneme is from giving way to another one, 0..1; 0.5 and below where another one is named. */
+static float separation_by_rules(const ear *of, size_t phoneme)
+{
+    float deficits[EAR_PHONEMES], nearest = HUGE_VALF, apart;
+    size_t k;
+    deficits_by_rules(of, deficits);
+    for (k = 0; k < EAR_PHONEMES; k++)
+        if (k != phoneme && deficits[k] < nearest)
+            nearest = deficits[k];
+    apart = nearest - deficits[phoneme];
+    if (apart == HUGE_VALF || apart == -HUGE_VALF)
+        return apart > 0 ? 1 : 0;
+    return 0.5f + 0.5f * apart / (1 + fabsf(apart));
 }
 
 /* ------------------------------------------------------------------------------------------------------------------
@@ -1950,8 +1966,11 @@ static void apply_sensitivities(const ear_model *model, float *scores)
 
 static float deficit_of(const ear *of, uint32_t phoneme, const float *scores)
 {
-    if (of->model->recogniser == BY_RULES)
-        return deficit_by_rules(of, phoneme);
+    float deficits[EAR_PHONEMES];
+    if (of->model->recogniser == BY_RULES) {
+        deficits_by_rules(of, deficits);
+        return deficits[phoneme];
+    }
     return scores[likeliest(scores, EAR_PHONEMES)] - scores[phoneme];
 }
 
@@ -2043,7 +2062,10 @@ static int hear_window(ear *of, const float *window, ear_frame *frame)
     frame->number = of->next++;
     frame->phoneme = (int32_t)calmed(of, raw, frame->scores);
     frame->viseme = followed_viseme(of, frame->phoneme, visemes);
-    frame->confidence = confidence_of(model, model->recogniser == BY_RULES ? 1 : frame->scores[frame->phoneme]);
+    if (model->recogniser != BY_RULES)
+        frame->confidence = confidence_of(model, frame->scores[frame->phoneme]);
+    else
+        frame->confidence = model->n_points ? confidence_of(model, separation_by_rules(of, (size_t)frame->phoneme)) : NAN;
     frame->intensity = intensity_of(model, of->levels[of->level_at], frame->phoneme);
     return 1;
 }
