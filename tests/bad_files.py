@@ -142,12 +142,7 @@ HOSTILE: dict[str, Writer] = {
 """RIFF files made to keep a reader busy for ever."""
 
 LYING: dict[str, Writer] = {
-    "riff_size_too_small": _bytes("too_small.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=100)),
     "rifx_size_lies": _bytes("rifx.wav", riff(chunk(b"fmt ", FMT, 1 << 20, ">"), magic=b"RIFX")),
-    "streamed_zero": _bytes("streamed_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=36)),
-    "streamed_all_zero": _bytes(
-        "streamed_all_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=0)
-    ),
     "no_data_chunk": _bytes("no_data_chunk.wav", riff(chunk(b"fmt ", FMT))),
     "only_a_magic": _bytes("only_a_magic.wav", b"RIFF"),
     "header_cut_off": _bytes("header_cut_off.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES))[:30]),
@@ -160,6 +155,27 @@ LYING: dict[str, Writer] = {
     "truncated_opus": _cut_opus,
 }
 """Files whose header claims more than there is, or nothing."""
+
+NEVER_FINISHED: dict[str, Writer] = {
+    "riff_size_too_small": _bytes("too_small.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=100)),
+    "riff_size_zero": _bytes("zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=0)),
+    "riff_size_of_the_header": _bytes("header.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), size=36)),
+    "streamed_zero": _bytes("streamed_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=36)),
+    "streamed_all_zero": _bytes(
+        "streamed_all_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=0)
+    ),
+    "data_size_zero": _bytes("data_zero.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0), size=HUGE)),
+    "streamed_largest": _bytes(
+        "largest.wav", riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES, 0x7FFF_F000), size=0x7FFF_F024)
+    ),
+    "rifx_zero": _patched("rifx_zero.wav", lambda content: slice(40, 44), bytes(4), endian="BIG"),
+    "rf64_zero": _patched("rf64_zero.rf64", _after(b"ds64\x1c\0\0\0", 16), bytes(16), format="RF64"),
+    "aiff_zero": _patched("aiff_zero.aiff", _after(b"SSND", 4), bytes(4)),
+    "aiff_form_zero": _patched("aiff_form_zero.aiff", _after(b"FORM", 4), bytes(4)),
+    "w64_zero": _patched("w64_zero.w64", lambda content: slice(16, 24), bytes(8)),
+    "flac_of_unknown_length": _patched("unknown_length.flac", lambda content: slice(21, 26), b"\xf0\0\0\0\0"),
+}
+"""Files whose sizes were to be written at the end and never were; all of their sound is there."""
 
 WITH_A_NOTE = riff(chunk(b"fmt ", FMT), chunk(b"data", SAMPLES), chunk(b"note", b"x" * 400))
 
@@ -210,7 +226,6 @@ BAD_FILES: dict[str, Writer] = {
     "zero_length": _zero_length,
     "one_hertz": _one_hertz,
     "a_megahertz": _a_megahertz,
-    "flac_of_unknown_length": _patched("unknown_length.flac", lambda content: slice(21, 26), b"\xf0\0\0\0\0"),
     **HOSTILE,
     **LYING,
     **DAMAGED,

@@ -94,7 +94,7 @@ _PAGE = {
     "live.recorder": "Recorder",
     "audio.stream": "devices",
     "audio.devices": "Device InputChoice",
-    "audio.files": "SOUND_SUFFIXES SoundReader",
+    "audio.files": "SOUND_SUFFIXES SoundReader sounds_under",
     "audio.level": "Level",
     "audio.incoming": "Encoding StreamFormat",
     "live.incoming_speech": "HeardPiece IncomingSpeech",

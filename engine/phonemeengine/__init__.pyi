@@ -5,7 +5,7 @@ from phonemeengine.alignment.growing import GrownWords
 from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, push_together, recognise_window
 from phonemeengine.audio.devices import Device, InputChoice
 from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
-from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
@@ -419,6 +419,7 @@ __all__ = [
     "score",
     "sentences_in",
     "ship",
+    "sounds_under",
     "speak",
     "speak_by_program",
     "spoken_text",

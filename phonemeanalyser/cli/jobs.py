@@ -23,7 +23,7 @@ from phonemeengine import (
     for_files,
     load_preset,
 )
-from phonemeengine.audio.files import SUFFIXES
+from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Say, Work
 from phonemeengine.files import printable, printable_name
@@ -184,8 +184,7 @@ def _say_outcome(outcome: Outcome) -> None:
 
 
 def _files_under(path: Path) -> Iterator[tuple[Path, str]]:
-    inside = sorted(path.rglob("*")) if _is_folder(path) else []
-    found = [file for file in inside if file.suffix.lower() in SUFFIXES and file.is_file()]
+    found = sounds_under(path) if _is_folder(path) else []
     if found:
         yield from ((file, str(file.relative_to(path))) for file in found)
     else:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QFileDialog, QGraphicsItem, QGraphicsView, QInputD
 
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
 from phonemeanalyser.desktop.session.session import Session, SoundSource
@@ -103,7 +104,7 @@ class Dialogs(QObject):
         if not self._session.open(path):
             return False
         if self._session.cut_off:
-            self.info.emit(self._session.cut_off)
+            self.info.emit(tr_engine(self._session.cut_off))
         here = str(path.resolve())
         recent = [here] + [other for other in self.recent_sounds() if other != here]
         self._settings.setValue("recent", recent[:N_RECENT])

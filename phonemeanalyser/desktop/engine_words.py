@@ -169,7 +169,11 @@ SENTENCES = (
         "Something was heard in the silence ({db} dB, where the room has {room} dB); keep quiet and record it again."
     ),
     tr_noop("{name}: there is no such file; check its name and folder"),
-    tr_noop("{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"),
+    tr_noop("{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A file"),
+    tr_noop("{name}: this kind of file needs the package av, which is not installed; install it with: {command}"),
+    tr_noop("{name}: it is cut off behind its sound, which is whole"),
+    tr_noop("{name}: its header does not say how long it is; {there} s are there"),
+    tr_noop("{name}: it is cut off: of the {announced} s that its header announces, {there} s are there"),
     tr_noop("{name}: this is a folder, not a sound file; choose a file in it"),
     tr_noop("{name}: the file is empty (0 bytes); copy or record it again"),
     tr_noop("{name}: there are no samples in it; record or export it again"),

@@ -32,7 +32,6 @@ from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrd
 from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
-from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.conversion import targets_of
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.animation import HIGHEST_RATE
@@ -105,7 +104,7 @@ class ExportDialog(QDialog):
 
     def add(self, paths: list[Path]) -> None:
         """Add sounds, and those in folders."""
-        self._sounds = list(dict.fromkeys([*self._sounds, *sounds_in(paths, SUFFIXES)]))
+        self._sounds = list(dict.fromkeys([*self._sounds, *sounds_in(paths)]))
         self._show_files()
 
     def order(self) -> ExportOrder:

@@ -41,7 +41,7 @@ from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
-from phonemeengine.audio.files import SUFFIXES
+from phonemeengine.audio.files import is_sound
 from phonemeengine.phonemes import Phoneme
 
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
@@ -471,7 +471,7 @@ class MainWindow(QMainWindow):
         if faces := [path for path in paths if talking.opens(path)]:
             talking.open(faces)  # meshes and movestates as one face
             self.show_page(TALK)
-        if any(path.is_dir() for path in paths) or sum(path.suffix.lower() in SUFFIXES for path in paths) > 1:
+        if any(path.is_dir() for path in paths) or sum(is_sound(path) for path in paths) > 1:
             self.dialogs.show_export(paths)
             return
         for path in paths:

@@ -13,6 +13,7 @@ import numpy as np
 import soundfile
 
 from phonemeanalyser.server.messages import later_words_of, start_of
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.labels.pinyin import timed_syllable
 from phonemeengine.labels.textgrid import format_tiers
@@ -55,6 +56,7 @@ from phonemeengine.text.lexicon import load_lexicon
 from phonemeengine.text.pronunciation import notes_on
 from phonemeengine.text.respelling import respelt
 from phonemeengine.text.script import load_script
+from tests.containers import contained
 from tests.ear_probe import HEADER, EarProbe, with_true_header
 from tests.engine.performance.corpora import PHONES, SYLLABLES
 from tests.engine.performance.faces import animated_face, ramp, recorded_vmc
@@ -160,6 +162,8 @@ def kinds(folder: Path) -> dict[str, Kind]:
         ),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
         "opus as it comes": Kind((_opus(),), _heard),
+        "sound in a container": Kind(_containers(), _through(folder / "a.mp4", _heard_file), head=12),
+        "sound without a count": Kind(_uncounted(), _through(folder / "a.mp3", _heard_file)),
         "message of a stream": Kind((START, LATER), _understood),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
         "ear": Kind((_ear("thesis"), _ear("templates")), EarProbe().read, with_true_header, head=HEADER),
@@ -202,6 +206,30 @@ def _heard(content: bytes) -> object:
     """Hear a stream of Ogg Opus, as it comes."""
     sound = IncomingSound(StreamFormat(Encoding.OPUS))
     return [sum(map(len, sound.pieces(content))), sound.finish()]
+
+
+def _heard_file(path: Path) -> object:
+    """Hear a sound file, its end first."""
+    with SoundReader(path) as reader:
+        reader.seek(reader.n_samples - 1000)
+        n_last = len(reader.read_mono())
+        reader.seek(0)
+        return n_last, sum(map(len, reader.blocks(10_000)))
+
+
+def _containers() -> tuple[bytes, ...]:
+    kinds = (("ipod", "aac"), ("mov", "pcm_s16le"), ("adts", "aac"), ("matroska", "flac"), ("asf", "wmav2"))
+    return tuple(contained(tone(440, 0.5), *kind, pictures=kind[0] == "mov") for kind in kinds)
+
+
+def _uncounted() -> tuple[bytes, ...]:
+    """MP3 and FLAC as programs write them to a pipe."""
+    mp3 = contained(tone(440, 0.5), "mp3", "libmp3lame", options={"write_xing": "0"})
+    file = io.BytesIO()
+    soundfile.write(file, tone(440, 0.5), 44_100, format="FLAC")
+    flac = bytearray(file.getvalue())
+    flac[21:26] = b"\xf0\0\0\0\0"
+    return mp3, bytes(flac)
 
 
 def _understood(content: bytes) -> object:

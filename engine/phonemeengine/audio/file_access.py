@@ -32,18 +32,24 @@ def open_checked(path: Path, name: str) -> BinaryIO:
 
 
 class FileSlice(io.RawIOBase):
-    """The beginning of a file as a file of its own; it has no name whose ending could mislead libsndfile.
+    """A part of a file as a file of its own; it has no name whose ending could mislead libsndfile.
 
     Parameters
     ----------
     file : open for reading.
     end : where the part ends, bytes.
-    corrections : bytes that stand in it instead of the file's, by their places.
+    corrections : bytes that stand in it instead of the file's, by their places in the part.
+    begin : where the part begins, bytes.
+    lead : bytes that are put in front of it.
     """
 
-    def __init__(self, file: BinaryIO, end: int, corrections: Sequence[tuple[int, bytes]] = ()) -> None:
+    def __init__(
+        self, file: BinaryIO, end: int, corrections: Sequence[tuple[int, bytes]] = (), begin: int = 0,
+        lead: bytes = b"",
+    ) -> None:  # fmt: skip
         self._file = file
-        self._end = end
+        self._begin, self._lead = begin, lead
+        self._end = end - begin + len(lead)
         self._corrections = corrections
         self._at = 0
 
@@ -67,9 +73,13 @@ class FileSlice(io.RawIOBase):
 
     def readinto(self, buffer: Any) -> int:
         """Fill a buffer as far as there are bytes, and say how many they were."""
-        view = memoryview(buffer).cast("B")
-        self._file.seek(self._at)
-        n = int(self._file.readinto(view[: max(0, self._end - self._at)]))  # type: ignore[attr-defined]
+        view = memoryview(buffer).cast("B")[: max(0, self._end - self._at)]
+        if not len(view):  # the place may be one that no file has
+            return 0
+        lead = self._lead[self._at : self._at + len(view)]
+        view[: len(lead)] = lead
+        self._file.seek(self._begin + max(0, self._at - len(self._lead)))
+        n = len(lead) + int(self._file.readinto(view[len(lead) :]))  # type: ignore[attr-defined]
         for place, content in self._corrections:
             for k in range(max(place, self._at), min(place + len(content), self._at + n)):
                 view[k - self._at] = content[k - place]

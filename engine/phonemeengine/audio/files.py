@@ -12,8 +12,9 @@ from typing import BinaryIO
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.containers import CONTAINER_SUFFIXES, ContainerDecoder, container_format
 from phonemeengine.audio.file_access import FileSlice, open_checked
-from phonemeengine.audio.headers import ADVICE, Extent, extent_of, mp3_states_its_length
+from phonemeengine.audio.headers import ADVICE, Extent, after_id3, extent_of
 from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
@@ -24,8 +25,9 @@ from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
 SUFFIXES = frozenset(
     {".wav", ".wave", ".bwf", ".rf64", ".w64", ".aif", ".aiff", ".aifc", ".flac", ".ogg", ".oga", ".opus", ".mp3"}
     | {".au", ".snd", ".caf", ".sph", ".nist", ".voc"}
+    | CONTAINER_SUFFIXES
 )
-"""Endings, in small letters, of the files that a walk through a folder takes for sounds."""
+"""Endings, in small letters, of sound files; films count for the sound in them."""
 
 LOWEST_RATE, HIGHEST_RATE = 1_000, 768_000
 """Sample rates that are accepted, Hz."""
@@ -75,7 +77,7 @@ class SoundReader(Closing):
             unless_read.callback(self._raw.close)
             self._extent = _extent(self._raw, self._name)
             self._file = _decoder(self._raw, self._extent, self._name)
-            self._n_frames = _checked_length(self._file, self._raw, self._extent, self._name)
+            self._n_frames = _checked_length(self._file, self._extent, self._name)
             self.n_file_channels = int(self._file.channels)
             self.choose(channel)
             unless_read.pop_all()
@@ -99,7 +101,9 @@ class SoundReader(Closing):
     def notes(self) -> tuple[str, ...]:
         """Remarks for the user, a sentence each; mostly none."""
         cut_off = [self.cut_off] if self.cut_off else []
-        return (*cut_off, *_notes(self.n_file_channels, self.n_samples, self.channel))
+        n_tracks = self._file.n_tracks if isinstance(self._file, ContainerDecoder) else 1
+        tracks = [f"it has {n_tracks} sound tracks, of which the main one is used"] if n_tracks > 1 else []
+        return (*cut_off, *tracks, *_notes(self.n_file_channels, self.n_samples, self.channel))
 
     @property
     def cut_off(self) -> str:
@@ -255,6 +259,17 @@ class SoundReader(Closing):
         return f"{(self._frame + n_frames) / self.file_rate:.3f} s"
 
 
+def is_sound(path: Path) -> bool:
+    """Return whether a file is a sound by its name; what macOS lays beside files (``._x.wav``) is none."""
+    return path.suffix.lower() in SUFFIXES and not path.name.startswith("._") and "__MACOSX" not in path.parts
+
+
+def sounds_under(folder: str | os.PathLike[str]) -> list[Path]:
+    """Return the sound files in a folder, however deep, in order."""
+    place: Path = Path(folder) if isinstance(folder, str) else folder  # type: ignore[assignment]
+    return [path for path in sorted(place.rglob("*")) if is_sound(path) and path.is_file()]
+
+
 def mono_of(block: Float32Array, channel: Channel) -> Float32Array:
     """Reduce a block of shape (m, n_channels) to shape (m,): the mean of all channels, or one of them.
 
@@ -280,16 +295,23 @@ def _extent(raw: BinaryIO, name: str) -> Extent:
     return extent_of(raw, name)
 
 
-def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder:
+def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder | ContainerDecoder:
+    part = FileSlice(raw, extent.end, extent.corrections, extent.begin, extent.lead)
+    raw.seek(after_id3(raw))
+    form = container_format(raw.read(8))
     try:
-        return Decoder(FileSlice(raw, extent.end, extent.corrections))
+        return Decoder(part) if form is None else ContainerDecoder(io.BufferedReader(part), form)
     except (DecodingError, TypeError) as error:
+        reason = "" if form is None else f" ({error})"
         raise AudioError(
-            f"{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file"
+            f"{name}: this is not a sound file that can be read{reason}; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A "
+            "file"
         ) from error
+    except AudioError as error:
+        raise AudioError(f"{name}: {error}") from error
 
 
-def _checked_length(file: Decoder, raw: BinaryIO, extent: Extent, name: str) -> int:
+def _checked_length(file: Decoder | ContainerDecoder, extent: Extent, name: str) -> int:
     """Return the number of frames, after the refusals that concern the file as a whole."""
     rate, n_frames = int(file.samplerate), int(file.frames)
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
@@ -300,21 +322,19 @@ def _checked_length(file: Decoder, raw: BinaryIO, extent: Extent, name: str) -> 
         )
     if n_frames >= 1 << 62:  # what libsndfile gives where the header names none
         raise AudioError(f"{name}: its header does not say how long the sound is; {ADVICE}")
-    is_guess = extent.cut_off or (_is_mp3(file) and not mp3_states_its_length(raw))
-    if n_frames > 0 and is_guess:
+    if n_frames > 0 and (extent.cut_off or extent.is_guess):
         n_frames = _frames_there(file, n_frames)
     if n_frames <= 0:
         raise AudioError(f"{name}: there are no samples in it; record or export it again")
     return n_frames
 
 
-def _frames_there(file: Decoder, most: int) -> int:
+def _frames_there(file: Decoder | ContainerDecoder, most: int) -> int:
     """Count the frames of a file whose length is only guessed, by looking where it ends."""
     here, beyond = -1, most
     probe = most - 1
     while here < beyond - 1:
-        file.seek(probe)
-        if len(file.read(1)):
+        if _has_frame(file, probe):
             here = probe
         else:
             beyond = probe
@@ -322,7 +342,15 @@ def _frames_there(file: Decoder, most: int) -> int:
     return beyond
 
 
-def _is_mp3(file: Decoder) -> bool:
+def _has_frame(file: Decoder | ContainerDecoder, frame: int) -> bool:
+    try:
+        file.seek(frame)
+        return len(file.read(1)) > 0
+    except DecodingError:
+        return False
+
+
+def _is_mp3(file: Decoder | ContainerDecoder) -> bool:
     return str(file.subtype).startswith("MPEG_LAYER")
 
 

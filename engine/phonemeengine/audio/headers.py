@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import BinaryIO
 
+from phonemeengine.audio.counting import FLAC_TOTAL_AT, counted_mp3, flac_total, id3_size
 from phonemeengine.errors import AudioError
 
 MOST_CHUNKS = 10_000
@@ -23,6 +24,9 @@ UNKNOWN_32 = 0xFFFF_FFFF
 
 LARGEST_BELIEVED = 1 << 40
 """Bytes of samples that a header may announce and be believed."""
+
+LARGEST_32 = UNKNOWN_32 - (1 << 16)
+"""The most bytes of samples that are read of a file whose header has 32 bits for them and was never finished."""
 
 ADVICE = "open it in an audio editor and export it again"
 
@@ -40,6 +44,7 @@ class ChunkFormat:
     align : chunks begin at multiples of this many bytes.
     data : names of the chunk that holds the samples.
     outer_at : where the size of the whole stands, bytes; 0 where it is not stated.
+    n_before : bytes of the chunk with samples that come before them.
     """
 
     order: str
@@ -50,6 +55,7 @@ class ChunkFormat:
     align: int
     data: tuple[bytes, ...]
     outer_at: int = 4
+    n_before: int = 0
 
     @property
     def header(self) -> int:
@@ -59,9 +65,9 @@ class ChunkFormat:
 
 RIFF = ChunkFormat("<", 12, 4, "I", False, 2, (b"data",))
 RIFX = ChunkFormat(">", 12, 4, "I", False, 2, (b"data",))
-FORM = ChunkFormat(">", 12, 4, "I", False, 2, (b"SSND", b"BODY"))
+FORM = ChunkFormat(">", 12, 4, "I", False, 2, (b"SSND", b"BODY"), n_before=8)
 W64 = ChunkFormat("<", 40, 16, "Q", True, 8, (b"data\xf3\xac\xd3\x11\x8c\xd1\x00\xc0O\x8e\xdb\x8a",), outer_at=16)
-CAF = ChunkFormat(">", 8, 4, "q", False, 1, (b"data",), outer_at=0)
+CAF = ChunkFormat(">", 8, 4, "q", False, 1, (b"data",), outer_at=0, n_before=4)
 
 FAMILIES: dict[bytes, ChunkFormat] = {
     b"RIFF": RIFF,
@@ -84,6 +90,8 @@ class Extent:
     cut_off : whether the file ends before its header says.
     announced, there : bytes of samples that the header announces, and that there are; equal where the sound is whole.
     corrections : what the header has to say instead, so that it tells what is there: bytes by their places.
+    begin, lead : where the file begins, bytes, and what is to be put in front of it.
+    is_guess : whether the header does not tell how long the sound is.
     """
 
     end: int
@@ -91,11 +99,20 @@ class Extent:
     announced: int = 0
     there: int = 0
     corrections: tuple[tuple[int, bytes], ...] = ()
+    begin: int = 0
+    lead: bytes = b""
+    is_guess: bool = False
 
     @property
     def share(self) -> float:
-        """How much of what is announced is there, 0..1; 0 where what is announced cannot be meant."""
-        believable = self.announced < LARGEST_BELIEVED and self.announced != UNKNOWN_32
+        """How much of what is announced is there, 0..1; 0 where what is announced cannot be meant.
+
+        Programs that write to a pipe announce about the largest size there is, with or without a sign.
+        """
+        is_largest = (
+            self.announced + (1 << 16) >= UNKNOWN_32 >> 1 and (self.announced + (1 << 16)) % (1 << 31) < 1 << 17
+        )
+        believable = self.announced < LARGEST_BELIEVED and not is_largest
         return self.there / max(1, self.announced) if believable else 0.0
 
 
@@ -132,28 +149,43 @@ def extent_of(file: BinaryIO, name: str) -> Extent:
     AudioError : a size contradicts the file's length, and not because it was cut off among its samples or later.
     """
     length = file.seek(0, io.SEEK_END)
-    start = _after_id3(file)
+    start = after_id3(file)
     magic = _bytes_at(file, start, 4)
     try:
         if magic in {b".snd", b"dns."}:
             _check_au(file, ">" if magic == b".snd" else "<", start, length)
         if magic == b"OggS":
             _check_ogg(file, length)
+        if magic == b"fLaC":
+            return _flac_extent(file, start, length)
+        if magic[:1] == b"\xff":
+            return _mp3_extent(file, start, length)
         family = FAMILIES.get(magic)
         return Extent(length) if family is None else _walk(file, family, magic, start, length)
     except HeaderSizeError as lie:
         raise AudioError(f"{name}: the sizes in its header do not match the file ({lie}), so {ADVICE}") from None
 
 
-def mp3_states_its_length(file: BinaryIO) -> bool:
-    """Return whether an MP3 file begins with a frame that counts the others; without it a length is a guess."""
-    head = _bytes_at(file, _after_id3(file), 4096)
-    return any(tag in head for tag in (b"Xing", b"Info", b"VBRI"))
+def _mp3_extent(file: BinaryIO, start: int, length: int) -> Extent:
+    count = counted_mp3(file, start, length)
+    if count is None:
+        return Extent(length)
+    return Extent(length, begin=count.begin, lead=count.lead, is_guess=not count.exact)
+
+
+def _flac_extent(file: BinaryIO, start: int, length: int) -> Extent:
+    total = flac_total(file, start, length)
+    if total is None:
+        return Extent(length)
+    return Extent(length, True, UNKNOWN_32, corrections=((start + FLAC_TOTAL_AT, total),))
 
 
 def _walk(file: BinaryIO, family: ChunkFormat, magic: bytes, start: int, length: int) -> Extent:
     sizes = _sizes_of_ds64(file, start) if magic in {b"RF64", b"BW64"} else None
     claimed = start + _outer_size(file, family, start, length, sizes)
+    unfinished = _never_finished(file, family, start, claimed, length, sizes)
+    if unfinished is not None:
+        return unfinished
     end = min(claimed, length)
     samples: Chunk | None = None
     block = 1
@@ -168,7 +200,6 @@ def _walk(file: BinaryIO, family: ChunkFormat, magic: bytes, start: int, length:
         _check(file, family, chunk, end)
         if is_samples:
             samples = chunk
-            _check_samples(chunk, end, length)
     if samples is None:
         raise HeaderSizeError("there is no chunk with samples")
     if claimed > length + OUTER_SLACK:
@@ -185,9 +216,41 @@ def _check(file: BinaryIO, family: ChunkFormat, chunk: Chunk, end: int) -> None:
         _check_list(file, family, chunk)
 
 
-def _check_samples(chunk: Chunk, end: int, length: int) -> None:
-    if chunk.size == 0 and chunk.end < length and end < length:
-        raise HeaderSizeError(f"{_shown(chunk.name)} claims 0 bytes, {length - chunk.end} are there")
+def _never_finished(
+    file: BinaryIO, family: ChunkFormat, start: int, claimed: int, length: int, sizes: tuple[int, int] | None
+) -> Extent | None:
+    """Return how much of a file is sound whose sizes were to be written at the end, and never were.
+
+    What it claims ends before its samples do, or it claims none, though bytes follow that it does not speak of.
+    """
+    block = 1
+    for chunk in _chunks(file, family, start + family.first, length, sizes):
+        if chunk.name not in family.data:
+            if chunk.end > length:
+                return None
+            block = _block_in(file, family, chunk) or block
+            continue
+        is_empty, behind = chunk.size <= family.n_before, chunk.begin + family.n_before
+        if is_empty:
+            is_true = length <= behind or (
+                claimed > behind and _are_chunks(file, family, chunk.end, min(claimed, length))
+            )
+        else:
+            is_true = claimed >= min(chunk.end, length)
+        if is_true:
+            return None
+        unknown = Chunk(chunk.name, chunk.begin, max(UNKNOWN_32, length))
+        end = length if is_empty else min(chunk.end, length)
+        return _cut_off(family, start, unknown, end, block, wide=sizes is not None)
+    return None
+
+
+def _are_chunks(file: BinaryIO, family: ChunkFormat, begin: int, end: int) -> bool:
+    """Return whether named chunks fill a part of a file."""
+    try:
+        return all(x.end <= end and x.name.strip(b"\0") for x in _chunks(file, family, begin, end))
+    except HeaderSizeError:
+        return False
 
 
 def _block_in(file: BinaryIO, family: ChunkFormat, chunk: Chunk) -> int:
@@ -202,7 +265,8 @@ def _cut_off(family: ChunkFormat, start: int, samples: Chunk, end: int, block: i
     """
     there = samples.size
     if end < samples.end:
-        there = (end - samples.begin) // block * block
+        most = LARGEST_32 if family.size_code == "I" and not wide else end
+        there = (min(end - samples.begin, most) - family.n_before) // block * block + family.n_before
         end = samples.begin + there
     whole = end - start - (0 if family.counts_header else 8)
     form = family.order + family.size_code
@@ -250,6 +314,8 @@ def _chunks(
         if sizes and size == UNKNOWN_32 and name in family.data:
             size = sizes[1]
         size -= family.header if family.counts_header else 0
+        if size < 0 and name in family.data:
+            size = 0  # never written
         if size < 0:
             raise HeaderSizeError(f"{_shown(name)} claims {size} bytes")
         yield Chunk(name, begin, size)
@@ -287,13 +353,10 @@ def _check_ogg(file: BinaryIO, length: int) -> None:
         raise HeaderSizeError(f"its last page claims {claimed} bytes, {len(page)} are there")
 
 
-def _after_id3(file: BinaryIO) -> int:
-    """Return where the file begins after an ID3v2 tag, which may precede anything; its size has 7 bits a byte."""
+def after_id3(file: BinaryIO) -> int:
+    """Return where the file begins after an ID3v2 tag, which may precede anything."""
     head = _bytes_at(file, 0, 10)
-    if len(head) < 10 or head[:3] != b"ID3":
-        return 0
-    a, b, c, d = (byte & 0x7F for byte in head[6:])
-    return 10 + (a << 21 | b << 14 | c << 7 | d)
+    return 10 + id3_size(head) if len(head) == 10 and head.startswith(b"ID3") else 0
 
 
 def _bytes_at(file: BinaryIO, at: int, n: int) -> bytes:

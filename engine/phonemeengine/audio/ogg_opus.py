@@ -1,17 +1,16 @@
-"""Opus in Ogg as it comes, a page at a time (RFC 7845): the only door to FFmpeg's decoders.
+"""Opus in Ogg as it comes, a page at a time (RFC 7845).
 
 libsndfile reads Ogg Opus, too, but wants the whole file: it looks for the length at the end before it gives a sample.
 """
 
-import importlib
 import struct
 from collections.abc import Iterator
-from types import ModuleType
 from typing import Any
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.containers import import_av
 from phonemeengine.errors import AudioError
 
 OPUS_RATE = 48_000
@@ -41,7 +40,7 @@ class OggOpusDecoder:
     """
 
     def __init__(self) -> None:
-        self._av = _av()
+        self._av = import_av("Ogg Opus that comes in pieces")
         self._bytes = bytearray()
         self._serial: int | None = None
         self._begin()
@@ -147,18 +146,3 @@ class OggOpusDecoder:
             raise AudioError(DAMAGED) from error
         parts = [frame.to_ndarray().T for frame in frames]
         return np.concatenate(parts) if parts else np.zeros((0, 1), np.float32)
-
-
-def _av() -> ModuleType:
-    """Import FFmpeg's libraries, which only streams of Opus need.
-
-    Raises
-    ------
-    AudioError : they are not installed.
-    """
-    try:
-        return importlib.import_module("av")
-    except ImportError as error:
-        raise AudioError(
-            "Ogg Opus needs the package av; install it with: pip install 'phonemeanalyser[server]'"
-        ) from error

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import SUFFIXES
+from phonemeengine.audio.files import is_sound
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.performance.driver import FACE
 from phonemeengine.performance.halves import weights_at
@@ -71,4 +71,4 @@ def original_sound(
     """
     place = table.path.parent / table.about.folder if folder is None else Path(folder)
     found = sorted(place.glob(f"{glob.escape(recording)}.*")) if Path(recording).name == recording else []
-    return next((path for path in found if path.suffix.lower() in SUFFIXES), None)
+    return next((path for path in found if is_sound(path)), None)

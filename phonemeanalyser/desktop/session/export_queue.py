@@ -1,6 +1,6 @@
 """Sound files that are turned into other files, one after the other, while the window goes on."""
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, ExportOrderWork
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
-from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome
 from phonemeengine.conversion import CONVERSIONS
@@ -185,10 +185,9 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     return text[:MOST_PREVIEWED] + ("\n…" if is_long or len(text) > MOST_PREVIEWED else "")
 
 
-def sounds_in(paths: Sequence[Path], suffixes: Collection[str]) -> list[Path]:
+def sounds_in(paths: Sequence[Path]) -> list[Path]:
     """Return sound files, and those in folders however deep, in order and each once."""
     found: dict[Path, None] = {}
     for path in paths:
-        inside = sorted(path.rglob("*")) if path.is_dir() else [path]
-        found |= {p: None for p in inside if p.is_file() and (p == path or p.suffix.lower() in suffixes)}
+        found |= dict.fromkeys(sounds_under(path) if path.is_dir() else [path] if path.is_file() else [])
     return list(found)

@@ -15,7 +15,20 @@ from phonemeengine.audio import files
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
 from phonemeengine.settings import SAMPLE_RATE, Channel
-from tests.bad_files import BAD_FILES, CUT_OFF, DAMAGED, FMT, HOSTILE, LYING, ODD_FILES, SAMPLES, a_sound, chunk, riff
+from tests.bad_files import (
+    BAD_FILES,
+    CUT_OFF,
+    DAMAGED,
+    FMT,
+    HOSTILE,
+    LYING,
+    NEVER_FINISHED,
+    ODD_FILES,
+    SAMPLES,
+    a_sound,
+    chunk,
+    riff,
+)
 
 READ_ALL = """
 import sys
@@ -147,6 +160,33 @@ def test_of_three_seconds_as_many_are_said_to_be_there_as_are_read(tmp_path: Pat
         assert reader.cut_off == "it is cut off: of the 3.000 s that its header announces, 1.800 s are there"
     with SoundReader(CUT_OFF["streamed_all_ones"](tmp_path)) as reader:
         assert reader.cut_off == "its header does not say how long it is; 0.200 s are there"
+
+
+@pytest.mark.parametrize("name", NEVER_FINISHED)
+def test_a_header_that_was_never_finished_does_not_shorten_the_sound(name: str, tmp_path: Path) -> None:
+    path = NEVER_FINISHED[name](tmp_path)
+    expected = np.frombuffer(SAMPLES, "<i2") / np.float32(1 << 15)
+    if len(path.read_bytes()) > 2 * len(SAMPLES):
+        expected = a_sound()
+    with SoundReader(path) as reader:
+        assert reader.n_samples == len(expected)
+        np.testing.assert_allclose(reader.read_mono(), expected, atol=1e-4)
+        assert reader.cut_off == f"its header does not say how long it is; {reader.duration:.3f} s are there"
+
+
+def test_a_flac_that_was_killed_in_a_pipe_is_read_up_to_its_last_whole_frame(tmp_path: Path) -> None:
+    path = NEVER_FINISHED["flac_of_unknown_length"](tmp_path)
+    path.write_bytes(path.read_bytes()[:-1000])
+    with SoundReader(path) as reader:
+        assert reader.n_samples % 4096 == 0
+        assert 0 < len(a_sound()) - reader.n_samples < 2 * 4096
+        np.testing.assert_allclose(reader.read_mono(), a_sound()[: reader.n_samples], atol=1e-4)
+
+
+def test_a_wav_without_samples_stays_empty_though_other_chunks_follow(tmp_path: Path) -> None:
+    path = tmp_path / "none.wav"
+    path.write_bytes(riff(chunk(b"fmt ", FMT), chunk(b"data", b""), chunk(b"note", b"nothing here")))
+    assert refusal_of(path).endswith("there are no samples in it; record or export it again")
 
 
 @pytest.mark.parametrize("length", range(0, 300, 7))

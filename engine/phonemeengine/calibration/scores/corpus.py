@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, UInt8Array
-from phonemeengine.audio.files import SUFFIXES, SoundReader
+from phonemeengine.audio.files import SoundReader, is_sound
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.files import printable_name
@@ -259,7 +259,7 @@ def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Ite
         labels = {(path.stem, path.suffix.lower()): path for path in paths}
         suffixes = _suffixes_in(Path(folder))
         for sound in paths:
-            if sound.suffix.lower() in SUFFIXES:
+            if is_sound(sound):
                 beside = [labels[sound.stem, suffix] for suffix in suffixes if (sound.stem, suffix) in labels]
                 yield from ((sound, found) for found in beside[:1])
 
