@@ -6482,6 +6482,21 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name}: it is cut off behind its sound, which is whole</source>
+            <translation>{name}: hinter dem Ton abgeschnitten; der Ton ist vollständig</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name}: it is cut off: of the {announced} s that its header announces, {there} s are there</source>
+            <translation>{name}: abgeschnitten; von angekündigten {announced} s sind {there} s vorhanden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name}: its header does not say how long it is; {there} s are there</source>
+            <translation>{name}: Der Header nennt keine Länge; vorhanden sind {there} s</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{name}: reading it is not permitted; change its permissions or copy it</source>
             <translation>{name}: Lesen ist nicht erlaubt; die Rechte ändern oder die Datei kopieren</translation>
         </message>
@@ -6512,8 +6527,13 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG or MP3 file</source>
-            <translation>{name}: Das ist keine lesbare Klangdatei; eine WAV-, AIFF-, FLAC-, OGG- oder MP3-Datei wählen</translation>
+            <source>{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A file</source>
+            <translation>{name}: keine lesbare Klangdatei; WAV, AIFF, FLAC, OGG, MP3 oder M4A wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name}: this kind of file needs the package av, which is not installed; install it with: {command}</source>
+            <translation>{name}: Für diese Dateien fehlt das Paket av; installieren mit: {command}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
