@@ -180,7 +180,7 @@ _RUNS = re.compile(
     % (_OLDER, "|".join(phoneme.label for phoneme in Phoneme).encode())
 )
 _WORDS = ",".join(WORD_COLUMNS).encode() + b"\n"
-_FRAMES = ",".join([*SEGMENT_COLUMNS, *BUILT_IN_NAMES]).encode() + b","
+_FRAMES = ",".join([*SEGMENT_COLUMNS, *BUILT_IN_NAMES]).encode()
 _OLDER_TABLES = tuple(
     b",".join((_OLDER, *(name.encode() for name in names)))
     for names in (("phone", "word", "score\n"), BUILT_IN_NAMES)

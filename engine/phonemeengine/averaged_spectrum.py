@@ -90,12 +90,17 @@ def distance_of(one: AveragedSpectrum, other: AveragedSpectrum) -> float:
 
 
 def save_averaged_spectrum(curve: AveragedSpectrum, path: Path) -> None:
-    """Save a curve as CSV with a header that says what it is; an old file stays until the new one is complete.
+    """Save a curve, see `format_averaged_spectrum`; an old file stays until the new one is complete.
 
     Raises
     ------
     CurveError : the file cannot be written.
     """
+    write_file(path, format_averaged_spectrum(curve).encode(errors="replace"), CurveError)
+
+
+def format_averaged_spectrum(curve: AveragedSpectrum) -> str:
+    """Return a curve as CSV with a header that says what it is."""
     header = {
         "name": curve.name,
         "front end": curve.front_end,
@@ -107,7 +112,7 @@ def save_averaged_spectrum(curve: AveragedSpectrum, path: Path) -> None:
     lines = [f"# {FORMAT}", *(f"# {key}: {' '.join(str(value).split())}" for key, value in header.items())]
     lines.append(",".join(COLUMNS))
     lines += [f"{f:.9g},{a:.9g}" for f, a in zip(curve.frequencies, curve.amplitudes, strict=True)]
-    write_file(path, "".join(line + "\n" for line in lines).encode(errors="replace"), CurveError)
+    return "".join(line + "\n" for line in lines)
 
 
 def load_averaged_spectrum(path: Path) -> AveragedSpectrum:

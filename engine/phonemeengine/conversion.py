@@ -6,15 +6,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from phonemeengine.analyser import analyse_file
-from phonemeengine.analysis_tables import TABLES, Writer
+from phonemeengine.analysis_tables import TABLES
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import ExportError
-from phonemeengine.files import Owns, atomic_write, is_own, printable_name, reason_of
+from phonemeengine.files import Owns
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.lip_sync import export
+from phonemeengine.mouth.lip_sync import exported
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress
+from phonemeengine.replacing import Guard, guarded_write, write_guarded
 from phonemeengine.settings import Channel
 
 
@@ -81,9 +82,9 @@ def check_options(kind: str, options: ExportOptions | None) -> None:
 def convert(
     sound: str | os.PathLike[str], target: str | os.PathLike[str], kind: str, preset: Preset,
     options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, overwrite: bool = False,
-    progress: Progress = no_progress,
+    earlier: bool | None = None, progress: Progress = no_progress,
 ) -> None:  # fmt: skip
-    """Turn a sound file into another file.
+    """Turn a sound file into another file; one with other content that is there stays, unless told otherwise.
 
     Parameters
     ----------
@@ -93,44 +94,31 @@ def convert(
     preset : what is recognised with, by the best ear that it has for files.
     options : how mouth cues are written.
     channel : what is recognised of a file of several channels.
-    overwrite : whether to replace a file that may be somebody else's.
+    overwrite : whether to replace whatever is there.
+    earlier : whether the same work made what is there, as batches note it; see `Guard`.
     progress : called with the share that is done, 0..1.
 
     Raises
     ------
     AudioError : the sound cannot be read.
-    ExportError, MouthError : as in `check_options`; or the target may be somebody else's, or cannot be written.
+    ExportError, MouthError : as in `check_options`; or another file is there, or it cannot be written.
     Cancelled : `progress` did not want to go on; what was there stays.
     """
     check_options(kind, options)
     sound, target, form = Path(sound), Path(target), CONVERSIONS[kind]
-    if not overwrite and form.owns is not None and target.is_file() and not is_own(target, form.owns):
-        raise ExportError(f"{printable_name(target)}: the file that is there may be somebody else's; name another")
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise ExportError(f"{printable_name(target)}: {reason_of(error)}; name another folder") from error
+    guard = Guard(form.owns, overwrite, earlier, ExportError)
+    guard.check(target)
     if form.moves_mouth:
-        export(sound, target, kind, preset, options, channel=channel, progress=progress)
+        parts = exported(sound, kind, preset, options, channel=channel, progress=progress)
+        write_guarded(target, parts, guard)
         return
     about, _, table = kind.partition("-")
     write = TABLES[table].write_frames if about == "frames" else TABLES[table].write_runs
     assert write is not None
-    _write_table(sound, target, write, preset, channel, pitch=about == "frames", progress=progress)
-
-
-def _write_table(
-    sound: Path, target: Path, write: Writer, preset: Preset, channel: Channel, *, pitch: bool, progress: Progress
-) -> None:  # fmt: skip
-    with SoundReader(sound, channel) as reader:
-        try:
-            with atomic_write(target) as file:
-                text = io.TextIOWrapper(file, encoding="utf-8", newline="")
-                write(text, analyse_file(reader, preset, pitch=pitch, progress=progress), reader, preset)
-                text.detach()
-        except OSError as error:
-            reason = reason_of(error)
-            raise ExportError(f"{printable_name(target)}: cannot be written ({reason}); name another file") from error
+    with SoundReader(sound, channel) as reader, guarded_write(target, guard) as file:
+        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
+        write(text, analyse_file(reader, preset, pitch=about == "frames", progress=progress), reader, preset)
+        text.detach()
 
 
 def targets_of(sounds: list[Path], folder: Path | None, ending: str) -> dict[Path, Path]:

@@ -14,7 +14,7 @@ import numpy as np
 from phonemeengine.analyser import analyse_range
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.wav import WavEncoder
+from phonemeengine.audio.wav import WavEncoder, check_wav_name
 from phonemeengine.averaged_spectrum import AveragedSpectrum, SpectrumAverage
 from phonemeengine.dsp.formants import CEILING, WINDOW_SECONDS, formants_of
 from phonemeengine.errors import AudioError, EngineError
@@ -170,8 +170,10 @@ def save_stretch(
 
     Raises
     ------
-    AudioError : the file cannot be read, the stretch holds nothing of it, or the target cannot be written.
+    AudioError : the file cannot be read, the stretch holds nothing of it, or the target cannot be written, or ends
+        otherwise than WAV.
     """
+    check_wav_name(Path(target))
     with SoundReader(path, channel) as reader:
         first, last = round(max(0.0, start) * SAMPLE_RATE), min(round(end * SAMPLE_RATE), reader.n_samples)
         if not end > start or last <= first:

@@ -4,7 +4,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_map, add_preset, add_script
+from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, add_preset, add_script
 from phonemeanalyser.cli.jobs import say_cut_off, say_note
 from phonemeanalyser.cli.scripts import NO_TEXTS, spoken_texts
 from phonemeengine import (
@@ -29,6 +29,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.alignment import labels_of
 from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.calibration.takes.room_noise import measure_room
+from phonemeengine.replacing import Guard, nothing_is_own
 from phonemeengine.settings import SAMPLE_RATE
 
 MOST_ROOM = 60
@@ -59,6 +60,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_script(parser)
     add_map(parser)
     add_channel(parser)
+    add_overwrite(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -67,6 +69,7 @@ def run(options: argparse.Namespace) -> int:
         raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
     if not options.folders and options.room is None:
         options.parser.error("give a FOLDER of takes, or --room with the sound of a room")
+    Guard(nothing_is_own, options.overwrite).check(options.out)
     preset = load_preset(options.preset)
     room = _sound_of(options.room, options.channel) if options.room else None
     if options.folders:

@@ -10,7 +10,7 @@ from typing import TextIO
 
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
 from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, open_sound, work_through
-from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeanalyser.cli.output_files import write_whole
 from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.alignment.best_takes import ScoredTake, best_marked, scored_take
@@ -19,6 +19,7 @@ from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import begins_like
 from phonemeengine.progress import Progress
+from phonemeengine.replacing import Guard
 
 COLUMNS = ("file", "text", "score", "skipped", "unknown", "best")
 OTHER_TEXT = "another text"
@@ -95,10 +96,7 @@ def _write(takes: Sequence[ScoredTake], out: Path | None, guard: Guard) -> None:
         rows.writerow(COLUMNS)
         rows.writerows(_row(take) for take in takes)
 
-    if out is None:
-        print_whole(write)
-    else:
-        write_whole(out, write, guard)
+    write_whole(out, write, guard)
 
 
 def _row(take: ScoredTake) -> tuple[str, ...]:

@@ -1,7 +1,7 @@
 """Analyse files without a window: each sound file becomes a table of its phonemes, or of every frame's variables."""
 
 import argparse
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -26,7 +26,7 @@ from phonemeanalyser.cli.jobs import (
     share_paths,
     work_through,
 )
-from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeanalyser.cli.output_files import write_whole
 from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, made_of, spoken_texts
 from phonemeengine import Channel, EngineError, Preset, difference
 from phonemeengine.analyser import analyse_file
@@ -36,6 +36,7 @@ from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import begins_like, printable_name
 from phonemeengine.preset_difference import DIFFERENCE_COLUMNS, format_difference
 from phonemeengine.progress import Progress
+from phonemeengine.replacing import Guard
 
 
 @dataclass(frozen=True)
@@ -121,7 +122,7 @@ class DifferenceWork:
     ----------
     first, second : the presets.
     channel : what is heard.
-    overwrite : whether files are replaced that may be somebody else's.
+    overwrite : whether whatever is there is replaced.
     """
 
     first: Preset
@@ -140,15 +141,15 @@ class DifferenceWork:
     @contextmanager
     def opened(self) -> Iterator[Act]:
         """Give what compares one file."""
-        guard = Guard(begins_like(",".join(DIFFERENCE_COLUMNS).encode()), self.overwrite)
 
         def act(job: Job, say: Say, progress: Progress) -> Made:
+            guard = Guard(begins_like(",".join(DIFFERENCE_COLUMNS).encode()), self.overwrite, job.earlier)
             guard.check(job.target)
             with open_sound(job.source, self.channel, say) as reader:
                 duration = reader.duration
             found = difference(job.source, self.first, self.second, channel=self.channel, progress=progress)
             say(printable_name(job.source), f"the presets differ in {100 * found.share:.1f} % of the frames")
-            write_table(job.target, lambda file: file.writelines([format_difference(found)]), guard)
+            write_whole(job.target, lambda file: file.writelines([format_difference(found)]), guard)
             return Made(duration)
 
         yield act
@@ -170,7 +171,7 @@ class AnalysisWork:
     table : what is written.
     preset, channel : what is recognised with, and of what.
     texts : what is said in the sounds.
-    overwrite : whether files are replaced that may be somebody else's.
+    overwrite : whether whatever is there is replaced.
     """
 
     table: AnalysisTable
@@ -193,7 +194,7 @@ class AnalysisWork:
         yield self._analyse
 
     def _analyse(self, job: Job, say: Say, progress: Progress) -> Made:
-        guard = Guard(self.table.format.owns, self.overwrite)
+        guard = Guard(self.table.format.owns, self.overwrite, job.earlier)
         guard.check(job.target)
         with open_sound(job.source, self.channel, say) as reader:
             made = made_of(reader, None)
@@ -208,13 +209,5 @@ class AnalysisWork:
                     self.table.format.write_words(file, *found, self.preset)
                     made = made_of(reader, found[0], self.texts.language)
 
-            write_table(job.target, write, guard)
+            write_whole(job.target, write, guard)
         return made
-
-
-def write_table(target: Path | None, write: Callable[[TextIO], None], guard: Guard) -> None:
-    """Write a table into a file, or print it where there is none."""
-    if target is None:
-        print_whole(write)
-    else:
-        write_whole(target, write, guard)

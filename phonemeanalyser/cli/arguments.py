@@ -122,8 +122,8 @@ def add_log(parser: argparse.ArgumentParser) -> None:
 
 
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
-    """Let the user give up files that are in the way."""
-    parser.add_argument("--overwrite", action="store_true", help="replace files that are not this program's, too")
+    """Let the user have files replaced that were made in another way."""
+    parser.add_argument("--overwrite", action="store_true", help="replace files that were made in another way, too")
 
 
 def place(text: str) -> Path:

@@ -28,7 +28,7 @@ from phonemeanalyser.cli.jobs import (
     share_paths,
     work_through,
 )
-from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole_bytes
+from phonemeanalyser.cli.output_files import print_bytes, print_whole
 from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeengine import FORMATS, Channel, EngineError, ExportOptions, Preset
 from phonemeengine.analyser import analyse_file
@@ -39,6 +39,7 @@ from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.progress import Progress
+from phonemeengine.replacing import Guard, write_guarded
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -88,7 +89,7 @@ class ExportWork:
     kind, written : the format, and how it is written.
     preset, channel : what is recognised with, and of what.
     texts : what is said in the sounds.
-    driving : arguments of what moves a face, and whether files are replaced that may be somebody else's.
+    driving : arguments of what moves a face, and whether whatever is there is replaced.
     """
 
     kind: str
@@ -118,7 +119,7 @@ class ExportWork:
             yield lambda job, say, progress: self._export(job, exporter, moved, say, progress)
 
     def _export(self, job: Job, exporter: Exporter, moved: Driving, say: Say, progress: Progress) -> Made:
-        guard = Guard(exporter.format.owns, self.driving.overwrite)
+        guard = Guard(exporter.format.owns, self.driving.overwrite, job.earlier)
         guard.check(job.target)
         with open_sound(job.source, self.channel, say) as reader:
             pitch = moved.performer is not None or (exporter.format.moves_head and exporter.idle.head)
@@ -131,11 +132,13 @@ class ExportWork:
             movement = moved.movement(track, speech, exporter, say)
             made = made_of(reader, utterance, self.texts.language)
         parts = exporter.chunks_of(speech, movement)
-        if job.target is None:
+        if job.target is not None:
+            write_guarded(job.target, parts, guard)
+        elif exporter.format.moves_mesh:
+            print_bytes(parts)
+        else:
             text = b"".join(parts).decode()
             print_whole(lambda file: file.writelines([text]))
-        else:
-            write_whole_bytes(job.target, parts, guard)
         return made
 
 

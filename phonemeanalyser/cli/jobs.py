@@ -9,6 +9,7 @@ from typing import Any
 
 from tqdm import tqdm
 
+from phonemeanalyser.cli.output_files import STANDARD_OUTPUT
 from phonemeanalyser.cli.progress_bar import batch_bar
 from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine import (
@@ -38,7 +39,7 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
     Parameters
     ----------
     inputs : sound files and folders.
-    out : a folder; for a single sound a file too, if its name has an ending; None prints.
+    out : a folder; for a single sound a file too, if its name has an ending; None and ``-`` print.
     ending : of the files that are written, such as ``.csv``.
 
     Raises
@@ -46,7 +47,7 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
     EngineError : several files but no place for what is written of them.
     """
     found = [(file, relative) for path in inputs for file, relative in _files_under(path)]
-    if out is None:
+    if out is None or out == STANDARD_OUTPUT:
         if len(found) > 1 or any(_is_folder(path) for path in inputs):
             raise EngineError("several files need a folder for what is written of them; name one with -o")
         return [Job(file, None) for file, _ in found]
@@ -73,7 +74,7 @@ def share_paths(options: argparse.Namespace) -> None:
 
 
 def _from_root(value: Any) -> Any:
-    return value.absolute() if isinstance(value, Path) else value
+    return value.absolute() if isinstance(value, Path) and value != STANDARD_OUTPUT else value
 
 
 def batch_options(options: argparse.Namespace, jobs: int | None = None) -> BatchOptions:

@@ -8,12 +8,14 @@ from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, number
 from phonemeanalyser.cli.jobs import file_preset
-from phonemeanalyser.cli.output_files import Guard, write_whole
+from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path, write_whole
 from phonemeengine import SoundReader, average_spectrum, measure, save_stretch
-from phonemeengine.averaged_spectrum import FORMAT, save_averaged_spectrum
+from phonemeengine.audio.wav import check_wav_name
+from phonemeengine.averaged_spectrum import FORMAT, format_averaged_spectrum
 from phonemeengine.dsp.formants import CEILING
 from phonemeengine.files import begins_like
 from phonemeengine.measurement import MEASUREMENT_COLUMNS, format_measurement
+from phonemeengine.replacing import Guard, nothing_is_own
 
 HEADING = ",".join(MEASUREMENT_COLUMNS).encode()
 
@@ -39,8 +41,11 @@ def run(options: argparse.Namespace) -> int:
     """Measure; returns the exit code."""
     preset, table = file_preset(options.preset, options.ear), Guard(begins_like(HEADING), options.overwrite)
     table.check(options.out)
-    Guard(begins_like(f"# {FORMAT}".encode()), options.overwrite).check(options.spectrum_out)
-    Guard(lambda _content: False, options.overwrite).check(options.sound_out)  # a sound may be anybody's
+    spectrum = Guard(begins_like(f"# {FORMAT}".encode()), options.overwrite)
+    spectrum.check(options.spectrum_out)
+    Guard(nothing_is_own, options.overwrite).check(options.sound_out)
+    if options.sound_out is not None:
+        check_wav_name(options.sound_out)
     with SoundReader(options.sound, options.channel) as reader:
         end = reader.duration if options.end is None else options.end
     stretch = (options.sound, options.start, end)
@@ -49,15 +54,13 @@ def run(options: argparse.Namespace) -> int:
             *stretch, preset, channel=options.channel, ceiling=options.ceiling,
             progress=lambda share: bool(bar.update(100 * share - bar.n)) or True,
         )  # fmt: skip
-    if options.out is None:
-        print(format_measurement(found), end="")
-    else:
+    if options.out is not None or STANDARD_OUTPUT not in (options.sound_out, options.spectrum_out):
         write_whole(options.out, lambda file: print(format_measurement(found), file=file, end=""), table)
     if options.sound_out is not None:
-        save_stretch(*stretch, options.sound_out, channel=options.channel)
+        with output_path(options.sound_out) as path:
+            save_stretch(*stretch, path, channel=options.channel)
     if options.spectrum_out is not None:
         name = options.spectrum_out.stem
-        save_averaged_spectrum(
-            average_spectrum(*stretch, preset, name, channel=options.channel), options.spectrum_out
-        )
+        text = format_averaged_spectrum(average_spectrum(*stretch, preset, name, channel=options.channel))
+        write_whole(options.spectrum_out, lambda file: print(text, file=file, end=""), spectrum)
     return 0

@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import number_in
+from phonemeanalyser.cli.arguments import add_overwrite, number_in
 from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine import (
     MeshError,
@@ -23,6 +23,7 @@ from phonemeengine import (
 from phonemeengine.mouth.files.io import TARGET_SUFFIXES
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 from phonemeengine.mouth.movestate import LONGEST_NAME
+from phonemeengine.replacing import Guard, nothing_is_own
 
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""
@@ -40,6 +41,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
     export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
     export.add_argument("-o", "--out", type=Path, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
+    add_overwrite(export)
     export.set_defaults(act=_export)
     info = kinds.add_parser("info", help="say what a file holds")
     info.add_argument("file", type=Path, metavar="FILE")
@@ -50,6 +52,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
     distance = number_in(0, math.inf, "units of the mesh")
     convert.add_argument("--tolerance", type=distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
+    add_overwrite(convert)
     convert.set_defaults(act=_convert)
 
 
@@ -61,6 +64,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _export(options: argparse.Namespace) -> Iterator[str]:
+    Guard(nothing_is_own, options.overwrite).check(options.out)
     base = _morph_mesh_of(options.base)
     states = [*base.states, *(state for path in options.targets for state in _states_of(path, base))]
     if not states:
@@ -107,6 +111,7 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
 
 
 def _convert(options: argparse.Namespace) -> Iterator[str]:
+    Guard(nothing_is_own, options.overwrite).check(options.out)
     targets = _targets_of(options.source)
     morph_mesh = _morph_mesh_of(options.source) if options.source.suffix.lower() not in TARGET_SUFFIXES else None
     if options.mesh is not None:

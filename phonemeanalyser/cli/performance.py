@@ -11,11 +11,12 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_clip, add_overwrite, number, number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.output_files import Guard, print_whole
+from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.performance.sentences import sentences
-from phonemeengine.performance.table_file import TableAbout, owns
+from phonemeengine.performance.table_file import TableAbout
+from phonemeengine.replacing import Guard, nothing_is_own
 
 USUAL_MINUTES, MOST_MINUTES = 15.0, 600.0
 BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"
@@ -45,6 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     show.add_argument("--from", dest="start", type=number, metavar="S", help="seconds (default: its beginning)")
     show.add_argument("--to", dest="end", type=number, metavar="S", help="seconds (default: its end)")
     add_clip(show)
+    add_overwrite(show)
     show.set_defaults(act=_show)
     make = kinds.add_parser("make", help="have a synthetic performer read sentences, for demonstration and tests")
     make.add_argument("folder", type=Path, metavar="FOLDER", help="a new folder for its recordings")
@@ -64,7 +66,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _build(options: argparse.Namespace) -> Iterator[str]:
-    Guard(owns, options.overwrite).check(options.out)
+    Guard(nothing_is_own, options.overwrite).check(options.out)
     with _progress(options.folder) as progress:
         built = build_table(options.folder, options.out, name=options.name, progress=progress)
     for sentence in built.left_out:

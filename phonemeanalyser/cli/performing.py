@@ -6,7 +6,7 @@ from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from phonemeanalyser.cli.output_files import Guard, write_whole
+from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import (
     EngineError,
     ExampleChoice,
@@ -25,6 +25,7 @@ from phonemeengine import (
 from phonemeengine.batch.work import Say
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.performance.track import owns
+from phonemeengine.replacing import Guard
 
 PARTS = ",".join(PerformancePart)
 CHOICES = [choice.value for choice in ExampleChoice]

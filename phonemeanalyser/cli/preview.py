@@ -9,7 +9,16 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_batch, add_channel, add_clip, add_ear, add_mouth, add_preset, add_script
+from phonemeanalyser.cli.arguments import (
+    add_batch,
+    add_channel,
+    add_clip,
+    add_ear,
+    add_mouth,
+    add_overwrite,
+    add_preset,
+    add_script,
+)
 from phonemeanalyser.cli.clips import clip_options
 from phonemeanalyser.cli.driving import DRIVERS, Driving, add_driver, driving, driving_key, driving_options
 from phonemeanalyser.cli.expression import add_expression, idle_of
@@ -23,6 +32,7 @@ from phonemeanalyser.cli.jobs import (
     share_paths,
     work_through,
 )
+from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path
 from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
@@ -53,6 +63,7 @@ from phonemeengine.files import printable_name
 from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.progress import Progress, subrange
+from phonemeengine.replacing import Guard
 
 CLIPS = ("mp4", "gif")
 """What the clips of several sounds are."""
@@ -77,16 +88,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_channel(parser)
     parser.add_argument("--mesh", type=Path, metavar="M", help="a face of yours: .obj, .glb, .gltf or .x")
     parser.add_argument("--movestates", type=Path, metavar="F", help="its movestates: .3dm or .3dma")
+    add_overwrite(parser)
     add_batch(parser)
 
 
 def run(options: argparse.Namespace) -> int:
     """Make the clips that the command line asks for; 1 where one could not be made."""
     share_paths(options)
-    if options.kind is not None and not is_batch(options.inputs):
+    printed = options.out == STANDARD_OUTPUT
+    if options.kind is not None and not is_batch(options.inputs) and not printed:
         options.parser.error("--format is of the clips of several sounds; of a single one, the name of OUT says it")
     kind = options.kind or CLIPS[0]
-    check_clip(Path(f"clip.{kind}") if is_batch(options.inputs) else options.out, options.size)
+    check_clip(Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out, options.size)
     idle, preset = idle_of(options), file_preset(options.preset, options.ear)
     jobs = jobs_of(options.inputs, options.out, f".{kind}") if is_batch(options.inputs) else _single(options)
     texts, table = spoken_texts(options, [job.source for job in jobs]), load_table(options.table)
@@ -99,13 +112,13 @@ def run(options: argparse.Namespace) -> int:
     faces.morph_mesh()
     with driving(options, _beside(options)):  # says what it has to say, and refuses what it must
         moved = driving_options(options)
-        work = PreviewWork(by_rules, preset, options.channel, texts, moved, faces, clip_options(options))
+        work = PreviewWork(by_rules, preset, options.channel, texts, moved, faces, clip_options(options), f".{kind}")
         cores = n_cores() if is_batch(options.inputs) else 1
         return 1 if n_failed(work_through(jobs, work, batch_options(options, cores))) else 0
 
 
 def _single(options: argparse.Namespace) -> list[Job]:
-    return [Job(options.inputs[0], options.out)]
+    return [Job(options.inputs[0], None if options.out == STANDARD_OUTPUT else options.out)]
 
 
 def _beside(options: argparse.Namespace) -> FaceDriver | None:
@@ -146,6 +159,7 @@ class PreviewWork:
     driving : arguments of what moves the faces.
     faces : what is seen.
     look : of the clips.
+    ending : of those that are printed.
     """
 
     by_rules: ExportOptions
@@ -155,6 +169,7 @@ class PreviewWork:
     driving: argparse.Namespace
     faces: ShownFace
     look: ClipOptions
+    ending: str = ""
 
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
@@ -174,7 +189,8 @@ class PreviewWork:
             yield lambda job, say, progress: self._preview(job, head, moved, say, progress)
 
     def _preview(self, job: Job, head: MorphMesh, moved: Driving, say: Say, progress: Progress) -> Made:
-        assert job.target is not None
+        guard = Guard(None, self.driving.overwrite, job.earlier)
+        guard.check(job.target)
         with open_sound(job.source, self.channel, say) as reader:
             heard, shown = subrange(progress, 0, ANALYSED), subrange(progress, ANALYSED, 1)
             pitch = self.by_rules.idle.head or moved.performer is not None
@@ -183,7 +199,8 @@ class PreviewWork:
             name = printable_name(job.source)
             utterance, speech = found or (None, transcript_of(analyses, name, reader.duration, job.source))
             animations, captions = self._faces_of(utterance, speech, name, moved, say)
-            write_clip(job.target, head, animations, self.look, captions, sound_track(reader), shown)
+            with output_path(job.target or STANDARD_OUTPUT, self.ending) as path:
+                write_clip(path, head, animations, self.look, captions, sound_track(reader), shown, guard)
             return made_of(reader, utterance, self.texts.language)
 
     def _faces_of(

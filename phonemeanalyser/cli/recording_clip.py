@@ -2,9 +2,11 @@
 
 import argparse
 from contextlib import ExitStack
+from pathlib import Path
 
 from phonemeanalyser.cli.clips import clip_options, frames_bar
 from phonemeanalyser.cli.jobs import open_sound, say_note
+from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path
 from phonemeanalyser.rendering.clip import check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
@@ -24,6 +26,7 @@ from phonemeengine import (
 )
 from phonemeengine.files import printable
 from phonemeengine.mouth.animation import animation_by
+from phonemeengine.replacing import Guard
 
 MILLISECOND = 0.001
 """The times of units are written as exactly."""
@@ -36,7 +39,8 @@ def write_recording_clip(options: argparse.Namespace) -> None:
     ------
     EngineError : the table has no such recording, or the clip cannot be made.
     """
-    check_clip(options.out, options.size)
+    printed = options.out == STANDARD_OUTPUT
+    check_clip(Path("clip.mp4") if printed else options.out, options.size)
     with PerformanceTable.open(options.table) as table, ExitStack() as stack:
         performance = table.recording_called(options.recording)
         start, end = _part_of(performance, options)
@@ -45,7 +49,9 @@ def write_recording_clip(options: argparse.Namespace) -> None:
         sound = _sound_of(table, start, end, options, stack)
         head, look = subdivided(load_head()), clip_options(options)
         with frames_bar(len(animation.weights)) as progress:
-            write_clip(options.out, head, [animation], look, [caption], sound, progress)
+            guard = Guard(overwrite=options.overwrite)
+            with output_path(options.out, ".mp4") as path:
+                write_clip(path, head, [animation], look, [caption], sound, progress, guard)
 
 
 def _part_of(performance: Performance, options: argparse.Namespace) -> tuple[float, float]:
@@ -71,7 +77,7 @@ def _sound_of(
     table: PerformanceTable, start: float, end: float, options: argparse.Namespace, stack: ExitStack
 ) -> SoundTrack | None:
     """Return what is heard of a recording, for a film; None, which is said, where its sound is not found."""
-    if options.out.suffix.lower() != ".mp4":
+    if options.out != STANDARD_OUTPUT and options.out.suffix.lower() != ".mp4":
         return None
     path = original_sound(table, options.recording)
     if path is None:

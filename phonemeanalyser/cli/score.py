@@ -16,12 +16,13 @@ from phonemeanalyser.cli.arguments import (
     add_ear,
     add_literal,
     add_map,
+    add_overwrite,
     add_preset,
     number_in,
     whole_in,
 )
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
-from phonemeanalyser.cli.output_files import Guard, print_whole, write_whole
+from phonemeanalyser.cli.output_files import write_whole
 from phonemeanalyser.cli.prediction_work import PredictionWork
 from phonemeanalyser.cli.scripts import words_to_score
 from phonemeanalyser.reports.numbers import json_of
@@ -50,7 +51,8 @@ from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.evaluation import corpus_scores_of
 from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
-from phonemeengine.files import begins_like, printable, printable_name
+from phonemeengine.files import printable, printable_name
+from phonemeengine.replacing import Guard, nothing_is_own
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -94,6 +96,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
     parser.add_argument("--snr", type=snr, metavar="DB", help="how far the noise is below the speech")
     parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="of the noise (default: 0)")
+    add_overwrite(parser)
     add_batch(parser)
     keep = "keep what is recognised, so that nothing is recognised twice, and a score that was stopped goes on"
     parser.add_argument("--keep", type=Path, metavar="FOLDER", help=keep)
@@ -104,6 +107,8 @@ def run(options: argparse.Namespace) -> int:
     share_paths(options)
     if (options.noise is None) != (options.snr is None):
         options.parser.error("--noise and --snr go together: say what noise, and how far below the speech")
+    for out in (options.out, options.errors):
+        Guard(nothing_is_own, options.overwrite).check(out)
     presets = _presets_of(options.preset, options.against, options.ear)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_phoneme_map(options.map)
@@ -136,7 +141,7 @@ def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
                     (preset.title, p.utterance.path, *found.row()) for found in label_errors(p.labels, p.phonemes)
                 )
 
-    write_whole(path, write, Guard(begins_like(b"preset,sound,start_s"), overwrite=False))
+    write_whole(path, write)
 
 
 def _recordings_in(
@@ -189,10 +194,7 @@ def _presets_of(first: Path, against: Path | None, ear: str) -> list[Named]:
 
 def _write(report: Report, kind: str, by: str, out: Path | None) -> None:
     parts = _parts_of(report, kind, by)
-    if out is None:
-        print_whole(lambda file: file.writelines(parts))
-    else:
-        write_whole(out, lambda file: file.writelines(parts))
+    write_whole(out, lambda file: file.writelines(parts))
 
 
 def _parts_of(report: Report, kind: str, by: str) -> Iterator[str]:

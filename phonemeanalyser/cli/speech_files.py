@@ -4,12 +4,13 @@ import argparse
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
 from phonemeanalyser.cli.driving import Driving, FaceTrack
 from phonemeanalyser.cli.expression import idle_of
-from phonemeanalyser.cli.output_files import Guard, print_whole, whole_file
+from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, print_bytes
 from phonemeengine import (
     EngineError,
     ExportOptions,
@@ -22,14 +23,15 @@ from phonemeengine import (
     format_utterance,
     spoken_text,
 )
+from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.files import begins_like
 from phonemeengine.labels import textgrid
 from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.replacing import Guard, guarded_write, nothing_is_own
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS
 
 SILENCE = "sil"
 """The name of what lies between words, in labels."""
-STANDARD_OUTPUT = Path("-")
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,7 @@ class SpeechFiles:
 
         Raises
         ------
-        EngineError : it cannot be written, or somebody else's file is there.
+        EngineError : it cannot be written, or another file is there.
         """
         if (options.export is None) != (options.kind is None):
             raise EngineError("--export and --format go together; name both")
@@ -69,6 +71,12 @@ class SpeechFiles:
         files = cls(
             options.out, options.labels, options.export, options.plan, exporter, driving, options.overwrite
         )  # fmt: skip
+        if [files.sound, files.labels, files.export, files.plan].count(STANDARD_OUTPUT) > 1:
+            raise EngineError(
+                "one of them can be printed, and several are asked for with -; name files for the others"
+            )
+        if files.sound is not None:
+            check_wav_name(files.sound)
         for target, guard in files._guards:
             guard.check(target)
         return files
@@ -96,20 +104,26 @@ class SpeechFiles:
     def _guards(self) -> list[tuple[Path, Guard]]:
         """The files, and what leaves those alone that are there: a voice says no text twice in the same way."""
         form = self.exporter.format.owns if self.exporter else None
-        plan = None if self.plan == STANDARD_OUTPUT else self.plan
         asked = (
-            (self.sound, lambda _content: False),
+            (self.sound, nothing_is_own),
             (self.labels, textgrid.owns),
             (self.export, form),
-            (plan, begins_like(",".join(PLAN_COLUMNS).encode() + b"\n")),
+            (self.plan, begins_like(",".join(PLAN_COLUMNS).encode() + b"\n")),
         )
-        return [(target, Guard(owns, self.overwrite)) for target, owns in asked if target is not None]
+        return [
+            (target, Guard(owns, self.overwrite)) for target, owns in asked if target not in {None, STANDARD_OUTPUT}
+        ]
 
     @contextmanager
     def _opened(self) -> Iterator[dict[Path | None, BinaryIO]]:
-        """Open all files; they are there once the block has ended well."""
+        """Open all files; they are there, and what is printed is, once the block has ended well."""
+        printed = BytesIO()
         with ExitStack() as stack:
-            yield {target: stack.enter_context(whole_file(target, guard)) for target, guard in self._guards}
+            files: dict[Path | None, BinaryIO] = {
+                target: stack.enter_context(guarded_write(target, guard)) for target, guard in self._guards
+            }
+            yield files | {STANDARD_OUTPUT: printed}
+        print_bytes([printed.getvalue()])
 
     def _track_of(
         self, utterance: Utterance, speech: Transcript, text: str = "", letters: PinyinTrack | None = None
@@ -131,10 +145,4 @@ class SpeechFiles:
             movement = self.driving.movement(track, speech, self.exporter)
             files[self.export].writelines(self.exporter.chunks_of(speech, movement))
         if self.plan is not None and isinstance(track, PinyinTrack):
-            self._write_plan(files, format_plan(track.plan))
-
-    def _write_plan(self, files: dict[Path | None, BinaryIO], plan: str) -> None:
-        if self.plan == STANDARD_OUTPUT:
-            print_whole(lambda file: file.writelines([plan]))
-        else:
-            files[self.plan].write(plan.encode())
+            files[self.plan].write(format_plan(track.plan).encode())

@@ -1,6 +1,7 @@
 """Files from sounds: what they become, how and where; one or a whole folder of them, with a look before."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QSettings, Qt
@@ -16,6 +17,7 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QHeaderView,
     QLabel,
+    QMessageBox,
     QPlainTextEdit,
     QProgressBar,
     QPushButton,
@@ -29,7 +31,7 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
-from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, sounds_in
+from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.conversion import targets_of
@@ -67,10 +69,11 @@ class ExportDialog(QDialog):
     ----------
     queue : works through the files.
     kind, heard, table, rate, minimum, anticipation, detail, blinks, head, seed : choices.
-    overwrite : whether files that may be somebody else's are replaced.
     files : the table of the sounds.
     preview : the beginning of what the chosen sound would become.
     add_files, add_folder, remove, folder, look, start, cancel, shut : buttons.
+    question : asks what becomes of files that are there already; None until it was asked.
+    replace, keep : its buttons.
     told : what is wrong, or what was done.
     """
 
@@ -83,6 +86,7 @@ class ExportDialog(QDialog):
         self._sounds: list[Path] = []
         self._folder: Path | None = None
         self._shown: dict[int, tuple[str, ...]] = {}
+        self.question: QMessageBox | None = None
         self.queue = ExportQueue()
         self.setWindowTitle(tr("Export"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -122,9 +126,7 @@ class ExportDialog(QDialog):
         anticipation = self.anticipation.value()
         ahead = None if anticipation < 0 else anticipation
         options = ExportOptions(self.rate.value() or None, self.minimum.value(), ahead, table, idle=idle)
-        return ExportOrder(
-            self.kind.currentData(), preset, options, self._channel, overwrite=self.overwrite.isChecked()
-        )
+        return ExportOrder(self.kind.currentData(), preset, options, self._channel)
 
     # -- how it is made -----------------------------------------------------------------------------------
 
@@ -156,10 +158,7 @@ class ExportDialog(QDialog):
         self.anticipation.setSuffix(" s")
         self.seed = QSpinBox()
         self.seed.setRange(0, 999_999)
-        self.blinks, self.head, self.overwrite = (
-            QCheckBox(words)
-            for words in (tr("the eyes blink"), tr("the head moves"), tr("replace files of others, too"))
-        )
+        self.blinks, self.head = QCheckBox(tr("the eyes blink")), QCheckBox(tr("the head moves"))
         self.blinks.setChecked(True)
         self.head.setChecked(True)
 
@@ -204,7 +203,7 @@ class ExportDialog(QDialog):
             (tr("Becomes"), self.kind), (tr("Heard with"), self.heard), (tr("Mouth table"), self.table),
             (tr("Rate"), self.rate), (tr("Shortest cue"), self.minimum), (tr("Mouth ahead"), self.anticipation),
             (tr("Follows"), self.detail), (tr("Seed"), self.seed), ("", self.blinks), ("", self.head),
-            (tr("Goes"), self.folder), ("", self.overwrite),
+            (tr("Goes"), self.folder),
         )  # fmt: skip
         for words, widget in rows:
             form.addRow(words, widget)
@@ -335,7 +334,32 @@ class ExportDialog(QDialog):
             self._settings.setValue("export/kind", order.kind)
             self.told.clear()
             targets = targets_of(self._sounds, self._folder, EXPORT_KINDS[order.kind].ending)
-            self.queue.start(targets, order, self._folder)
+            there = in_the_way(targets, order, self._folder)
+            if there:
+                self._ask_to_replace(targets, order, there)
+            else:
+                self.queue.start(targets, order, self._folder)
+
+    def _ask_to_replace(self, targets: dict[Path, Path], order: ExportOrder, there: list[Path]) -> None:
+        """Ask what becomes of files that are there already, made in another way or by others."""
+        words = (
+            tr("{name} is there already.") if len(there) == 1 else tr("{n} files are there already, such as {name}.")
+        )
+        self.question = QMessageBox(
+            QMessageBox.Icon.Question, tr("Replace files?"), words.format(n=len(there), name=targets[there[0]].name),
+            parent=self,
+        )  # fmt: skip
+        self.question.setInformativeText(tr("They may be yours, or were made with other settings."))
+        roles = QMessageBox.ButtonRole
+        self.replace = self.question.addButton(tr("Replace"), roles.DestructiveRole)
+        self.keep = self.question.addButton(tr("Keep, Make Only the Others"), roles.AcceptRole)
+        self.keep.setEnabled(len(there) < len(targets))
+        self.question.setDefaultButton(self.question.addButton(QMessageBox.StandardButton.Cancel))
+        others = {sound: target for sound, target in targets.items() if sound not in there}
+        self.replace.clicked.connect(lambda: self.queue.start(targets, replace(order, overwrite=True), self._folder))
+        self.keep.clicked.connect(lambda: self.queue.start(others, order, self._folder))
+        self.question.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.question.open()
 
     def _checked_order(self) -> ExportOrder | None:
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""

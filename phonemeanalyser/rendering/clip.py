@@ -2,7 +2,6 @@
 
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import BinaryIO
 
 from phonemeanalyser.rendering.animation_player import AnimationPlayer
 from phonemeanalyser.rendering.camera import Camera
@@ -24,15 +23,18 @@ from phonemeengine import (
     load_table,
 )
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.progress import Progress, no_progress, report_progress
+from phonemeengine.replacing import Guard, guarded_write
 
 ASIDE, ABOVE = 0.22, 0.03
 """Where the camera is, radians: lips that come forwards are seen from a little aside."""
 BLOCK = SAMPLE_RATE // 10
 """Samples of the sound that are encoded at a time."""
+
+
+REPLACING = Guard(overwrite=True)
 
 
 def check_clip(out: Path, size: tuple[int, int]) -> None:
@@ -52,6 +54,7 @@ def check_clip(out: Path, size: tuple[int, int]) -> None:
 def write_clip(
     out: Path, morph_mesh: MorphMesh, animations: Sequence[Animation], options: ClipOptions,
     captions: Sequence[str] = (), sound: SoundTrack | None = None, progress: Progress = no_progress,
+    guard: Guard = REPLACING,
 ) -> None:  # fmt: skip
     """Write a clip so that it is there complete, or not at all; a folder of pictures may be left in part.
 
@@ -63,9 +66,11 @@ def write_clip(
     captions : of each head; none for a single one.
     sound : what is heard in a film.
     progress : called with the share that is done, 0..1.
+    guard : says whether a film that is there may be replaced.
 
     Raises
     ------
+    EngineError : the guard keeps what is there.
     RenderingError : the mesh lacks the movestates, it cannot be drawn or written, or a .gif cannot be so long.
     Cancelled : `progress` did not want to go on.
     """
@@ -76,7 +81,7 @@ def write_clip(
     sheet = SideBySide(options.size, captions, options.theme.text, options.theme.window)
     with OffscreenRenderer(morph_mesh, sheet.head_size) as offscreen:
         heads = _pictures_of(players, morph_mesh, offscreen, options.theme.window, progress)
-        _write(out, n_frames, map(sheet.picture, heads), options, sound)
+        _write(out, n_frames, map(sheet.picture, heads), options, sound, guard)
 
 
 def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) -> Animation:
@@ -111,25 +116,18 @@ def _pictures_of(
 
 
 def _write(
-    out: Path, n_frames: int, pictures: Iterable[UInt8Array], options: ClipOptions, sound: SoundTrack | None
-) -> None:
+    out: Path, n_frames: int, pictures: Iterable[UInt8Array], options: ClipOptions, sound: SoundTrack | None,
+    guard: Guard,
+) -> None:  # fmt: skip
     kind = out.suffix.lower()
     if kind not in {".mp4", ".gif"}:
         write_pictures(out, pictures)
         return
-
-    def write(file: BinaryIO) -> None:
+    with guarded_write(out, guard) as file:
         if kind == ".mp4":
             write_film(file, pictures, options.size, options.rate, sound)
         else:
             write_gif(file, pictures, n_frames, options.rate)
-
-    try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_write(out) as file:
-            write(file)
-    except OSError as error:
-        raise RenderingError(f"{out}: cannot be written ({reason_of(error)}); choose another place") from error
 
 
 def _blocks_of(reader: SoundReader, first: int, last: int) -> Iterator[Float32Array]:

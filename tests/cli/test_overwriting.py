@@ -1,4 +1,4 @@
-"""What commands write takes the place of their own earlier output, and of nothing that somebody else made."""
+"""What commands write takes the place of what the same work made, and of nothing else."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.head import load_head
 from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import SPEECH
-from tests.tables import analysed, refused
+from tests.tables import analysed, contents, refused
 
 LABELS = "start_s,end_s,phone,class,certainty\n0.000000,0.500000,ə,e,ambiguous\n"
 """Somebody's own labels."""
@@ -56,8 +56,8 @@ def faster(sound: Path) -> None:
 
 
 def left_alone(sentence: str, path: Path) -> None:
-    assert sentence.startswith(f"{path}: the file that is there may not be this program's, so it is left alone")
-    assert sentence.endswith("choose another place with -o, or replace it with --overwrite")
+    assert sentence.startswith(f"{path}: the file that is there was made in another way, so it is left alone")
+    assert sentence.endswith("choose another place, or replace it with --overwrite")
 
 
 @pytest.mark.parametrize("kind", TABLES)
@@ -74,19 +74,88 @@ def test_a_file_of_labels_that_lies_there_is_left_alone(
 
 
 @pytest.mark.parametrize("words", [["csv"], ["json"], ["textgrid"], ["csv", "--features"], ["json", "--features"]])
-def test_a_table_that_was_written_before_is_written_anew(words: list[str], sound: Path, tmp_path: Path) -> None:
-    analysed(sound, "-o", tmp_path / "out", "--format", *words)
+def test_a_table_gives_way_to_the_same_only(
+    words: list[str], sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for _ in range(2):
+        analysed(sound, "-o", tmp_path / "out", "--format", *words)
     (table,) = (tmp_path / "out").iterdir()
     before = table.read_text(encoding="utf-8")
     faster(sound)
-    analysed(sound, "-o", tmp_path / "out", "--format", *words)
+    capsys.readouterr()
+    left_alone(refused(capsys, "analyse", sound, "-o", tmp_path / "out", "--format", *words), table)
+    assert table.read_text(encoding="utf-8") == before
+    analysed(sound, "-o", tmp_path / "out", "--format", *words, "--overwrite")
     assert table.read_text(encoding="utf-8") != before
 
 
-def test_a_table_of_phonemes_gives_way_to_one_of_every_frame_and_back(sound: Path, tmp_path: Path) -> None:
-    for words in ([], ["--features"], []):
-        analysed(sound, "-o", tmp_path, *words)
+def test_a_table_of_phonemes_does_not_give_way_to_one_of_every_frame(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    analysed(sound, "-o", tmp_path)
+    left_alone(refused(capsys, "analyse", sound, "-o", tmp_path, "--features"), tmp_path / "speech.csv")
     assert (tmp_path / "speech.csv").read_text().startswith("start_s,end_s,phoneme,intensity,confidence\n")
+
+
+def test_in_a_folder_the_same_work_is_done_anew_and_other_work_leaves_it_alone(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    inputs, out = tmp_path / "in", tmp_path / "out"
+    inputs.mkdir()
+    for name in ("a", "b"):
+        (inputs / f"{name}.wav").write_bytes(sound.read_bytes())
+    words = [inputs, "-o", out, "--format", "livelink-csv"]
+    assert exported(*words) == 0
+    first = contents(out)
+    faster(inputs / "a.wav")
+    assert exported(*words) == 0
+    second = contents(out)
+    assert [name for name in first if first[name] != second[name]] == ["a.livelink.csv"]
+    capsys.readouterr()
+    assert exported(*words, "--preset", "thesis") == 1
+    sentences = [line for line in capsys.readouterr().err.splitlines() if "left alone" in line]
+    assert len(sentences) == 2
+    assert contents(out) == second
+    assert exported(*words, "--preset", "thesis", "--overwrite") == 0
+    assert all(second[name] != content for name, content in contents(out).items())
+
+
+def test_what_somebody_changed_in_a_folder_stays_when_the_sound_changes(
+    sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "a.wav").write_bytes(sound.read_bytes())
+    words = [tmp_path / "in", "-o", tmp_path / "out", "--format", "oculus-csv"]
+    assert exported(*words) == 0
+    target = tmp_path / "out" / "a.oculus.csv"
+    target.write_text(target.read_text().replace("0.0", "0.1"))
+    changed = target.read_text()
+    faster(tmp_path / "in" / "a.wav")
+    capsys.readouterr()
+    assert exported(*words) == 1
+    assert "is left alone" in capsys.readouterr().err
+    assert target.read_text() == changed
+
+
+@pytest.mark.parametrize(("words", "name"), [
+    (["adapt", "--room", "{sound}", "-o", "{out}"], "mine.toml"),
+    (["score", "{folder}", "-o", "{out}"], "mine.html"),
+    (["score", "{folder}", "--errors", "{out}"], "mine.csv"),
+    (["movestates", "export", "head", "-o", "{out}"], "mine.3dma"),
+    (["movestates", "convert", "head", "{out}"], "mine.3dma"),
+    (["preview", "{sound}", "-o", "{out}", "--size", "32x32", "--fps", "2"], "mine.gif"),
+    (["performance", "build", "{folder}", "-o", "{out}"], "mine.sqlite"),
+    (["speak", "Hello.", "--language", "en", "-o", "{out}"], "mine.wav"),
+    (["measure", "{sound}", "--sound-out", "{out}"], "mine.wav"),
+])  # fmt: skip
+def test_no_command_replaces_a_file_unasked(
+    words: list[str], name: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    out = tmp_path / name
+    out.write_text("a diary")
+    known = {"sound": sound, "folder": tmp_path, "out": out}
+    left_alone(refused(capsys, *(word.format(**known) for word in words)), out)
+    assert out.read_text() == "a diary"
 
 
 @pytest.mark.parametrize(
@@ -160,22 +229,8 @@ def test_all_formats_lie_side_by_side_in_one_folder_with_the_tables(sound: Path,
     }  # fmt: skip
 
 
-def _cannot_tell(name: str) -> bool:
-    return FORMATS[name].owns is None
-
-
-@pytest.mark.parametrize("name", [name for name in FORMATS if not _cannot_tell(name)])
-def test_an_export_takes_the_place_of_an_earlier_one(name: str, sound: Path, tmp_path: Path) -> None:
-    target = tmp_path / f"mine{FORMATS[name].ending}"
-    assert exported(sound, "--format", name, "-o", target) == 0
-    before = target.read_bytes()
-    faster(sound)
-    assert exported(sound, "--format", name, "-o", target) == 0
-    assert target.read_bytes() != before
-
-
-@pytest.mark.parametrize("name", [name for name in FORMATS if _cannot_tell(name)])
-def test_where_nobody_can_tell_whose_a_file_is_it_gives_way_to_the_same_only(
+@pytest.mark.parametrize("name", FORMATS)
+def test_an_export_gives_way_to_the_same_only(
     name: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     target = tmp_path / f"mine{FORMATS[name].ending}"

@@ -200,10 +200,50 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     words = [str(folder / "one.flac"), "-o", str(other), "--fps", "4", "--preset", preset, "--no-head"]
     assert main(["preview", *words]) == 0
     assert (folder / "one.gif").read_bytes() == other.read_bytes()
-    with qtbot.waitSignal(dialog.queue.finished):  # it may be somebody's by now
-        QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.queue.jobs[0].state is ExportState.FAILED
-    assert "replaced" in cells(dialog, 0)[3]
+    before = (folder / "one.gif").read_bytes()
+    dialog.rate.setValue(3)
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.question.text() == "one.gif is there already."
+    dialog.question.reject()
+    assert not dialog.queue.busy
+    assert (folder / "one.gif").read_bytes() == before
+
+
+def test_better_work_of_the_command_line_is_not_replaced_unasked(dialog, folder, qtbot):
+    target = folder / "one.livelink.csv"
+    words = ["--format", "livelink-csv", "--fps", "30", "--anticipation", "0"]
+    assert main(["export", str(folder / "one.flac"), *words, "-o", str(target)]) == 0
+    before = target.read_bytes()
+    choose(dialog, "livelink-csv")
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.question.text() == "one.livelink.csv is there already."
+    assert not dialog.queue.busy
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.keep, LEFT)
+    assert dialog.told.text() == "1 done"
+    assert target.read_bytes() == before
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.question.text() == "2 files are there already, such as two.livelink.csv."
+    assert not dialog.keep.isEnabled()
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.replace, LEFT)
+    assert target.read_bytes() != before
+    assert dialog.told.text() == "2 done"
+
+
+def test_the_same_export_into_a_folder_is_not_asked_about_and_another_one_is(dialog, folder, qtbot, tmp_path):
+    dialog._folder = tmp_path / "out"
+    choose(dialog, "rhubarb-tsv")
+    for told in ("2 done", "2 done before"):
+        with qtbot.waitSignal(dialog.queue.finished):
+            QTest.mouseClick(dialog.start, LEFT)
+        assert dialog.told.text() == told
+    assert dialog.question is None
+    dialog.minimum.setValue(0.5)
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.question.text() == "2 files are there already, such as two.rhubarb.tsv."
+    dialog.question.reject()
+    assert not dialog.queue.busy
 
 
 def test_a_report_says_how_right_the_preset_is_by_the_labels_beside_the_sound(dialog, folder, qtbot):

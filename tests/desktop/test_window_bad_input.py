@@ -180,11 +180,11 @@ def test_an_export_to_a_full_disk_is_one_sentence_and_leaves_what_was_there(expo
     before = tmp_path / "one.csv"
     before.write_text("somebody's own\n")
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
-    exporting.overwrite.setChecked(True)
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, limits[1]))
     try:
         with qtbot.waitSignal(exporting.queue.finished):
             QTest.mouseClick(exporting.start, LEFT)
+            QTest.mouseClick(exporting.replace, LEFT)
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, limits)
     assert [job.state for job in exporting.queue.jobs] == [ExportState.FAILED] * 2
@@ -201,5 +201,8 @@ def test_a_batch_that_is_cancelled_keeps_what_is_complete(exporting, qtbot, tmp_
         QTest.mouseClick(exporting.cancel, LEFT)
     states = [job.state for job in queue.jobs]
     assert states[0] is ExportState.DONE
+    qtbot.waitUntil(lambda: not queue.busy)
+    assert ExportState.WORKING not in {job.state for job in queue.jobs}
+    assert "at work" not in exporting.told.text()
     whole = {job.target.name for job in queue.jobs if job.state is ExportState.DONE}
     qtbot.waitUntil(lambda: {path.name for path in tmp_path.glob("*.csv*")} == whole)

@@ -53,17 +53,34 @@ def test_a_folder_is_made_and_our_own_file_is_replaced(tmp_path: Path) -> None:
     assert target.read_bytes() == first
 
 
+@pytest.mark.parametrize("kind", CONVERSIONS)
+def test_a_file_of_others_or_with_other_settings_stays_in_every_format(
+    kind: str, sound: Path, tmp_path: Path
+) -> None:
+    target = tmp_path / f"x{CONVERSIONS[kind].ending}"
+    target.write_text("a diary")
+    with pytest.raises(ExportError, match="is left alone"):
+        convert(sound, target, kind, PRESET)
+    assert target.read_text() == "a diary"
+    convert(sound, target, kind, PRESET, overwrite=True)
+    ours = target.read_bytes()
+    convert(sound, target, kind, PRESET)
+    with pytest.raises(ExportError, match="is left alone"):
+        convert(sound, target, kind, load_preset("extended"))
+    assert target.read_bytes() == ours
+
+
 def test_what_is_refused_leaves_what_was_there(tmp_path: Path) -> None:
     target = tmp_path / "mine.csv"
     target.write_text("a diary")
-    with pytest.raises(ExportError, match="somebody else's"):
+    with pytest.raises(ExportError, match="made in another way, so it is left alone"):
         convert(DEMO, target, "phonemes-csv", PRESET)
     convert(DEMO, tmp_path / "ours.csv", "phonemes-csv", PRESET)
     with pytest.raises(Cancelled):
         convert(DEMO, tmp_path / "ours.csv", "phonemes-csv", PRESET, progress=lambda _: False)
     with pytest.raises(AudioError):
         convert(tmp_path / "no.wav", tmp_path / "no.csv", "phonemes-csv", PRESET)
-    with pytest.raises(ExportError, match="name another folder"):
+    with pytest.raises(ExportError, match=r"cannot be written .*; choose another place"):
         convert(DEMO, target / "x.csv", "phonemes-csv", PRESET)
     assert target.read_text() == "a diary"
     assert sorted(p.name for p in tmp_path.iterdir()) == ["mine.csv", "ours.csv"]

@@ -7,11 +7,14 @@ through a part of soundfile that is private.
 import struct
 from collections.abc import Sequence
 from contextlib import suppress
+from pathlib import Path
 from typing import BinaryIO
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.gaps import MOST_MARKED, Gap
 from phonemeengine.audio.pcm import to_int24_bytes, to_integers, write_all
+from phonemeengine.errors import AudioError
+from phonemeengine.files import printable_name
 
 WIDTH = 3
 """Bytes of a sample."""
@@ -22,6 +25,22 @@ HEADER = 1 << 14
 MOST_IN_RIFF = 0xFFFF_FFFF
 """The largest size that RIFF can state; in RF64 it says that the size stands in ``ds64`` (EBU Tech 3306).
 A cue point cannot lie beyond so many samples."""
+
+
+ENDINGS = frozenset({".wav", ".wave", ""})
+
+
+def check_wav_name(path: Path) -> None:
+    """Refuse a name whose ending promises another format.
+
+    Raises
+    ------
+    AudioError : it does.
+    """
+    if path.suffix.lower() not in ENDINGS and any(map(str.isalpha, path.suffix)):
+        raise AudioError(
+            f"{printable_name(path)}: sounds are written as .wav here, not as {path.suffix}; let the name end in .wav"
+        )
 
 
 class WavEncoder:

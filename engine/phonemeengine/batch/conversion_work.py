@@ -30,7 +30,7 @@ class ConversionWork:
     preset : what is recognised with.
     options : how mouth cues are written.
     channel : what is recognised of files of several channels.
-    overwrite : whether to replace files that may be somebody else's.
+    overwrite : whether to replace whatever is there; files that the same work made, as noted, are replaced anyway.
 
     Raises
     ------
@@ -71,7 +71,7 @@ class ConversionWork:
                 say(job.source.name, note)
         convert(
             job.source, job.target, self.kind, self.preset, self.options, channel=self.channel,
-            overwrite=self.overwrite, progress=progress,
+            overwrite=self.overwrite, earlier=job.earlier, progress=progress,
         )  # fmt: skip
         return Made(duration)
 

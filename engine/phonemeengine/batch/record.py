@@ -45,8 +45,12 @@ class BatchRecord(Closing):
             with suppress(ValueError, KeyError, TypeError):
                 entry = json.loads(line)
                 self._lines[entry["target"]] = entry
-        if content and (len(lines) > 2 * len(self._lines) or not content.endswith(b"\n")):
-            self._rewrite()  # many lines no longer count, or the last one was cut off
+        self._is_loose = bool(content) and (len(lines) > 2 * len(self._lines) or not content.endswith(b"\n"))
+
+    def tidy(self) -> None:
+        """Write the file anew where many lines no longer count, or the last one was cut off."""
+        if self._is_loose:
+            self._rewrite()
 
     def found(self, job: Job, key: str) -> Outcome | None:
         """Return what came of a job before; None where it is to be done, now or again.
@@ -72,6 +76,22 @@ class BatchRecord(Closing):
             outcome = replace(outcome, source=states[0], target=states[1])
             self.add([(outcome, key)])
         return outcome
+
+    def made_earlier(self, job: Job, key: str) -> bool | None:
+        """Return whether the target that is there was made by what is asked for; None where that is not known.
+
+        Parameters
+        ----------
+        key : as in `found`.
+        """
+        entry = None if job.target is None else self._lines.get(self._name_of(job.target))
+        if entry is None or job.target is None:
+            return None
+        try:
+            is_there = _same(job.target, FileState(**entry["written"])) is not None
+        except (OSError, ValueError, KeyError, TypeError):
+            return None
+        return entry.get("key") == key if is_there else None
 
     def add(self, outcomes: Iterable[tuple[Outcome, str]]) -> None:
         """Note what was made, with the keys of what was asked for.

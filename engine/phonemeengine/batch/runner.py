@@ -129,6 +129,8 @@ def run_batch(
     with ExitStack() as stack:
         lock = None if options.folder is None else stack.enter_context(FolderLock(options.folder))
         record = None if options.folder is None else stack.enter_context(BatchRecord(options.folder))
+        if record is not None:
+            record.tidy()
         batch = _Batch([*jobs], work, options, on_outcome, on_progress, record)
         batch.plan()
         batch.work_through("" if lock is None else lock.token)
@@ -161,11 +163,13 @@ class _Batch:
         """Find what is to be done, and tell what need not be, or cannot."""
         taken: dict[Path, Path] = {}
         for number, job in enumerate(self.jobs):
-            outcome = _collision(job, taken) or (self.record and self.record.found(job, self._key_of(job)))
+            key = "" if self.record is None else _key_of(job, self.work, self._fingerprint)
+            outcome = _collision(job, taken) or (self.record and self.record.found(job, key))
             if outcome:
                 self._take(number, outcome)
             else:
-                self._todo.append(job)
+                earlier = None if self.record is None else self.record.made_earlier(job, key)
+                self._todo.append(replace(job, earlier=earlier))
                 self._sizes[job] = _size_of(job.source)
         self.progress.n_files, self.progress.n_bytes = len(self._todo), sum(self._sizes.values())
         self._sweep()
@@ -174,10 +178,6 @@ class _Batch:
         """Remove what was left half by who died."""
         if self.record is not None:
             sweep({job.target for job in self.jobs if job.target is not None})
-
-    def _key_of(self, job: Job) -> str:
-        """Return what tells what is asked of a file; its name, which outputs may hold, goes into it."""
-        return fingerprint_of(self._fingerprint, job.source.name, self.work.known_of(job))
 
     # -- doing it -----------------------------------------------------------------------------------------
 
@@ -259,7 +259,7 @@ class _Batch:
         """Note what became of files."""
         if self.record is not None:
             done = [o for o in outcomes if o.state is JobState.DONE and o.job.target is not None]
-            self.record.add((outcome, self._key_of(outcome.job)) for outcome in done)
+            self.record.add((outcome, _key_of(outcome.job, self.work, self._fingerprint)) for outcome in done)
         for outcome in outcomes:
             self.progress.done_bytes += self._sizes[outcome.job]
             self._take(self._numbers[outcome.job], outcome)
@@ -361,6 +361,26 @@ class _Shift:
         for future in self._given:
             if not future.cancelled() and future.exception() is None:
                 self._batch.note(future.result())
+
+
+def in_the_way(jobs: Iterable[Job], work: Work, folder: Path | None) -> list[Job]:
+    """Return those whose target is there already, and is not known to be what the same work made.
+
+    Parameters
+    ----------
+    folder : where it is noted what was done; None where it is not.
+    """
+    record = None if folder is None else BatchRecord(folder)
+    there = [job for job in jobs if job.target is not None and job.target.is_file()]
+    if record is None or not there:
+        return there
+    fingerprint = work.fingerprint()
+    return [job for job in there if not record.made_earlier(job, _key_of(job, work, fingerprint))]
+
+
+def _key_of(job: Job, work: Work, fingerprint: str) -> str:
+    """Return what tells what is asked of a file; its name, which outputs may hold, goes into it."""
+    return fingerprint_of(fingerprint, job.source.name, work.known_of(job))
 
 
 def _collision(job: Job, taken: dict[Path, Path]) -> Outcome | None:

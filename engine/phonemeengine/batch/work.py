@@ -22,12 +22,14 @@ class Job:
     source, target : the files.
     number : tells jobs apart that have the same files.
     origin : where the source was before it was fetched from elsewhere; None where it was not.
+    earlier : whether the same work made the target that is there, as the batch noted it; None where nothing is noted.
     """
 
     source: Path
     target: Path | None
     number: int = 0
     origin: Path | None = None
+    earlier: bool | None = field(default=None, compare=False)
 
     @property
     def sound(self) -> Path:

@@ -1,13 +1,13 @@
 """Sound files as mouths, in one call: what is said, cues, and files for other programs."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterator
 from pathlib import Path
 
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import ExportError
-from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.files import printable_name
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
@@ -16,6 +16,7 @@ from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript, transcript_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress
+from phonemeengine.replacing import Guard, write_guarded
 from phonemeengine.settings import Channel
 
 
@@ -92,6 +93,7 @@ def export(
     *,
     channel: Channel = Channel.MIX,
     script: Script | None = None,
+    overwrite: bool = False,
     progress: Progress = no_progress,
 ) -> None:
     """Write what a sound file says, as mouth cues or the movement of a face for another program.
@@ -99,21 +101,42 @@ def export(
     Parameters
     ----------
     sound, preset, channel, script, progress : as in `transcribe`.
-    target : the new file; an old one stays until the new one is complete.
+    target : the new file; its folder is made if need be, and an old file stays until the new one is complete.
     form : name of the format, such as ``rhubarb-json``, ``textgrid``, ``livelink`` or ``gltf``; see `FORMATS`.
     options : how it shall be written; what suits the format, unless they are given.
+    overwrite : whether to replace a file that is there with other content.
 
     Raises
     ------
     AudioError : the sound cannot be read.
     MouthError : its table cannot be used.
-    ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
+    ExportError : there is no such format, it cannot do what is asked for, another file is there, or it cannot be
+        written.
     Cancelled : `progress` did not want to go on; what was there stays.
     """
+    guard = _guard_of(target, form, options, overwrite)
+    write_guarded(
+        Path(target),
+        exported(sound, form, preset, options, channel=channel, script=script, progress=progress),
+        guard,
+    )
+
+
+def exported(
+    sound: str | os.PathLike[str],
+    form: str,
+    preset: Preset,
+    options: ExportOptions | None = None,
+    *,
+    channel: Channel = Channel.MIX,
+    script: Script | None = None,
+    progress: Progress = no_progress,
+) -> Iterator[bytes]:
+    """Return the content of the file that `export` writes, in parts; it takes and raises the same."""
     exporter = Exporter(form, options)
     pitch = exporter.format.moves_head and exporter.idle.head
     said = transcribe(sound, preset, channel=channel, pitch=pitch, script=script, progress=progress)
-    _write(exporter.chunks_of(said), Path(target))
+    return exporter.chunks_of(said)
 
 
 def export_transcript(
@@ -123,28 +146,31 @@ def export_transcript(
     options: ExportOptions | None = None,
     *,
     movement: Animation | None = None,
+    overwrite: bool = False,
 ) -> None:
     """Write what is known of a sound, such as a voice's, as mouth cues or the movement of a face; see `export`.
 
     Parameters
     ----------
     speech : what is said, such as `SpokenText.transcript`.
-    target, form, options : as in `export`.
+    target, form, options, overwrite : as in `export`.
     movement : how the face moves, at the format's rate, where the cues do not say that; such as
         `PinyinTrack.animation`.
 
     Raises
     ------
     MouthError : its table cannot be used.
-    ExportError : there is no such format, it cannot do what is asked for, or the file cannot be written.
+    ExportError : there is no such format, it cannot do what is asked for, another file is there, or it cannot be
+        written.
     """
-    _write(Exporter(form, options).chunks_of(speech, movement), Path(target))
+    guard = _guard_of(target, form, options, overwrite)
+    write_guarded(Path(target), Exporter(form, options).chunks_of(speech, movement), guard)
 
 
-def _write(chunks: Iterable[bytes], target: Path) -> None:
-    try:
-        with atomic_write(target) as file:
-            file.writelines(chunks)
-    except OSError as error:
-        words = f"{printable_name(target)}: cannot be written ({reason_of(error)}); name another file"
-        raise ExportError(words) from error
+def _guard_of(
+    target: str | os.PathLike[str], form: str, options: ExportOptions | None, overwrite: bool
+) -> Guard:  # fmt: skip
+    """Check the options and the target before any sound is heard."""
+    guard = Guard(Exporter(form, options).format.owns, overwrite, error=ExportError)
+    guard.check(Path(target))
+    return guard

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import BinaryIO
 
 from phonemeengine.analyser import Analyser
-from phonemeengine.audio.wav import WavEncoder
+from phonemeengine.audio.wav import WavEncoder, check_wav_name
 from phonemeengine.labels.utterance import Utterance, Word, shifted
 from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
@@ -49,9 +49,11 @@ def spoken_text(
 
     Raises
     ------
-    EngineError : as the sentences do.
+    EngineError : as the sentences do, or the file's name ends otherwise than WAV.
     OSError : the sound cannot be written.
     """
+    if path is not None:
+        check_wav_name(Path(path))
     encoder = None if sound is None else WavEncoder(sound, SAMPLE_RATE, 1)
     analyser = Analyser(load_preset(DEFAULT_PRESET), pitch=True) if measured else None
     words: list[Word] = []

@@ -2,11 +2,11 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from types import ModuleType
 
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.language import tr_noop
 from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
@@ -18,8 +18,7 @@ from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion import CONVERSIONS, check_options, convert
-from phonemeengine.errors import ExportError
-from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.files import printable_name
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.head import load_head
@@ -27,6 +26,7 @@ from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, subrange
+from phonemeengine.replacing import Guard, write_guarded
 from phonemeengine.settings import Channel
 
 ANALYSED = 0.2
@@ -43,7 +43,7 @@ class ExportOrder:
     preset : what is recognised with.
     options : how mouths move.
     channel : what is recognised of files of several channels.
-    overwrite : whether to replace files that may be somebody else's.
+    overwrite : whether to replace whatever is there, not only what the same order made.
     """
 
     kind: str
@@ -127,7 +127,8 @@ class ExportOrderWork:
         assert job.target is not None
         with SoundReader(job.source, self.order.channel) as reader:
             duration = reader.duration
-        EXPORT_KINDS[self.order.kind].make(job.source, job.target, self.order, progress)
+        order = replace(self.order, overwrite=self.order.overwrite or bool(job.earlier))
+        EXPORT_KINDS[order.kind].make(job.source, job.target, order, progress)
         return Made(duration)
 
 
@@ -148,7 +149,7 @@ def _clips() -> ModuleType:
 def _make_clip(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
     from phonemeanalyser.rendering.subdivision import subdivided  # noqa: PLC0415 - as below
 
-    _refuse_another(target, order)
+    guard = Guard(overwrite=order.overwrite)
     clips = _clips()
     look = ClipOptions() if order.options.rate is None else ClipOptions(rate=order.options.rate)
     preset = for_files(order.preset)
@@ -159,38 +160,19 @@ def _make_clip(source: Path, target: Path, order: ExportOrder, progress: Progres
         speech = transcript_of(analyses, printable_name(source), reader.duration, source)
         animation = clips.animation_by_rules(speech, order.options, look.rate)
         shown = subrange(progress, ANALYSED, 1)
-        clips.write_clip(target, subdivided(load_head()), [animation], look, (), clips.sound_track(reader), shown)
+        clips.write_clip(
+            target, subdivided(load_head()), [animation], look, (), clips.sound_track(reader), shown, guard
+        )  # fmt: skip
 
 
 def _write_report(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
     """Score the preset on the labels beside a sound, as the command `score` does."""
-    _refuse_another(target, order)
     utterances = read_recordings(source, channel=order.channel)
     progress(0.1)
     found = score(for_files(order.preset), utterances)
     page = page_of(Report(source.parent, (ScoredPreset(order.preset.name, found),)))
     progress(1.0)
-    try:
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with atomic_write(target) as file:
-            file.write(page.encode())
-    except OSError as error:
-        fault = reason_of(error)
-        raise ExportError(
-            tr("{target}: cannot be written ({fault}); name another folder").format(
-                target=printable_name(target), fault=fault
-            )
-        ) from error
-
-
-def _refuse_another(target: Path, order: ExportOrder) -> None:
-    """Leave alone a file that may be somebody else's."""
-    if target.is_file() and not order.overwrite:
-        raise ExportError(
-            tr(
-                "{target}: the file that is there may be somebody else's; name another folder, or have it replaced"
-            ).format(target=printable_name(target))
-        )
+    write_guarded(target, [page.encode()], Guard(overwrite=order.overwrite))
 
 
 EXPORT_KINDS: dict[str, ExportKind] = {

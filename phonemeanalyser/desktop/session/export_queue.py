@@ -5,6 +5,7 @@ from dataclasses import dataclass, replace
 from enum import StrEnum
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from threading import Lock
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -15,6 +16,7 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
+from phonemeengine.batch.runner import in_the_way as jobs_in_the_way
 from phonemeengine.batch.work import Job, JobState, Outcome
 from phonemeengine.conversion import CONVERSIONS
 from phonemeengine.measurement import save_stretch
@@ -81,6 +83,7 @@ class ExportQueue(QObject):
         self.jobs: list[ExportJob] = []
         self.progress = 0.0
         self._numbers: dict[Job, int] = {}
+        self._lock, self._is_cancelled = Lock(), False
         self._work = TaskQueue(self._refuse)
         self._preview = TaskQueue(self.previewed.emit)
         self._work.changed.connect(self.changed)
@@ -102,7 +105,7 @@ class ExportQueue(QObject):
             they go beside their sounds.
         """
         self.jobs = [ExportJob(source, target) for source, target in targets.items()]
-        self.progress = 0.0
+        self.progress, self._is_cancelled = 0.0, False
         jobs = [Job(source, target) for source, target in targets.items()]
         self._numbers = {job: k for k, job in enumerate(jobs)}
         self._work.submit(lambda progress: self._run(jobs, order, folder, progress))
@@ -111,9 +114,11 @@ class ExportQueue(QObject):
     def cancel(self) -> None:
         """End all work; files that are complete stay, and none is left half."""
         self._work.cancel()
-        for k, job in enumerate(self.jobs):
-            if job.state in {ExportState.WAITING, ExportState.WORKING}:
-                self.jobs[k] = replace(job, state=ExportState.CANCELLED)
+        with self._lock:
+            self._is_cancelled = True
+            for k, job in enumerate(self.jobs):
+                if job.state in {ExportState.WAITING, ExportState.WORKING}:
+                    self.jobs[k] = replace(job, state=ExportState.CANCELLED)
         self.finished.emit()
 
     def preview(self, source: Path, order: ExportOrder) -> None:
@@ -152,7 +157,10 @@ class ExportQueue(QObject):
 
     def _put(self, job: Job, **known: Any) -> None:
         number = self._numbers[job]
-        self.jobs[number] = replace(self.jobs[number], **known)
+        with self._lock:
+            if self._is_cancelled and known["state"] is ExportState.WORKING:
+                return
+            self.jobs[number] = replace(self.jobs[number], **known)
         self.changed.emit()
 
 
@@ -161,6 +169,17 @@ _STATES = {
     JobState.SKIPPED: ExportState.SKIPPED,
     JobState.FAILED: ExportState.FAILED,
 }
+
+
+def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | None) -> list[Path]:
+    """Return the sounds whose files are there already, and are not known to be what the same order made.
+
+    Parameters
+    ----------
+    targets, order, folder : as in `ExportQueue.start`.
+    """
+    jobs = [Job(source, target) for source, target in targets.items()]
+    return [job.source for job in jobs_in_the_way(jobs, ExportOrderWork(order), folder)]
 
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:

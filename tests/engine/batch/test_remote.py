@@ -60,7 +60,7 @@ def test_a_file_of_somebody_else_at_an_address_is_left_alone(
     (bucket / "out").mkdir()
     (bucket / "out" / "a.csv").write_text("of somebody else")
     assert main(["analyse", str(bucket / "in"), "-o", str(bucket / "out")]) == 1
-    assert "may not be this program's" in capsys.readouterr().err
+    assert "is left alone" in capsys.readouterr().err
     assert (bucket / "out" / "a.csv").read_text() == "of somebody else"
 
 

@@ -56,12 +56,27 @@ def test_a_refusal_leaves_the_old_file(sound: Path, tmp_path: Path) -> None:
     with pytest.raises(ExportError, match="there is no format 'rhubarb'; choose one of rhubarb-tsv"):
         export(sound, target, "rhubarb", PRESET)
     with pytest.raises(AudioError, match=r"^missing\.wav: "):
-        export(tmp_path / "missing.wav", target, "rhubarb-json", PRESET)
+        export(tmp_path / "missing.wav", tmp_path / "new.json", "rhubarb-json", PRESET)
+    with pytest.raises(ExportError, match="is left alone"):
+        export(sound, target, "rhubarb-json", PRESET)
     with pytest.raises(MouthError, match=r"^nowhere: "):
         cues(sound, PRESET, "nowhere")
     assert target.read_text() == "old"
 
 
-def test_a_folder_that_is_not_there_is_named_in_one_sentence(sound: Path, tmp_path: Path) -> None:
-    with pytest.raises(ExportError, match=r"^out\.json: cannot be written \(No such .*\); name another file$"):
-        export(sound, tmp_path / "missing" / "out.json", "curves-json", PRESET)
+def test_a_folder_that_cannot_be_made_is_named_in_one_sentence(sound: Path, tmp_path: Path) -> None:
+    (tmp_path / "file").touch()
+    with pytest.raises(ExportError, match=r"out\.json: cannot be written \(.*\); choose another place$"):
+        export(sound, tmp_path / "file" / "out.json", "curves-json", PRESET)
+
+
+def test_an_export_with_other_options_leaves_the_file_alone_unless_told(sound: Path, tmp_path: Path) -> None:
+    target = tmp_path / "new" / "speech.csv"
+    for _ in range(2):
+        export(sound, target, "livelink-csv", PRESET)
+    before = target.read_bytes()
+    with pytest.raises(ExportError, match="made in another way, so it is left alone"):
+        export(sound, target, "livelink-csv", PRESET, ExportOptions(rate=30))
+    assert target.read_bytes() == before
+    export(sound, target, "livelink-csv", PRESET, ExportOptions(rate=30), overwrite=True)
+    assert target.read_bytes() != before
