@@ -5,8 +5,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, add_preset, add_script
-from phonemeanalyser.cli.jobs import say_cut_off, say_note
-from phonemeanalyser.cli.scripts import NO_TEXTS, spoken_texts
+from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
+from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
 from phonemeengine import (
     CalibrationResult,
     Channel,
@@ -121,24 +121,30 @@ def _gain_in_words(result: CalibrationResult) -> str:
 
 def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
     """Label the sounds of somebody who reads by what is read; none where the command line does not say it."""
-    texts = spoken_texts(options, options.folders)
+    is_told = any(given is not None for given in (options.line, options.text, options.script))
+    sounds = sounds_in(options.folders) if is_told else options.folders
+    texts = spoken_texts(options, sounds)
     if options.line is not None:
         if options.text is not None or options.script is not None:
             options.parser.error("--line goes without --text and --script: it is what is read")
-        return [read_sentence(sound, sentences_in(options.line)[0], options.channel) for sound in options.folders]
+        return [read_sentence(sound, sentences_in(options.line)[0], options.channel) for sound in sounds]
     if texts is NO_TEXTS:
         return []
-    found = []
-    for sound in options.folders:
-        with SoundReader(sound, options.channel) as reader:
-            said = texts.script_of(sound, reader.duration, say_note)
-        if said is None:
-            raise TakeError(f"{sound.name}: nothing says what is read in it; name it in the script")
-        if isinstance(said, Utterance):
-            found.append(LabelledUtterance(sound, labels_of(said), sound.stem, "read", options.channel))
-        else:
-            found.append(read_sentence(sound, said, options.channel))
+    found = [utterance for sound in sounds if (utterance := _labelled(sound, texts, options.channel))]
+    if not found:
+        raise TakeError("nothing says what is read in the sounds; name them in the script")
     return found
+
+
+def _labelled(sound: Path, texts: SpokenTexts, channel: Channel) -> LabelledUtterance | None:
+    """Label a sound by what is read in it; None where nothing says it."""
+    with SoundReader(sound, channel) as reader:
+        said = texts.script_of(sound, reader.duration, say_note)
+    if said is None:
+        return None
+    if isinstance(said, Utterance):
+        return LabelledUtterance(sound, labels_of(said), sound.stem, "read", channel)
+    return read_sentence(sound, said, channel)
 
 
 def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[LabelledUtterance]:

@@ -44,9 +44,9 @@ def run(options: argparse.Namespace) -> int:
     guard = Guard(begins_like(",".join(COLUMNS).encode() + b"\n"), options.overwrite)
     guard.check(options.out)
     jobs = jobs_of(options.inputs, Path(), "")
-    texts = spoken_texts(options, [job.source for job in jobs])
-    if texts.labels is not None:
-        raise EngineError(f"{texts.labels.name}: its words are aligned already; name a script of text")
+    texts = spoken_texts(options, [job.source for job in jobs], with_labels=False)
+    for labels in texts.labels.values():
+        raise EngineError(f"{labels.name}: its words are aligned already; name a script of text")
     outcomes = work_through(jobs, AlignmentWork(preset, options.channel, texts))
     takes = [take for outcome in outcomes for take in outcome.made.value or ()]
     if takes:

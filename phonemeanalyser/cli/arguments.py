@@ -60,7 +60,7 @@ def add_script(parser: argparse.ArgumentParser) -> None:
     known.add_argument("--text", metavar="TEXT", help="what is said in the sound: recognition becomes far more exact")
     words = (
         "file with it, table with a line FILE<TAB>TEXT for each sound, .TextGrid or .json with times of words, or "
-        "auto: x.txt beside x.wav"
+        "auto: x.TextGrid with words, or x.txt, beside x.wav"
     )
     known.add_argument("--script", type=Path, metavar="FILE", help=words)
     parser.add_argument("--speaker", metavar="NAME", help="whose words, of a .TextGrid or .json of several speakers")

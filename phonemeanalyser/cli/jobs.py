@@ -55,6 +55,11 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
     return [Job(file, out if single else (out / relative).with_suffix(ending)) for file, relative in found]
 
 
+def sounds_in(inputs: list[Path]) -> list[Path]:
+    """Return sound files as they are, and those in folders."""
+    return [file for path in inputs for file, _ in _files_under(path)]
+
+
 def is_single(inputs: list[Path], out: Path) -> bool:
     """Return whether what is asked for is one file of one sound, not a folder of them."""
     return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)

@@ -28,7 +28,7 @@ from phonemeengine.batch.work import Made, Say
 from phonemeengine.files import printable, printable_name
 from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.text.espeak import languages
-from phonemeengine.text.script import TIMED_SUFFIXES, load_script, script_beside, timed_script
+from phonemeengine.text.script import TIMED_SUFFIXES, load_script, script_beside, timed_script, words_beside
 
 AUTO = "auto"
 SHOWN_WORDS = 8
@@ -45,7 +45,7 @@ class SpokenTexts:
     Attributes
     ----------
     texts : by the sound's file.
-    labels : a TextGrid or JSON with words and times of the only one; None where there are texts.
+    labels : TextGrids or JSON with words and times, by the sound's file; these go before texts.
     language : of the texts, or the labels.
     lexicon : goes before the language's voice.
     literal : whether the notation of scripts is words, too.
@@ -54,7 +54,7 @@ class SpokenTexts:
     """
 
     texts: Mapping[Path, str]
-    labels: Path | None
+    labels: Mapping[Path, Path]
     language: str | None
     lexicon: Lexicon | None
     literal: bool = False
@@ -63,8 +63,8 @@ class SpokenTexts:
 
     def known_of(self, sound: Path) -> str:
         """Return what tells whether something else is said in a sound than before."""
-        if self.labels is not None:
-            return fingerprint_of(self.labels, self.language, self.lexicon, self.speaker)
+        if sound in self.labels:
+            return fingerprint_of(self.labels[sound], self.language, self.lexicon, self.speaker)
         return fingerprint_of(self.texts.get(sound), self.language, self.lexicon, self.literal, self.accepted)
 
     def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
@@ -74,8 +74,8 @@ class SpokenTexts:
         ------
         EngineError : its text cannot be spoken, or its labels cannot be read.
         """
-        if self.labels is not None:
-            return timed_script(self.labels, duration, self.language, self.lexicon, self.speaker)
+        if sound in self.labels:
+            return timed_script(self.labels[sound], duration, self.language, self.lexicon, self.speaker)
         text = self.texts.get(sound)
         if text is None:
             return None
@@ -104,12 +104,17 @@ class SpokenTexts:
         return found
 
 
-NO_TEXTS = SpokenTexts({}, None, None, None)
+NO_TEXTS = SpokenTexts({}, {}, None, None)
 """Nothing is known of what is said."""
 
 
-def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenTexts:
+def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path], *, with_labels: bool = True) -> SpokenTexts:
     """Return what is said in the sounds of a command line with the arguments of `add_script`.
+
+    Parameters
+    ----------
+    sounds : files.
+    with_labels : whether ``auto`` takes the words and times of a TextGrid beside a sound, before a text.
 
     Raises
     ------
@@ -128,11 +133,14 @@ def spoken_texts(options: argparse.Namespace, sounds: Sequence[Path]) -> SpokenT
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
     if options.script is not None and options.script.suffix.lower() in TIMED_SUFFIXES:
         labels = _labels_of(options.script, sounds)
-        return SpokenTexts({}, labels, options.language, lexicon, speaker=options.speaker)
+        return SpokenTexts({}, {sounds[0]: labels}, options.language, lexicon, speaker=options.speaker)
     if options.speaker is not None:
         options.parser.error("--speaker goes with a --script that tells speakers apart: a .TextGrid or .json")
-    texts = _texts_of(options, sounds)
-    return SpokenTexts(texts, None, options.language, lexicon, options.literal, options.accept_text)
+    if options.script is not None and str(options.script) == AUTO:
+        texts, timed = _beside(sounds, with_labels)
+    else:
+        texts, timed = _texts_of(options, sounds), {}
+    return SpokenTexts(texts, timed, options.language, lexicon, options.literal, options.accept_text)
 
 
 @dataclass(frozen=True)
@@ -222,16 +230,23 @@ def made_of(reader: SoundReader, utterance: Utterance | None, language: str | No
     return Made(reader.duration, language or utterance.language, scored_take(reader.path, "", utterance).score)
 
 
+def _beside(sounds: Sequence[Path], with_labels: bool) -> tuple[Mapping[Path, str], Mapping[Path, Path]]:
+    """Return the texts, and labels with words, that lie beside sounds under their names; say where nothing does."""
+    texts, labels = dict[Path, str](), dict[Path, Path]()
+    for sound in sounds:
+        if with_labels and (found := words_beside(sound)) is not None:
+            labels[sound] = found
+        elif (script := script_beside(sound)) is not None:
+            texts[sound] = script.text
+        else:
+            names = f"{sound.stem}.TextGrid with words or {sound.stem}.txt" if with_labels else f"{sound.stem}.txt"
+            say_note(printable_name(sound), f"there is no {names} beside it, so it is recognised without text")
+    return texts, labels
+
+
 def _texts_of(options: argparse.Namespace, sounds: Sequence[Path]) -> Mapping[Path, str]:
     if options.text is not None:
         return dict.fromkeys(sounds, options.text)
-    if str(options.script) == AUTO:
-        beside = {sound: script_beside(sound) for sound in sounds}
-        for sound in (sound for sound, script in beside.items() if script is None):
-            say_note(
-                printable_name(sound), f"there is no {sound.stem}.txt beside it, so it is recognised without text"
-            )
-        return {sound: script.text for sound, script in beside.items() if script is not None}
     texts, notes = load_script(options.script).texts_of(sounds)
     for note in notes:
         say_note(printable_name(options.script), note)

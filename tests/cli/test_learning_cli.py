@@ -108,6 +108,21 @@ def test_any_text_may_be_read(read, tmp_path, capsys, where):
     assert load_preset(out).model == by_api.preset.model
 
 
+def test_a_table_says_what_is_read_in_a_folder_as_it_does_for_other_commands(read, tmp_path, capsys):
+    folder, out = tmp_path / "takes", tmp_path / "voice.toml"
+    folder.mkdir()
+    for name in ("me.wav", "silent.wav"):
+        shutil.copy(read, folder / name)
+    (tmp_path / "table.tsv").write_text(f"./takes/me.wav\t{SENTENCES[0].text}\n")
+    words = ["adapt", str(folder), "--script", str(tmp_path / "table.tsv"), "--language", "en-us", "-o", str(out)]
+    assert main(words) == 0
+    assert "there is no text for silent.wav" in capsys.readouterr().err
+    by_api = calibrate(
+        load_preset("learned"), [read_sentence(folder / "me.wav", words_of(SENTENCES[0].text, "en-us"))]
+    )
+    assert load_preset(out).model == by_api.preset.model
+
+
 def test_another_text_is_refused_and_nothing_is_written(read, tmp_path, capsys):
     out = tmp_path / "voice.toml"
     assert refused(capsys, "adapt", read, "--line", "german", "-o", out) == (

@@ -10,7 +10,9 @@ import pytest
 from phonemeanalyser.cli.main import main
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.timed_words import read_timed_words
-from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
+from phonemeengine.phonemes import Phoneme
 from tests.conftest import CORPUS
 from tests.tables import outputs_in, refused, rows_of
 
@@ -144,12 +146,27 @@ def test_the_text_beside_a_sound_is_found(tmp_path: Path, capsys: pytest.Capture
         shutil.copy(SAID, tmp_path / name)
     (tmp_path / "a.txt").write_text(TEXT, encoding="utf-8")
     run("analyse", tmp_path, "--script", "auto", "--language", "de", "-o", tmp_path / "out")
-    assert "b.flac: note: there is no b.txt beside it, so it is recognised without text" in capsys.readouterr().err
+    assert (
+        "b.flac: note: there is no b.TextGrid with words or b.txt beside it, so it is recognised without text"
+        in capsys.readouterr().err
+    )
     heads = [(tmp_path / "out" / f"{name}.csv").read_text("utf-8").splitlines()[0] for name in "ab"]
     assert heads == [
         "start_s,end_s,phoneme,intensity,confidence,phone,word,score",
         "start_s,end_s,phoneme,intensity,confidence",
     ]
+
+
+def test_the_words_that_the_window_saved_beside_a_sound_go_before_a_text(tmp_path: Path) -> None:
+    shutil.copy(SAID, tmp_path / "a.flac")
+    (tmp_path / "a.txt").write_text("Ganz etwas anderes.", encoding="utf-8")
+    words = (Word("Es", (Syllable((Phone(0.5, 0.75, "ɛ", Phoneme.E), Phone(0.75, 1.0, "s", Phoneme.SZ)), 0),)),)
+    (tmp_path / "a.TextGrid").write_text(format_utterance(Utterance(words, 2.0, "de")), encoding="utf-8")
+    run("analyse", tmp_path / "a.flac", "--script", "auto", "-o", tmp_path / "auto.csv")
+    run("analyse", tmp_path / "a.flac", "--script", tmp_path / "a.TextGrid", "-o", tmp_path / "named.csv")
+    found = (tmp_path / "auto.csv").read_text("utf-8")
+    assert "\n0.5,0.75,e," in found
+    assert found == (tmp_path / "named.csv").read_text("utf-8")
 
 
 @pytest.mark.parametrize(

@@ -64,6 +64,18 @@ def tells_sounds(path: str | os.PathLike[str], speaker: str | None = None) -> bo
     return any(_labels_in(tiers, names) is not None for names in (TIER_NAMES, (SYLLABLE_TIER,)))
 
 
+def has_words(path: str | os.PathLike[str]) -> bool:
+    """Return whether a TextGrid has a tier of words, of any speaker.
+
+    Raises
+    ------
+    CorpusError : it cannot be read.
+    """
+    tiers = tiers_of(read_text(path := Path(path)), printable_name(path))
+    names = (tier.name.lower() for tier in tiers if tier.raw_labels)
+    return any(part.strip().startswith(WORD_TIER) for name in names for part in name.split(" - "))
+
+
 def read_utterance(
     path: str | os.PathLike[str], duration: float, mapping: PhonemeMap | None = None, speaker: str | None = None
 ) -> Utterance:

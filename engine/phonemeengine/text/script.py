@@ -15,7 +15,7 @@ from phonemeengine.errors import TextError
 from phonemeengine.files import printable, printable_name, read_text_file
 from phonemeengine.labels.timed_words import read_timed_words
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.labels.utterance_files import read_utterance, tells_sounds
+from phonemeengine.labels.utterance_files import has_words, read_utterance, tells_sounds
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import ScriptWord, timed_words_of
 
@@ -103,15 +103,28 @@ def load_script(path: str | os.PathLike[str]) -> Script:
     return Script(name, "", {sound: "\n".join(words) for sound, words in texts.items()})
 
 
+def words_beside(sound: Path) -> Path | None:
+    """Return ``x.TextGrid`` beside a sound ``x.wav``, as the window saves it; None where it has no words.
+
+    Raises
+    ------
+    CorpusError : it cannot be read.
+    """
+    path = sound.with_suffix(".TextGrid")
+    return path if path.is_file() and has_words(path) else None
+
+
 def script_beside(sound: Path) -> Script | None:
-    """Return the script ``x.txt`` beside a sound ``x.wav``; None where there is none, or Audacity's labels are there.
+    """Return the script ``x.txt``, or ``x.docx``, beside a sound ``x.wav``; None where there is none.
+
+    Labels of Audacity are none.
 
     Raises
     ------
     TextError : it cannot be read, or is empty.
     """
-    path = sound.with_suffix(".txt")
-    if not path.is_file():
+    path = next((path for ending in (".txt", ".docx") if (path := sound.with_suffix(ending)).is_file()), None)
+    if path is None:
         return None
     text = read_text_file(path, LARGEST, "a script", TextError)
     if _AUDACITY.match(text):
