@@ -56,7 +56,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_mouth(parser)
     add_expression(parser)
     add_driver(parser)
-    parser.add_argument("--mesh", type=Path, metavar="GLB", help="another face than the program's, for gltf")
+    parser.add_argument(
+        "--mesh", type=Path, metavar="M", help="another face than the program's, for gltf: .glb, .gltf, .obj or .x"
+    )
     add_channel(parser)
     add_overwrite(parser)
     add_batch(parser)

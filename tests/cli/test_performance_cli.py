@@ -49,7 +49,9 @@ def test_what_is_left_out_is_said_and_the_table_is_built(tmp_path: Path, capsys:
     assert "a recording is left out: bad.csv: this is no recording of Live Link Face" in err
 
 
-def test_a_table_takes_the_place_of_a_table_only(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_table_takes_the_place_of_another_file_only_where_that_is_wanted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     write_recording(tmp_path)
     table = tmp_path / "t.sqlite"
     build = ["performance", "build", str(tmp_path), "-o", str(table)]
@@ -58,7 +60,9 @@ def test_a_table_takes_the_place_of_a_table_only(tmp_path: Path, capsys: pytest.
     assert "is left alone" in capsys.readouterr().err
     assert table.read_text(encoding="utf-8") == "my notes"
     assert main([*build, "--overwrite"]) == 0
-    assert main(build) == 0
+    built = table.read_bytes()
+    assert main(build) == 1
+    assert table.read_bytes() == built
 
 
 def shown(table: Path, out: Path, *words: str) -> UInt8Array:

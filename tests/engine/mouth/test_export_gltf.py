@@ -1,6 +1,7 @@
 """A face with its movement as GLB, read back by pygltflib."""
 
 import json
+from base64 import b64encode
 from contextlib import suppress
 from pathlib import Path
 
@@ -13,7 +14,8 @@ from pygltflib import GLTF2
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.glb import read_glb
+from phonemeengine.mouth.exports.glb import read_face
+from phonemeengine.mouth.files.glb import chunks_of
 from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import DURATION, speech
 from tests.glb_faces import face_with_targets, glb_of
@@ -79,6 +81,45 @@ def test_the_face_itself_stays_as_it_was(tmp_path: Path) -> None:
         assert one[name] == other[name][: len(one[name])]
 
 
+def test_a_gltf_with_its_files_beside_it_moves_as_the_same_glb_does(tmp_path: Path) -> None:
+    glb = face_with_targets(("jawOpen", "mouthPucker"))
+    text, binary = chunks_of(glb)
+    asunder = json.loads(text)
+    first, rest = asunder["bufferViews"][0]["byteLength"], bytes(binary)
+    asunder["buffers"] = [
+        {"uri": "corners%20here.bin", "byteLength": first},
+        {
+            "uri": "data:application/octet-stream;base64," + b64encode(rest[first:]).decode(),
+            "byteLength": len(rest) - first,
+        },
+    ]
+    asunder["bufferViews"][1:] = [
+        view | {"buffer": 1, "byteOffset": view["byteOffset"] - first} for view in asunder["bufferViews"][1:]
+    ]
+    asunder["images"] = [{"uri": "skin.png", "name": "skin"}]
+    (tmp_path / "corners here.bin").write_bytes(rest[:first])
+    (tmp_path / "skin.png").write_bytes(b"a picture")
+    path = tmp_path / "face.gltf"
+    path.write_text(json.dumps(asunder))
+    found, expected = read(animated(path), tmp_path), read(animated(face(tmp_path, glb)), tmp_path)
+    view = found.bufferViews[found.images[0].bufferView]
+    assert found.images[0].mimeType == "image/png"
+    assert found.binary_blob()[view.byteOffset :][: view.byteLength] == b"a picture"
+    for view, same in zip(found.bufferViews[:3], expected.bufferViews[:3], strict=True):
+        place, other = view.byteOffset or 0, same.byteOffset or 0
+        assert found.binary_blob()[place : place + 36] == expected.binary_blob()[other : other + 36]
+    weights = [floats_of(gltf, gltf.animations[0].samplers[0].output) for gltf in (found, expected)]
+    assert (weights[0] == weights[1]).all()
+
+
+def test_a_mesh_without_morph_targets_is_refused_with_the_remedy(tmp_path: Path) -> None:
+    (tmp_path / "face.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    with pytest.raises(
+        ExportError, match=r"^face\.obj: there are no morph targets in it; .*movestates export face\.obj"
+    ):
+        animated(tmp_path / "face.obj")
+
+
 def test_speech_is_added_to_the_movements_that_a_face_has(tmp_path: Path) -> None:
     path = face(tmp_path, face_with_targets(("jawOpen",)))
     twice = face(tmp_path, animated(path))
@@ -89,7 +130,7 @@ def test_speech_is_added_to_the_movements_that_a_face_has(tmp_path: Path) -> Non
 
 
 def test_every_node_that_shows_the_face_moves(tmp_path: Path) -> None:
-    glb = read_glb(face(tmp_path, face_with_targets(("jawOpen", "mouthPucker"))))
+    glb = read_face(face(tmp_path, face_with_targets(("jawOpen", "mouthPucker"))))
     glb.document["nodes"] += [{"mesh": 0}, {"name": "no mesh"}]
     gltf = read(animated(face(tmp_path, glb.content())), tmp_path)
     moved = [(channel.target.node, channel.target.path) for channel in gltf.animations[0].channels]
@@ -120,8 +161,8 @@ def document(**changes: object) -> bytes:
 GOOD = face_with_targets(("jawOpen",))
 TARGETS = [{"primitives": [{"targets": [{}]}], "extras": {"targetNames": ["jawOpen"]}}]
 REFUSALS = {
-    "text": (b"solid cube", "this is no GLB file; save the face as .glb"),
-    "empty": (b"", "this is no GLB file"),
+    "text": (b"solid cube", "this is no face that can be moved; name a .glb"),
+    "empty": (b"", "this is no face that can be moved"),
     "cut off": (GOOD[:-40], "its header says version 2 and .* bytes, and it has .*; export it again"),
     "of version 1": (GOOD[:4] + b"\x01" + GOOD[5:], "its header says version 1"),
     "a chunk that lies": (

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.glb import read_glb
+from phonemeengine.mouth.exports.glb import read_face
 from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of
 from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import speech
@@ -77,7 +77,7 @@ def poses() -> Rotation:
 
 def face(folder: Path, nodes: list[dict[str, object]], **more: object) -> Path:
     (folder / "plain.glb").write_bytes(face_with_targets(ARKIT))
-    glb = read_glb(folder / "plain.glb")
+    glb = read_face(folder / "plain.glb")
     glb.document["nodes"] = nodes
     below = {child for node in nodes for child in node.get("children", [])}
     glb.document["scenes"] = [{"nodes": [k for k in range(len(nodes)) if k not in below]}]
@@ -215,4 +215,4 @@ def test_axes_that_are_not_at_right_angles_stay(tmp_path: Path) -> None:
 )
 def test_a_damaged_scene_is_refused_in_one_sentence(nodes: list[dict[str, object]], tmp_path: Path) -> None:
     with pytest.raises(ExportError, match="damaged glTF file"):
-        turnings_of(read_glb(face(tmp_path, nodes)).document, [0], rotations_of(np.ones((3, 3), np.float32)))
+        turnings_of(read_face(face(tmp_path, nodes)).document, [0], rotations_of(np.ones((3, 3), np.float32)))

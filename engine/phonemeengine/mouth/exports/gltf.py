@@ -15,7 +15,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_glb, shipped_glb
+from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
 from phonemeengine.mouth.files.glb import chunks_of, document_of
 from phonemeengine.mouth.files.gltf_writing import GENERATOR
 from phonemeengine.mouth.head import HEAD
@@ -46,7 +46,7 @@ def write(export: Export) -> bytes:
     ------
     ExportError : the mesh cannot be read, or has none of the table's movestates.
     """
-    glb = shipped_glb() if export.mesh is None else read_glb(export.mesh)
+    glb = shipped_glb() if export.mesh is None else read_face(export.mesh)
     faces = _faces_of(glb.document)
     known = {name for _, names in faces for name in names}
     movestates = export.animation.movestates
