@@ -2380,6 +2380,11 @@
             <translation>Dieses als zweites behalten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>Keep, Make Only the Others</source>
+            <translation>Behalten, nur die anderen erzeugen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased removes them first.</source>
             <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Thesis; „ohne Aliasing“ entfernt sie vorher.</translation>
@@ -4202,13 +4207,18 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>replace files of others, too</source>
-            <translation>auch fremde Dateien ersetzen</translation>
+            <source>Replace</source>
+            <translation>Ersetzen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
             <source>replace files that were changed there, too</source>
             <translation>auch Dateien ersetzen, die dort geändert wurden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>Replace files?</source>
+            <translation>Dateien ersetzen?</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
@@ -5696,6 +5706,11 @@
             <translation>Diese Namen stehen für keinen hier bekannten Laut. Bitte sagen, was jeder ist; was unbekannt bleibt, zählt weder als richtig noch als falsch.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>They may be yours, or were made with other settings.</source>
+            <translation>Vielleicht sind es eigene, oder sie entstanden mit anderen Einstellungen.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
             <source>Third formant</source>
             <translation>Dritter Formant</translation>
@@ -6476,6 +6491,11 @@
             <translation>{name} hört den bloßen Klang: Die Filter formen nur, was zu sehen ist</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>{name} is there already.</source>
+            <translation>{name} ist schon vorhanden.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
             <source>{name}, {rate:g} syllables a second</source>
             <translation>{name}, {rate:g} Silben pro Sekunde</translation>
@@ -6559,6 +6579,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
             <source>{n} deleted takes</source>
             <translation>{n} gelöschte Takes</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>{n} files are there already, such as {name}.</source>
+            <translation>{n} Dateien sind schon vorhanden, etwa {name}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
@@ -6744,16 +6769,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
             <source>{start:.3f} to {end:.3f} s of {sound}</source>
             <translation>{start:.3f} bis {end:.3f} s von {sound}</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
-            <source>{target}: cannot be written ({fault}); name another folder</source>
-            <translation>{target}: kann nicht geschrieben werden ({fault}); einen anderen Ordner nennen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
-            <source>{target}: the file that is there may be somebody else's; name another folder, or have it replaced</source>
-            <translation>{target}: Die vorhandene Datei gehört vielleicht jemand anderem; einen anderen Ordner nennen oder sie ersetzen lassen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
