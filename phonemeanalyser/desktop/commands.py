@@ -47,16 +47,24 @@ def play_commands(session: Session) -> Commands:
         Command(tr_noop("Play or Pause"), "Space", session.toggle),
         Command(tr_noop("Stop"), "Escape", session.stop),
         Command(tr_noop("Loop"), "L", session.set_loop, checkable=True),
-        Command(tr_noop("Back 1 s"), "Ctrl+Left", lambda: session.seek(session.position - 1)),
-        Command(tr_noop("Forward 1 s"), "Ctrl+Right", lambda: session.seek(session.position + 1)),
+        Command(tr_noop("Back 1 s"), "Ctrl+Left", lambda: session.seek(session.position - 1), repeats=True),
+        Command(tr_noop("Forward 1 s"), "Ctrl+Right", lambda: session.seek(session.position + 1), repeats=True),
         Command(tr_noop("To the Beginning"), "Home", lambda: session.seek(0)),
         Command(tr_noop("To the End"), "End", lambda: session.seek(session.duration)),
-        Command(tr_noop("Louder"), "Ctrl+Up", lambda: session.set_volume(session.volume + 3)),
-        Command(tr_noop("Slower"), "Ctrl+Shift+Left", lambda: session.set_speed(next_speed(session.speed, SPEEDS))),
+        Command(tr_noop("Louder"), "Ctrl+Up", lambda: session.set_volume(session.volume + 3), repeats=True),
         Command(
-            tr_noop("Faster"), "Ctrl+Shift+Right", lambda: session.set_speed(next_speed(session.speed, SPEEDS[::-1]))
+            tr_noop("Slower"),
+            "Ctrl+Shift+Left",
+            lambda: session.set_speed(next_speed(session.speed, SPEEDS)),
+            repeats=True,
         ),
-        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: session.set_volume(session.volume - 3)),
+        Command(
+            tr_noop("Faster"),
+            "Ctrl+Shift+Right",
+            lambda: session.set_speed(next_speed(session.speed, SPEEDS[::-1])),
+            repeats=True,
+        ),
+        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: session.set_volume(session.volume - 3), repeats=True),
     )
 
 
@@ -78,8 +86,8 @@ def selection_commands(selection: Selection, dialogs: SelectionDialogs) -> Comma
 def label_commands(labels: LabelDialogs) -> Commands:
     """Return what is done with the labels of a file."""
     return (
-        Command(tr_noop("Next Error"), "N", labels.next_error),
-        Command(tr_noop("Previous Error"), "Shift+N", partial(labels.next_error, back=True)),
+        Command(tr_noop("Next Error"), "N", labels.next_error, repeats=True),
+        Command(tr_noop("Previous Error"), "Shift+N", partial(labels.next_error, back=True), repeats=True),
         Command(tr_noop("Insert Label…"), "Ctrl+I", labels.ask_insert),
         Command(tr_noop("Rename Label…"), "F2", labels.ask_rename),
         Command(tr_noop("Delete Label"), "Delete", labels.delete),
@@ -90,10 +98,10 @@ def label_commands(labels: LabelDialogs) -> Commands:
     )
 
 
-def record_commands(session: Session, dialogs: Dialogs) -> Commands:
+def record_commands(record: Callable[[], object], session: Session, dialogs: Dialogs) -> Commands:
     """Return what belongs to the microphone."""
     return (
-        Command(tr_noop("Record"), "R", session.toggle_recording),
+        Command(tr_noop("Record"), "R", record),
         Command(tr_noop("Look Back"), "Ctrl+B", session.look_back, checkable=True),
         Command(tr_noop("Recordings Folder…"), "", dialogs.ask_recordings_folder),
         Command(tr_noop("Look for Microphones"), "F5", session.microphone.refresh_devices),

@@ -424,6 +424,18 @@ class Dialogs(QObject):
         )  # fmt: skip
         return self.save() if answer == buttons.Save else answer == buttons.Discard
 
+    def may_record_instead_of(self, name: str) -> bool:
+        """Ask whether to leave a file for the microphone; says whether to go on."""
+        box = QMessageBox(
+            QMessageBox.Icon.Question, tr("Record"), tr("Leave {name}, and record the microphone?").format(name=name),
+            parent=self._window,
+        )  # fmt: skip
+        record = box.addButton(tr("Record"), QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(QMessageBox.StandardButton.Cancel)
+        box.setDefaultButton(record)
+        box.exec()
+        return box.buttonRole(box.clickedButton()) == QMessageBox.ButtonRole.AcceptRole
+
     # -- variables and curves -----------------------------------------------------------------------------
 
     def ask_variable(self, low: float, high: float) -> None:

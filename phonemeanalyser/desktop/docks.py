@@ -1,8 +1,9 @@
 """The docks of the window, which are seen beside its first page only."""
 
+import math
 from collections.abc import Mapping
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout, QWidget
 
@@ -10,11 +11,26 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
 
-class Docks:
-    """Adds docks to a window, and puts them away while a page is seen that has none."""
+class Docks(QObject):
+    """Adds docks to a window, and puts them away while a page is seen that has none.
 
-    def __init__(self, window: QMainWindow) -> None:
+    Parameters
+    ----------
+    narrow : a window that is narrower than this, pixels, has no room for docks on both sides.
+
+    Attributes
+    ----------
+    stacked : whether a dock lies behind another one since the window is narrow, and not since the user put it there.
+    """
+
+    def __init__(self, window: QMainWindow, narrow: int) -> None:
+        super().__init__(window)
+        self.stacked = False
         self._window = window
+        self._narrow = narrow
+        self._fitted_for = math.inf
+        self._fits = False
+        self._wide: dict[QDockWidget, int] = {}
         self._docks: dict[str, QDockWidget] = {}
         self._away: dict[QDockWidget, int] = {}
         self._in_front: list[QDockWidget] = []
@@ -33,14 +49,52 @@ class Docks:
         scrolled.setSizePolicy(views[-1].sizePolicy())
         dock.setWidget(scrolled)
         self._window.addDockWidget(area, dock)
+        dock.installEventFilter(self)
         return dock
 
-    def stack(self, dock: QDockWidget, on: QDockWidget) -> None:
-        """Put a dock behind another one, where both are in the window."""
-        if dock.isHidden() or dock.isFloating() or on.isHidden() or on.isFloating():
+    def laid_out_for(self, width: float, *, stacked: bool) -> None:
+        """Take docks as they are for laid out for a window of so many pixels."""
+        self._fitted_for, self.stacked = width, stacked
+
+    def fit(self, dock: QDockWidget, on: QDockWidget) -> None:
+        """Put a dock behind one at the other side when the window becomes narrow, and back when it becomes wide."""
+        before, width = self._fitted_for, self._window.width()
+        self._fitted_for, self._fits = width, True
+        if before >= self._narrow > width:
+            self._stack(dock, on)
+        elif self._narrow <= width and before < width:
+            if self.stacked:
+                self.stacked = False
+                self._window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
+            self.resize({seen: w for seen, w in self._wide.items() if not seen.isHidden() and not seen.isFloating()})
+        self._fits = False
+
+    def _stack(self, dock: QDockWidget, on: QDockWidget) -> None:
+        left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
+        sides = self._window.dockWidgetArea(dock), self._window.dockWidgetArea(on)
+        if sides != (left, right) or any(d.isHidden() or d.isFloating() for d in (dock, on)):
             return
+        self.stacked = True
         self._window.tabifyDockWidget(on, dock)
         on.raise_()
+        self.resize({on: self._wide.get(on, on.width())})
+
+    def eventFilter(self, dock: QObject, event: QEvent) -> bool:
+        """Note how wide the user has a dock while there is room for all; while the window grows, that is not he."""
+        by_user = self._narrow <= self._window.width() == self._fitted_for and not self._fits
+        if event.type() == QEvent.Type.Resize and isinstance(dock, QDockWidget) and by_user and not dock.isFloating():
+            self._wide[dock] = dock.width()
+        return False
+
+    def end(self) -> None:
+        """Look no more: the window closes, and lays its docks out once more while it is destroyed."""
+        for dock in self._docks.values():
+            dock.removeEventFilter(self)
+
+    def prefer(self, widths: Mapping[QDockWidget, int]) -> None:
+        """Give some docks other widths, pixels, which they get again whenever there is room for all."""
+        self._wide.update(widths)
+        self.resize(widths)
 
     def resize(self, widths: Mapping[QDockWidget, int]) -> None:
         """Give some docks other widths, pixels."""

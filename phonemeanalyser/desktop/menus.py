@@ -16,12 +16,26 @@ NATIVE = QKeySequence.SequenceFormat.NativeText
 
 @dataclass(frozen=True)
 class Command:
-    """An entry of a menu: its text in English, its key, and what it does; a checkable one is given its state."""
+    """An entry of a menu.
+
+    Attributes
+    ----------
+    text : in English.
+    key : how it is written in English; empty where there is none.
+    act : what is done; that of a checkable entry is given its state.
+    repeats : whether it is done again and again while the key is held.
+    """
 
     text: str
     key: str
     act: Callable[..., Any]
     checkable: bool = False
+    repeats: bool = False
+
+    @property
+    def of_views(self) -> bool:
+        """Whether its key, a letter or one that edits, counts only while the page Analyse is seen."""
+        return len(self.key.removeprefix("Shift+")) == 1 or self.key in {"Delete", "F2", "Shift+Space"}
 
 
 class Menus:
@@ -37,6 +51,7 @@ class Menus:
         self._window = window
         self._menus: dict[str, QMenu] = {}
         self._keys: dict[str, str] = {}
+        self._of_views: list[str] = []
 
     def add(self, title: str, *commands: Command) -> QMenu:
         """Add a menu."""
@@ -44,11 +59,14 @@ class Menus:
         for command in commands:
             action = QAction(tr(command.text), self._window, checkable=command.checkable)
             action.setShortcut(QKeySequence(command.key))
+            action.setAutoRepeat(command.repeats)
             signal = action.toggled if command.checkable else action.triggered
             signal.connect(command.act if command.checkable else partial(_call, command.act))
             menu.addAction(action)
             self.actions[command.text] = action
             self._keys[command.text] = command.key
+            if command.of_views:
+                self._of_views.append(command.text)
         return menu
 
     def add_edit(self, stack: QUndoStack) -> None:
@@ -76,16 +94,24 @@ class Menus:
         """Leave an entry's key to something else for a while; the entry itself stays."""
         self.actions[text].setShortcut(QKeySequence("" if lent else self._keys[text]))
 
+    def lend_keys_of_views(self, *, lent: bool) -> None:
+        """Take the plain keys that belong to the page Analyse away while another one is seen, or give them back."""
+        for text in self._of_views:
+            self.lend_key(text, lent=lent)
+
     def show_checked(self, text: str, on: bool) -> None:
         """Show an entry as on or off, without doing what it does."""
         with QSignalBlocker(self.actions[text]):
             self.actions[text].setChecked(on)
 
     def keys(self) -> dict[str, list[tuple[str, str]]]:
-        """Return text and key of every entry, by menu."""
+        """Return text and key of every entry, by menu; of a key that is lent, too."""
+        known = {self.actions[text]: QKeySequence(key) for text, key in self._keys.items()}
         return {
             menu.title().replace("&", ""): [
-                (a.text().replace("&", ""), a.shortcut().toString(NATIVE)) for a in menu.actions() if a.isVisible()
+                (a.text().replace("&", ""), known.get(a, a.shortcut()).toString(NATIVE))
+                for a in menu.actions()
+                if a.isVisible()
             ]
             for menu in self._menus.values()
         }

@@ -54,10 +54,18 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("The head, when it has the focus"), HEAD))
         blocks.append(_block(tr("The text below the head"), TEXT))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
+        scope = QLabel(
+            tr(
+                "In the menus, single letters, Delete, F2 and keys with Shift act on the page Analyse only. Where a "
+                "list, a number or a text has the focus, letters belong to that: click into a plot to leave it."
+            )
+        )
+        scope.setWordWrap(True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.reject)
         layout = QVBoxLayout(self)
         layout.addWidget(self.list)
+        layout.addWidget(scope)
         layout.addWidget(buttons)
 
 

@@ -48,10 +48,18 @@ class WindowState:
             self._restorers[name](state)
         self._settings.remove("layout_width")
 
-    def save_docks(self) -> None:
-        """Keep where docks and bars are, while they are seen, and how wide the window is that they are in."""
+    def save_docks(self, *, stacked: bool) -> None:
+        """Keep where docks and bars are, while they are seen, and how wide the window is that they are in.
+
+        `stacked` says whether one lies behind another only since the window is narrow.
+        """
         self._settings.setValue("layout", self._window.saveState(LAYOUT_VERSION))
         self._settings.setValue("layout_width", self._window.width())
+        self._settings.setValue("layout_stacked", int(stacked))
+
+    def docks_stacked(self) -> bool:
+        """Return whether a dock was behind another one only since the window was narrow."""
+        return self._kept("layout_stacked", 0) == "1"
 
     def docks_width(self) -> float:
         """Return the width of the window for which docks were laid out, pixels; infinite where they never were."""

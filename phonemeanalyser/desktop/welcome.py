@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -18,7 +18,7 @@ CARDS = (
 
 
 class WelcomeCards(QFrame):
-    """Lies over the page until a card is chosen or all are dismissed.
+    """Lies over the page until a card is chosen, all are dismissed, or the user begins something else.
 
     Parameters
     ----------
@@ -74,11 +74,6 @@ class WelcomeCards(QFrame):
         self._fit()
         self.cards[0].setFocus()
 
-    def hideEvent(self, event: QHideEvent) -> None:
-        """Give the keys back to the page: Qt would give them to some control, which takes Space for itself."""
-        super().hideEvent(event)
-        self._page.setFocus()
-
     def eventFilter(self, _page: QObject, event: QEvent) -> bool:
         """Go along with the page."""
         if event.type() in {QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show}:
@@ -93,6 +88,11 @@ class WelcomeCards(QFrame):
                 self.hide()
             return True
         return super().event(event)
+
+    def leave_for(self, widget: QWidget) -> None:
+        """Go when something else was clicked."""
+        if not self.isAncestorOf(widget):
+            self.hide()
 
     def _card(self, title: str, words: str, chosen: Callable[[], object]) -> QFrame:
         card, button, told = QFrame(), QPushButton(title), QLabel(words)

@@ -1,11 +1,12 @@
 """The main window: lays the views out, and joins menus, keys and drops to the models. No signal logic."""
 
+import math
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QShowEvent
+from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
 
 from phonemeanalyser.desktop import calibrate, commands
@@ -38,7 +39,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
-from phonemeanalyser.desktop.widgets.key_filters import ButtonKeys
+from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, focus_buttons_by_tab
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.audio.files import is_sound
@@ -47,8 +48,8 @@ from phonemeengine.phonemes import Phoneme
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 """What the window likes to have, and what window managers put around it, pixels."""
-NARROW = 1200
-"""A window that opens narrower than this has its filters behind the thresholds, unless the user moves them."""
+NARROW = 1260
+"""A window that is narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {tr_noop("Head"): "F7"}
 NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
@@ -91,7 +92,7 @@ class MainWindow(QMainWindow):
         self.label_dialogs = LabelDialogs(self, session, settings)
         self.menus = Menus(self)
         self.talking_dialogs = TalkDialogs(self, talking, settings)
-        self._docks = Docks(self)
+        self._docks = Docks(self, NARROW)
         self._ask_calibration = calibration
         self._calibration: calibrate.CalibrationModel | None = None
         self._calibration_dialogs: calibrate.CalibrationDialogs | None = None
@@ -99,12 +100,13 @@ class MainWindow(QMainWindow):
         self._session = session
         self._preset = preset
         self._settings = settings
-        self._retired = False
+        self._retired = self._closed = False
         self._make_views()
         self._lay_out()
         self._make_menus()
         self._connect()
         self.state.restore(session, self.analysis.scroll_view)
+        self._docks.laid_out_for(self.state.docks_width(), stacked=self.state.docks_stacked())
         self.redraw.refresh_all()
 
     # -- what it is made of -------------------------------------------------------------------------------
@@ -125,6 +127,7 @@ class MainWindow(QMainWindow):
         self.pages = PageStack()
         self.banner = Banner(theme, self, self.pages)
         self.welcome = WelcomeCards(theme, self, self.pages)
+        self._focus = FocusReturn(self, lambda: self._focused_on(self.pages.currentIndex()))
         self.what_is_this = WhatIsThis(self)
         self.pages.addWidget(self.analysis)
         self._late_calibration = LazyPage(self.pages, self._make_calibration_page)
@@ -167,6 +170,7 @@ class MainWindow(QMainWindow):
         page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
         page.takes.wave.menu.save_asked.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
+        focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
 
@@ -185,6 +189,7 @@ class MainWindow(QMainWindow):
         page.speech_asked.connect(dialogs.ask_save_speech)
         page.picture_asked.connect(self.dialogs.ask_save_picture)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
+        focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
 
@@ -209,7 +214,7 @@ class MainWindow(QMainWindow):
         self.addToolBar(bar)
         self._filters = self._docks.add(tr_noop("Filters"), Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
         self.setCentralWidget(self.pages)  # after what stands left of it, as Tab goes
-        self.analysis.setFocus()  # else Qt gives the first button the focus, and Space is for Play
+        self.analysis.main_view.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         analysis = self.analysis
         self.state = WindowState(self, analysis.splitters, analysis.switches, analysis.choices, self._settings)
         self._last_page = self.state.page()
@@ -224,7 +229,7 @@ class MainWindow(QMainWindow):
         phoneme = docks.add(tr_noop("Phoneme"), right, self.recogniser, self.analysis.phoneme)
         self._thresholds = docks.add(tr_noop("Thresholds"), right, self.analysis.thresholds)
         docks.add(tr_noop("Head"), left, self.head).hide()
-        docks.resize({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH})
+        docks.prefer({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH, self._thresholds: PHONEME_WIDTH})
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
@@ -240,7 +245,7 @@ class MainWindow(QMainWindow):
         add(tr("&Labels"), *commands.label_commands(self.label_dialogs))
         measure = Command(tr_noop("Measure the Latency by Clicks"), "Ctrl+M", self._measure_latency)
         room = Command(tr_noop("Measure the Room (2 s of Quiet)"), "", lambda: self._ask_calibration().measure_room())
-        add(tr("&Record"), *commands.record_commands(session, dialogs), measure, room)
+        add(tr("&Record"), *commands.record_commands(self._record, session, dialogs), measure, room)
         freeze = Command(tr_noop("Freeze Views"), "F", self.set_frozen, checkable=True)
         mark = Command(tr_noop("New Variable…"), "V", self.analysis.averaged.measure.toggle)
         add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs), mark)
@@ -335,9 +340,6 @@ class MainWindow(QMainWindow):
             model.error.connect(self.banner.show_error)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         self.what_is_this.page_asked.connect(self.show_manual)
-        self.welcome.demo_asked.connect(self.demo_asked)
-        self.welcome.microphone_asked.connect(self._listen)
-        self.welcome.calibration_asked.connect(self._begin_calibration)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
         session.rewritten.connect(self.analysis.scroll_view.sonagram.forget)
@@ -346,21 +348,32 @@ class MainWindow(QMainWindow):
         preset.changed.connect(self._show_state)
         session.second.changed.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
-        self.installEventFilter(ButtonKeys(self))
+        self._connect_cards()
+        self.installEventFilter(ControlKeys(self))
         self.show_page(ANALYSE)
         self._show_names()
         self._show_state()
         self._show_spoken()
 
+    def _connect_cards(self) -> None:
+        """Have the cards of the first start lead somewhere, and go when the user begins something else."""
+        self.welcome.demo_asked.connect(self.demo_asked)
+        self.welcome.microphone_asked.connect(self._listen)
+        self.welcome.calibration_asked.connect(self._begin_calibration)
+        self._session.transport_changed.connect(self.welcome.hide)
+        self._focus.clicked.connect(self.welcome.leave_for)
+
     def show_page(self, number: int) -> None:
-        """Show a page; the docks belong to the first one."""
+        """Show a page; the docks belong to the first one, and the cards of the first start go."""
+        self.welcome.hide()
         if number != ANALYSE and self.pages.currentIndex() == ANALYSE:
-            self.state.save_docks()
+            self.state.save_docks(stacked=self._docks.stacked)
             self._docks.put_away()
         focused = self._focused_on(number)
         self.pages.setCurrentIndex(number)  # first, lest docks beside a wide page make the window wider
         if number == ANALYSE:
             self._docks.bring_back()
+            self._fit_docks()
         self.switch.show_page(number)
         self.state.save_page(number)
         self._lend_keys()
@@ -371,7 +384,7 @@ class MainWindow(QMainWindow):
         """Return what has the focus when a page is shown; makes the page if it is not there yet."""
         if number == CALIBRATE:
             return self.calibration.takes.list
-        return self.talk.head if number == TALK else self.analysis
+        return self.talk.head if number == TALK else self.analysis.main_view
 
     def _lend_keys(self) -> None:
         """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""
@@ -379,9 +392,8 @@ class MainWindow(QMainWindow):
         guided = page == CALIBRATE and self._calibration is not None and self._calibration.guide.running
         marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
         self.menus.lend_key("Stop", lent=guided or marking)
-        self.menus.lend_key("Record", lent=guided)
-        self.menus.lend_key("Hear with the Second", lent=page != ANALYSE)  # elsewhere, it leaves takes out
-        self.menus.lend_key("Delete Label", lent=page != ANALYSE)  # elsewhere, it deletes takes
+        self.menus.lend_key("Select All", lent=page != ANALYSE)
+        self.menus.lend_keys_of_views(lent=page != ANALYSE)  # elsewhere, letters have other uses or none
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
@@ -400,9 +412,16 @@ class MainWindow(QMainWindow):
         """Lay everything out as at the first start."""
         self.show_page(ANALYSE)
         self.state.reset()
-        if self.width() < NARROW:
-            self._docks.stack(self._filters, on=self._thresholds)
-        self._docks.resize({self._filters: FILTERS_WIDTH, self._thresholds: PHONEME_WIDTH})
+        self._docks.laid_out_for(math.inf, stacked=False)
+        self._docks.prefer({self._filters: FILTERS_WIDTH, self._thresholds: PHONEME_WIDTH})
+        self._fit_docks()
+
+    def _record(self) -> None:
+        """Begin or end a recording; a file in hand is left only when that is wanted."""
+        session = self._session
+        leaves = session.source is SoundSource.FILE and session.path is not None and not session.microphone.recording
+        if not leaves or self.dialogs.may_record_instead_of(session.name):
+            session.toggle_recording()
 
     def _measure_latency(self) -> None:
         """Play clicks, with the microphone and the loudspeaker free for that."""
@@ -499,10 +518,17 @@ class MainWindow(QMainWindow):
 
     def showEvent(self, event: QShowEvent) -> None:
         """Lay the docks out for a narrow window, unless they were laid out for one already."""
-        if not event.spontaneous() and self.width() < NARROW <= self.state.docks_width():
-            self._docks.stack(self._filters, on=self._thresholds)
-            self._docks.resize({self._thresholds: PHONEME_WIDTH})
+        self._fit_docks()
         super().showEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Lay the docks out anew when the window becomes narrow, or wide again."""
+        super().resizeEvent(event)
+        self._fit_docks()
+
+    def _fit_docks(self) -> None:
+        if self.isVisible() and self.pages.currentIndex() == ANALYSE:
+            self._docks.fit(self._filters, on=self._thresholds)
 
     def changeEvent(self, event: QEvent) -> None:
         """Keep everything whenever the user turns to another program: nobody knows how this one will end."""
@@ -519,6 +545,10 @@ class MainWindow(QMainWindow):
         self.selection.close()
         self.dialogs.close()
         self.redraw.timer.stop()
+        if not self._closed:
+            self._closed = True
+            self._focus.end()
+            self._docks.end()
         if not self._retired:
             self._session.pause()
         event.accept()
@@ -530,7 +560,7 @@ class MainWindow(QMainWindow):
     def save_state(self) -> None:
         """Keep layout and choices for the next start."""
         if self.pages.currentIndex() == ANALYSE:
-            self.state.save_docks()
+            self.state.save_docks(stacked=self._docks.stacked)
         if self._calibration_dialogs is not None:
             self._calibration_dialogs.save()
         self.talking_dialogs.save()

@@ -16,6 +16,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
@@ -23,7 +24,7 @@ from phonemeengine.audio.output import ClockOutput
 from phonemeengine.errors import DeviceError
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.presets.files import THESIS_PRESET
-from tests.desktop.hands import press
+from tests.desktop.hands import answer, press
 from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in
 from tests.fakes.players import wait_for
 from tests.sounds import silence
@@ -158,7 +159,9 @@ class Booth:
         choose(self.window.transport.source, "microphone")
 
     def record(self) -> None:
-        """Press R."""
+        """Press R, and leave the file in hand for the microphone."""
+        if self.desktop.session.source is SoundSource.FILE:
+            answer("Record")
         press(self.window, Qt.Key.Key_R)
 
 

@@ -81,7 +81,7 @@ def test_the_cards_come_once_and_lead_to_demo_microphone_and_calibration(desktop
     window.greet()
     assert window.welcome.isVisible()
     window.welcome.hide()
-    assert QApplication.focusWidget() is window.pages  # so that Space plays
+    assert QApplication.focusWidget() is window.analysis.main_view  # so that Space plays
     window.welcome.show_cards()
     assert all(card.isVisible() for card in window.welcome.cards)
     QTest.mouseClick(window.welcome.cards[1], LEFT)

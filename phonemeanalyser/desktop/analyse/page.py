@@ -82,6 +82,11 @@ class AnalysisPage(QSplitter):
             view.decibels.setChecked(on)
 
     @property
+    def main_view(self) -> QWidget:
+        """What has the focus when the page is entered: the file over time, or the whole page."""
+        return self.file.view if self.over_time.currentWidget() is self.file else self
+
+    @property
     def splitters(self) -> dict[str, QSplitter]:
         """What the user may have moved, by the names under which it is kept."""
         return {"rows": self, "spectra": self.spectra}
@@ -112,6 +117,8 @@ class AnalysisPage(QSplitter):
         self.scroll_view.back.setVisible(self._session.source is SoundSource.MICROPHONE)
         is_file = self._session.source is SoundSource.FILE and self._session.path is not None
         self.over_time.setCurrentWidget(self.file if is_file or self._session.looks_back else self.scroll_view)
+        if self.hasFocus():
+            self.main_view.setFocus()
 
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import letters_on, set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeengine.arrays import UInt8Array, UInt32Array
+from phonemeengine.arrays import Float32Array, UInt8Array, UInt32Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 
@@ -22,6 +22,8 @@ SPAN = CAPACITY * FRAME_PERIOD
 COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
 NARROWEST_LETTER = 13
 """Pixels that a stretch of one phoneme needs to carry a name."""
+MOST_GAIN = 10 ** (30 / 20)
+"""What normalising may raise a spectrum by in the picture: 30 dB. A quiet room stays dark."""
 LETTER = 8
 """Pixels of a letter."""
 
@@ -30,6 +32,21 @@ def add_colour_maps(box: QComboBox) -> None:
     """List all colour maps, each with its name as what is chosen."""
     for name in COLOUR_MAPS:
         box.addItem(tr(name), name)
+
+
+def limit_gain(spectra: NDArray[np.float16], peaks: Float32Array) -> Float32Array:
+    """Return spectra that are raised by `MOST_GAIN` at most over those that were measured.
+
+    Parameters
+    ----------
+    spectra : as they are shown, with or without normalising, shape (n, n_bins).
+    peaks : the largest amplitude of each before normalising, shape (n,); NaN where it is not known.
+    """
+    amplitudes = spectra.astype(np.float32)
+    shown = amplitudes.max(axis=1, initial=0.0)
+    most = np.where(np.isnan(peaks), shown, MOST_GAIN * peaks)
+    amplitudes *= np.minimum(1.0, most / np.maximum(shown, 1e-12)).astype(np.float32)[:, np.newaxis]
+    return amplitudes
 
 
 def colours_of(name: str) -> UInt32Array:
@@ -107,12 +124,12 @@ class SonagramItem(pg.GraphicsObject):
     def _colour(self, first: int, last: int) -> None:
         at = self._history.indices(first, last)
         if len(at):
-            self._pixels[:, at] = self._colours[self._levels_of(self._history.spectra[at]).T]
+            spectra = limit_gain(self._history.spectra[at], self._history.features(at)["max_energy"])
+            self._pixels[:, at] = self._colours[self._levels_of(spectra).T]
             self._pixels[:, at[self._history.frames[at] == NOWHERE]] = self._nothing
         self.update()
 
-    def _levels_of(self, spectra: NDArray[np.float16]) -> UInt8Array:
-        amplitudes = spectra.astype(np.float32)
+    def _levels_of(self, amplitudes: Float32Array) -> UInt8Array:
         if self._in_decibels:
             amplitudes = 20 * np.log10(np.maximum(amplitudes, np.float32(1e-6)))
         scaled = (amplitudes - self._low) * (255 / max(self._high - self._low, 1e-6))

@@ -1,10 +1,14 @@
 """Facts of the moment as chips in the tool bar: views that stand still, a changed file, lost sound, lateness."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+
+PADDING = 8
+"""Pixels at either side of a chip's text."""
 
 
 class StateChips(QWidget):
@@ -37,6 +41,7 @@ class StateChips(QWidget):
         self.changed.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.changed.clicked.connect(self.open_again_asked)
         self.unseen, self.lost, self.late = QLabel(), QLabel(), QLabel()
+        self.late.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.unseen.setToolTip(tr("Frames that were analysed but never drawn: the machine has too much to do"))
         self.lost.setToolTip(tr("Sound that never came from the microphone, since listening began"))
         row = QHBoxLayout(self)
@@ -69,6 +74,12 @@ class StateChips(QWidget):
         """Say how much sound never came; 0 for none."""
         _say(self.lost, tr("{seconds:.2f} s lost").format(seconds=seconds) if seconds >= 0.005 else "")
 
+    def keep_room_for_late(self, widest: str) -> None:
+        """Give the chip of lateness the width of a text, so that the tool bar stands still while the text changes."""
+        font = self.late.font()
+        font.setBold(True)
+        self.late.setMinimumWidth(QFontMetrics(font).horizontalAdvance(widest) + 2 * PADDING)
+
     def show_late(self, words: str, colour: str = "", tip: str = "") -> None:
         """Say how late phonemes are on the screen; an empty text for nothing."""
         if words and colour:
@@ -87,7 +98,7 @@ class StateChips(QWidget):
     def _dress(self, chip: QWidget, colour: str) -> None:
         sheet = (
             f"* {{ background: {colour}; color: {self._theme.on_colour}; border: 0; border-radius: 8px;"
-            " padding: 1px 8px; font-weight: bold } QToolTip { font-weight: normal }"
+            f" padding: 1px {PADDING}px; font-weight: bold }} QToolTip {{ font-weight: normal }}"
         )
         if sheet != chip.styleSheet():
             chip.setStyleSheet(sheet)

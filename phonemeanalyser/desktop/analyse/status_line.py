@@ -39,6 +39,8 @@ class StatusLine:
         self._session = session
         self._preset = preset
         self._theme = theme
+        judgements = (self.judged(seconds)[0] for seconds in (UNNOTICED, ACCEPTED, 2 * ACCEPTED))
+        self.chips.keep_room_for_late(_late(0.888, max(judgements, key=len)))
 
     def note_display(self, seconds: float) -> None:
         """Take note of how long a phoneme took from being known to being painted."""
@@ -58,6 +60,10 @@ class StatusLine:
         microphone = session.microphone
         self.chips.show_lost(microphone.listener.lost_seconds if listens and microphone.active else 0.0)
         self._show_latency(microphone.latency if listens else None)
+        if listens and self.latency_ms is None:
+            self.chips.show_late(
+                "…", self._theme.faint, tr("How late phonemes are on the screen: it is being measured")
+            )
         output = "" if listens else f"♪ {session.output_name}" if session.has_card else tr(session.output_name)
         _write(self.right, f"{output} ")
 
@@ -78,9 +84,7 @@ class StatusLine:
             "From a sound to its phoneme on the screen, on the average, as measured now: {shares} ms. People notice "
             "a picture that is late by more than 45 ms, and stop accepting it at 90 ms (ITU-R BT.1359)."
         ).format(shares=shares)
-        self.chips.show_late(
-            tr("{ms:.0f} ms late, {judgement}").format(ms=1000 * total, judgement=judgement), colour, tip
-        )
+        self.chips.show_late(_late(total, judgement), colour, tip)
 
     def judged(self, seconds: float) -> tuple[str, str]:
         """Return how people take a picture that is late by so much, and in which colour to say it."""
@@ -89,6 +93,10 @@ class StatusLine:
         if seconds <= ACCEPTED:
             return tr("noticeable"), self._theme.faint
         return tr("too late"), self._theme.bad
+
+
+def _late(seconds: float, judgement: str) -> str:
+    return tr("{ms:.0f} ms late, {judgement}").format(ms=1000 * seconds, judgement=judgement)
 
 
 def _write(label: QLabel, text: str) -> None:

@@ -77,6 +77,7 @@ class Transport(QWidget):
         self.output, self.channel_label = OutputButton(session), QLabel(tr("channel"))
         self.volume = QSlider(Qt.Orientation.Horizontal)
         self.channel = QComboBox()
+        self._wrapped_for: tuple[int, SoundSource] | None = None
         self._rows, self._row = QVBoxLayout(self), QHBoxLayout()
         self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
         self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
@@ -152,7 +153,11 @@ class Transport(QWidget):
         return super().event(event)
 
     def _wrap(self) -> None:
+        """Choose one row or two; two stay until the window has another width or the sound another source."""
+        wrapped_for = self.window().width(), self._session.source
         wrapped = self.width() < self._width_of(*self._first, self.pages, *self._last)
+        wrapped |= self._wrapped_for == wrapped_for
+        self._wrapped_for = wrapped_for if wrapped else None
         if wrapped and self._rows.indexOf(self.pages) < 0:
             self._row.removeWidget(self.pages)
             self._rows.addWidget(self.pages)

@@ -10,7 +10,6 @@ from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeengine.calibration.scores.comparison import DifferingSegment
 
 NONE, OTHER = tr_noop("choose a preset …"), tr_noop("another file …")
@@ -57,7 +56,6 @@ class ComparePanel(QWidget):
         self.box.addItem(tr(OTHER), "")
         self.box.setToolTip(tr("Preset to compare with, on the same takes and recordings"))
         self.box.setAccessibleName(self.box.toolTip())
-        self.box.installEventFilter(LetterPassthrough(self.box))
         self.difference.setToolTip(tr("Show in the matrix how much more often the preset in use gives each answer"))
         self.tabs.addTab(self.figures, tr("figures"))
         self.tabs.addTab(self.own, tr("only this right"))

@@ -187,8 +187,8 @@ class CalibrationModel(QObject):
                 self._until = None
                 session.pause()
 
-    def _note_edit(self, what: str) -> None:
-        self.preset.undo_stack.push(TakeEdit(self.takes, what))
+    def _note_edit(self, what: str, n: int = 1) -> None:
+        self.preset.undo_stack.push(TakeEdit(self.takes, what, n))
 
     def _forget_edits(self) -> None:
         """Begin a new history where there are changes of another project in the old one."""

@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 
 MOST = 500
@@ -57,7 +56,6 @@ class SegmentList(QTableWidget):
         self.setShowGrid(False)
         self.setTabKeyNavigation(False)
         self.setMinimumHeight(60)
-        self.installEventFilter(LetterPassthrough(self))
         let_copy(self)
         self.cellClicked.connect(lambda row, _column: self._play(row))
         self.cellActivated.connect(lambda row, _column: self._play(row))

@@ -1,6 +1,6 @@
 """The takes of a project: kept, checked, trimmed, relabelled, excluded, deleted, and all of that undone."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -50,27 +50,31 @@ class Snapshot:
 
 
 class TakeEdit(QUndoCommand):
-    """A change of a take, which the project has made already; its journal takes it back and does it again.
+    """A change of takes, which the project has made already; its journal takes it back and does it again.
 
     Parameters
     ----------
     what : the change in words, for the Edit menu.
+    n : how many changes of the project it is.
     """
 
-    def __init__(self, takes: "TakesModel", what: str) -> None:
+    def __init__(self, takes: "TakesModel", what: str, n: int = 1) -> None:
         super().__init__(tr_engine(what))
         self._takes = takes
+        self._n = n
         self._done = True
 
     def undo(self) -> None:
         """Take the project's last change back."""
         self._done = False
-        self._takes.undo()
+        for _ in range(self._n):
+            self._takes.undo()
 
     def redo(self) -> None:
         """Do it again, but for the first time, when it is pushed."""
         if not self._done:
-            self._takes.redo()
+            for _ in range(self._n):
+                self._takes.redo()
         self._done = True
 
 
@@ -81,7 +85,7 @@ class TakesModel(QObject):
     -------
     opened : another project is in hand.
     changed : the takes are others.
-    edited : a change was made that can be undone: what, in words.
+    edited : a change was made that can be undone: what, in words, and how many takes it changed.
     emptied : deleted takes are gone for ever, and what was done before cannot be undone.
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
@@ -92,7 +96,7 @@ class TakesModel(QObject):
 
     opened = Signal()
     changed = Signal()
-    edited = Signal(str)
+    edited = Signal(str, int)
     emptied = Signal()
     added = Signal(int)
     sound_read = Signal()
@@ -229,13 +233,16 @@ class TakesModel(QObject):
             number, lambda project, take: self._checked(project, project.relabel(take, phoneme)) or take
         )
 
-    def set_excluded(self, number: int, excluded: bool) -> None:
-        """Let a take count for nothing for now, or let it count again."""
-        self._change_take(number, lambda project, take: project.exclude(take) if excluded else project.include(take))
+    def set_excluded(self, numbers: Collection[int], excluded: bool) -> None:
+        """Let takes count for nothing for now, or let them count again."""
+        words = tr("exclude {n} takes") if excluded else tr("include {n} takes")
+        self._change_takes(
+            numbers, lambda project, take: project.exclude(take) if excluded else project.include(take), words
+        )
 
-    def delete(self, number: int) -> None:
-        """Delete a take; undo brings it back."""
-        self._change_take(number, lambda project, take: project.delete(take))
+    def delete(self, numbers: Collection[int]) -> None:
+        """Delete takes; one undo brings them back."""
+        self._change_takes(numbers, lambda project, take: project.delete(take), tr("delete {n} takes"))
 
     def undo(self) -> None:
         """Take the last change back."""
@@ -270,6 +277,17 @@ class TakesModel(QObject):
 
     # -- in the background --------------------------------------------------------------------------------
 
+    def _change_takes(
+        self, numbers: Collection[int], act: Callable[[TakeProject, Take], Take], words: str
+    ) -> None:  # fmt: skip
+        """Change several takes at a time, which are one step of undo with words of their own."""
+
+        def change(project: TakeProject) -> None:
+            for take in [t for t in project.takes if t.number in numbers]:
+                act(project, take)
+
+        self._change(change, words=words)
+
     def _change_take(self, number: int, act: Callable[[TakeProject, Take], Take]) -> None:
         def change(project: TakeProject) -> Take | None:
             take = next((t for t in project.takes if t.number == number), None)
@@ -279,9 +297,12 @@ class TakesModel(QObject):
 
     def _change(
         self, act: Callable[[TakeProject], Take | None], then: Callable[[Take], object] = lambda _take: None, *,
-        is_new: bool = True,
+        is_new: bool = True, words: str = "",
     ) -> None:  # fmt: skip
-        """Change the project, one change after the other; the first one makes it where there is none."""
+        """Change the project, one change after the other; the first one makes it where there is none.
+
+        Several changes are one step of undo where there are words for their number.
+        """
 
         def work() -> tuple[Take | None, Snapshot]:
             if self._project is None:
@@ -293,8 +314,12 @@ class TakesModel(QObject):
         def hand_over(found: tuple[Take | None, Snapshot]) -> None:
             before = len(self.now.changes)
             self._show(found[1])
-            for what in self.now.changes[before:] if is_new else ():
-                self.edited.emit(what)
+            made = self.now.changes[before:] if is_new else ()
+            if words and len(made) > 1:
+                self.edited.emit(words.format(n=len(made)), len(made))
+            else:
+                for what in made:
+                    self.edited.emit(what, 1)
             if found[0] is not None:
                 then(found[0])
 
@@ -341,7 +366,8 @@ class TakesModel(QObject):
         self.added.emit(take.number)
         report = self.now.reports[take.number]
         for sentence in list(report.faults.values())[:1]:
-            self.error.emit(f"{take.name}: {tr_engine(sentence)}")
+            words = tr("{take} is left out: {reason}") if take.excluded else "{take}: {reason}"
+            self.error.emit(words.format(take=take.name, reason=tr_engine(sentence)))
 
     def _show_sound(self, number: int | None, sound: Float32Array) -> None:
         if number == self.selected:

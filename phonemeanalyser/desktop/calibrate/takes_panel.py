@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.calibrate.take_waveform import TakeWaveform
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 
 WIDTH = 330
 
@@ -75,8 +75,8 @@ class TakesPanel(QWidget):
                 tr("Measure the room: two seconds of quiet set silence and denoising of any recogniser"),
             ),
             (self.play, tr("play"), tr("Play what counts of the take (Return, or a double click)")),
-            (self.exclude, tr("exclude"), tr("Let the take count for nothing for now, or count again (X)")),
-            (self.delete, tr("delete"), tr("Delete the take (Delete); Ctrl+Z brings it back")),
+            (self.exclude, tr("exclude"), tr("Let the chosen takes count for nothing for now, or count again (X)")),
+            (self.delete, tr("delete"), tr("Delete the chosen takes (Delete); Ctrl+Z brings them back")),
         ):
             button.setText(text)
             button.setToolTip(tip)
@@ -107,7 +107,6 @@ class TakesPanel(QWidget):
         self.speaker.setAccessibleName(tr("speaker"))
         self.phoneme.setToolTip(tr("What the chosen take is: choose another sound to relabel it"))
         self.phoneme.setAccessibleName(tr("sound of the take"))
-        self.phoneme.installEventFilter(LetterPassthrough(self.phoneme))
         for phoneme in KEYS:
             self.phoneme.addItem(phoneme.label, phoneme)
 
@@ -149,11 +148,11 @@ class TakesPanel(QWidget):
         self.speaker.textEdited.connect(self._name_speaker)
         self.speaker.returnPressed.connect(self.list.setFocus)
         self.list.play_asked.connect(self._calibration.play_take)
-        self.list.delete_asked.connect(takes.delete)
+        self.list.delete_asked.connect(lambda: takes.delete(self.list.all_chosen))
         self.list.exclude_asked.connect(self._toggle_excluded)
-        self.play.clicked.connect(lambda: self._with_chosen(self.list.play_asked.emit))
-        self.delete.clicked.connect(lambda: self._with_chosen(takes.delete))
-        self.exclude.clicked.connect(lambda: self._with_chosen(self._toggle_excluded))
+        self.play.clicked.connect(self.list.play)
+        self.delete.clicked.connect(lambda: takes.delete(self.list.all_chosen))
+        self.exclude.clicked.connect(self._toggle_excluded)
         self.phoneme.activated.connect(self._relabel)
         self.wave.trimmed.connect(self._trim)
         takes.opened.connect(self._show_project)
@@ -161,18 +160,15 @@ class TakesPanel(QWidget):
         takes.sound_read.connect(self._show_take)
         self._calibration.recordings.changed.connect(self._show_recordings)
 
-    def _with_chosen(self, act: object) -> None:
-        number = self.list.chosen
-        if number is not None and callable(act):
-            act(number)
-
     def _name_speaker(self, name: str) -> None:
         self._calibration.takes.speaker = name
 
-    def _toggle_excluded(self, number: int) -> None:
-        take = self._calibration.takes.take(number)
+    def _toggle_excluded(self) -> None:
+        """Exclude the chosen takes, or include them where the first of them is excluded."""
+        takes, number = self._calibration.takes, self.list.chosen
+        take = takes.take(number) if number is not None else None
         if take is not None:
-            self._calibration.takes.set_excluded(number, not take.excluded)
+            takes.set_excluded(self.list.all_chosen, not take.excluded)
 
     def _relabel(self, index: int) -> None:
         number = self.list.chosen

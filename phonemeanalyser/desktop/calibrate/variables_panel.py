@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable
@@ -80,7 +80,6 @@ class VariablesPanel(QWidget):
                 "nothing"
             )
         )
-        self.table.installEventFilter(LetterPassthrough(self.table))
         for phoneme in KEYS:
             self.one.addItem(phoneme.label, phoneme)
             self.other.addItem(phoneme.label, phoneme)
@@ -93,7 +92,6 @@ class VariablesPanel(QWidget):
         ):
             box.setToolTip(name)
             box.setAccessibleName(name)
-            box.installEventFilter(LetterPassthrough(box))
         self.search.setToolTip(tr("Search for frequency ranges that part these two best"))
         self.add.setToolTip(tr("Add the suggested variable to the preset; Ctrl+Z takes it back"))
         for button in (self.search, self.add):

@@ -11,7 +11,6 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 from phonemeengine.mouth.morpher import Detail
 
 DETAILS = {
@@ -79,8 +78,6 @@ class ChoicesPanel(QWidget):
             )
             box.setKeyboardTracking(False)
             box.installEventFilter(NumberFieldKeys(self))
-        for combo in (self.table, self.detail):
-            combo.installEventFilter(LetterPassthrough(self))
         self.blinks.setToolTip(tr("The eyes blink at human intervals"))
         self.motion.setToolTip(tr("The head moves with pitch and loudness of the voice"))
         self.random.setToolTip(tr("Shapes and times vary a little, as they do in people"))

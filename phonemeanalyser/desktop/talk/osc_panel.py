@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QLabel, QLineEd
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.osc_model import AS_THE_HEAD, TABLES, OscModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.phoneme_keys import LetterPassthrough
 
 NAMES = {
     AS_THE_HEAD: tr_noop("as the head"),
@@ -55,7 +54,6 @@ class OscPanel(QWidget):
         self.table.setToolTip(
             tr("The movestates of the avatar that receives them: those of the head’s table, or another set")
         )
-        self.table.installEventFilter(LetterPassthrough(self))
         for name in TABLES:
             self.table.addItem(tr(NAMES[name]), name)
         grid = QGridLayout(self)

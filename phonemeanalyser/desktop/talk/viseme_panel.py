@@ -21,7 +21,7 @@ from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.heading import heading
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS, LetterPassthrough
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.mouth.percentages import Mode
 from phonemeengine.mouth.table import MouthTable
 
@@ -108,7 +108,6 @@ class VisemePanel(QWidget):
                 "they are held"
             )
         )
-        self.mode.installEventFilter(LetterPassthrough(self))
         head = QHBoxLayout()
         head.addWidget(heading(tr("Mouth shapes")), 1)
         head.addWidget(self.mode)

@@ -1,17 +1,49 @@
 """Which keys belong to the widget that has the focus, and which to the window's menus."""
 
+from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtWidgets import QAbstractButton, QApplication
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QAbstractSpinBox,
+    QApplication,
+    QComboBox,
+    QLineEdit,
+    QPlainTextEdit,
+    QTextEdit,
+    QWidget,
+)
 
 _MOVING = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End})
 _EDITING = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete, *_MOVING})
 _CLIPBOARD = frozenset({Qt.Key.Key_A, Qt.Key.Key_C, Qt.Key.Key_V, Qt.Key.Key_X})
+_LEAVING = frozenset({Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab})
+_PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.KeypadModifier)
+_TYPED_INTO = (QComboBox, QAbstractSpinBox, QAbstractItemView, QLineEdit, QTextEdit, QPlainTextEdit)
+_LETTERS_ARE_KEYS = "letters are keys"
+
+
+def give_letters_to_page(view: QAbstractItemView) -> None:
+    """Have letters be keys of the page while a list has the focus: nothing is searched in it by typing."""
+    view.setProperty(_LETTERS_ARE_KEYS, True)
+
+
+def is_typed_into(widget: QWidget | None) -> bool:
+    """Return whether letters belong to a widget: text, numbers, and lists that are searched by typing."""
+    return isinstance(widget, _TYPED_INTO) and not widget.property(_LETTERS_ARE_KEYS)
+
+
+def focus_buttons_by_tab(page: QWidget) -> None:
+    """Have the buttons of a page take the focus by Tab only, so that Space still plays after a click on one."""
+    for button in page.findChildren(QAbstractButton):
+        if button.focusPolicy() & Qt.FocusPolicy.ClickFocus:
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
 
 class NumberFieldKeys(QObject):
-    """Leaves to a field of numbers the keys that write a number; Space, letters and undo stay the window's."""
+    """Leaves to a field of numbers the keys that write a number; Space and undo stay the window's."""
 
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
         """Refuse keys that the field would swallow, so that the window's shortcuts see them."""
@@ -21,16 +53,89 @@ class NumberFieldKeys(QObject):
         return True
 
 
-class ButtonKeys(QObject):
-    """Leaves Space to a button that was reached with Tab, where it would else be a shortcut of the window."""
+class ControlKeys(QObject):
+    """Leaves keys that would be shortcuts of the window to the control that has the focus.
+
+    Those are Space where that is a button, and where one types or searches letters, digits, Home, End and Delete.
+    """
 
     def eventFilter(self, _watched: QObject, event: Any) -> bool:
-        """Claim Space while a button has the focus."""
-        if event.type() != QEvent.Type.ShortcutOverride or event.key() != Qt.Key.Key_Space:
+        """Claim keys for the control."""
+        if event.type() != QEvent.Type.ShortcutOverride or event.modifiers() not in _PLAIN:
             return False
-        claimed = isinstance(QApplication.focusWidget(), QAbstractButton)
+        focused = QApplication.focusWidget()
+        if event.key() == Qt.Key.Key_Space:
+            claimed = isinstance(focused, QAbstractButton)
+        else:
+            typed = bool(event.text()) and event.text().isprintable()
+            claimed = is_typed_into(focused) and (typed or event.key() in _EDITING)
         event.setAccepted(claimed)
         return claimed
+
+
+class FocusReturn(QObject):
+    """Gives the focus back to the main view of the page, where Qt would give it to the next control.
+
+    It does so when the control that had it was hidden or disabled, and when a list of choices was closed with the
+    mouse. A list that was closed by a key leaves the focus in its box: more letters still search there.
+
+    Parameters
+    ----------
+    window : whose focus it looks after.
+    main_view : returns what has the focus when the page that is seen is entered.
+
+    Signals
+    -------
+    clicked : the user clicked into this widget, which has the focus now.
+    """
+
+    clicked = Signal(QWidget)
+
+    def __init__(self, window: QWidget, main_view: Callable[[], QWidget]) -> None:
+        super().__init__(window)
+        self._window = window
+        self._main_view = main_view
+        self._closed_by_key = False
+        application = QApplication.instance()
+        assert isinstance(application, QApplication)
+        self._application = application
+        self._application.focusChanged.connect(self._follow)
+
+    def end(self) -> None:
+        """Look no more: the window closes, and its widgets lose the focus as they are destroyed."""
+        self._application.focusChanged.disconnect(self._follow)
+
+    def eventFilter(self, _list: QObject, event: Any) -> bool:
+        """Note which key was pressed in a list of choices."""
+        if event.type() in {QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride}:
+            self._closed_by_key = event.key() in _LEAVING
+        elif event.type() == QEvent.Type.MouseButtonPress:
+            self._closed_by_key = False
+        return False
+
+    def _follow(self, old: QWidget | None, now: QWidget | None) -> None:
+        if now is not None and QApplication.mouseButtons() != Qt.MouseButton.NoButton:
+            self.clicked.emit(now)
+        if now is not None and isinstance(_box_of(now), QComboBox):
+            self._closed_by_key = False
+            now.installEventFilter(self)
+        elif old is not None and self._is_left(old, now):
+            self._main_view().setFocus()
+
+    def _is_left(self, old: QWidget, now: QWidget | None) -> bool:
+        """Return whether the focus went somewhere that nobody chose."""
+        box = _box_of(old)
+        if box is not None:
+            return box is now and box.window() is self._window and not self._closed_by_key
+        vanished = not old.isVisible() or not old.isEnabled()
+        return vanished and old.window() is self._window and self._window.isActiveWindow()
+
+
+def _box_of(view: QWidget) -> QComboBox | None:
+    """Return the box whose list of choices a view is."""
+    container = view.parentWidget() if isinstance(view, QAbstractItemView) else None
+    box = container.parentWidget() if container is not None else None
+    return box if isinstance(box, QComboBox) and box.view() is view else None
 
 
 def _writes_a_number(event: Any) -> bool:

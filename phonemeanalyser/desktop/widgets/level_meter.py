@@ -18,6 +18,8 @@ MARKS_DB = (-48, -36, -24, -12, 0)
 SOFT_DB = -30.0
 """A voice whose peaks stay below is too soft: turn the gain of the microphone up."""
 LIGHT_WIDTH = 92
+GAP = 6
+"""Pixels between two marks that are written."""
 FORGOTTEN = 60.0
 """Seconds after which a clipping is not told any more."""
 
@@ -63,14 +65,13 @@ class LevelMeterView(QWidget):
     def _paint_scale(self, painter: QPainter, track: QRectF) -> None:
         set_size(painter, 9)
         painter.setPen(QColor(self._theme.faint))
+        written = marks_that_fit(painter.fontMetrics().horizontalAdvance, track.width())
         for mark in MARKS_DB:
             x = self._x_of(10 ** (mark / 20), track)
             painter.fillRect(QRectF(x, 14, 1, 3), QColor(self._theme.faint))
-            text = "0 dB" if mark == 0 else str(mark)
-            painter.drawText(QRectF(x - 30, 16, 31 if mark == 0 else 60, 12), self._align(mark), text)
-
-    def _align(self, mark: int) -> Qt.AlignmentFlag:
-        return Qt.AlignmentFlag.AlignRight if mark == 0 else Qt.AlignmentFlag.AlignHCenter
+            if mark in written:
+                align = Qt.AlignmentFlag.AlignRight if mark == 0 else Qt.AlignmentFlag.AlignHCenter
+                painter.drawText(QRectF(x - 30, 16, 31 if mark == 0 else 60, 12), align, _text_of(mark))
 
     def _paint_light(self, painter: QPainter, level: Level) -> None:
         ago = level.clipped_ago
@@ -87,6 +88,23 @@ class LevelMeterView(QWidget):
         decibels = 20 * math.log10(max(amplitude, 1e-6))
         share = (decibels - LOWEST_DB) / -LOWEST_DB
         return track.left() + track.width() * min(max(share, 0.0), 1.0)
+
+
+def marks_that_fit(width_of: Callable[[str], int], width: float) -> set[int]:
+    """Return the marks that are written on a scale of some pixels, from the right, so that none runs into another."""
+    written, left = set(), math.inf
+    for mark in reversed(MARKS_DB):
+        x = width * (mark - LOWEST_DB) / -LOWEST_DB
+        half = width_of(_text_of(mark)) / 2
+        end, start = (x, x - 2 * half) if mark == 0 else (x + half, x - half)
+        if end + GAP <= left:
+            written.add(mark)
+            left = start
+    return written
+
+
+def _text_of(mark: int) -> str:
+    return "0 dB" if mark == 0 else str(mark).replace("-", "−")
 
 
 def words_of(ago: float | None, held: float = 0.0) -> str:

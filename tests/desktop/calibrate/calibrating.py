@@ -105,8 +105,13 @@ class Calibrator:
         rate_seconds = len(sound) / SAMPLE_RATE
         self.booth.give(self.mic, sound)
         self.until(lambda: heard.seconds >= rate_seconds - 1e-9)
-        QTest.keyRelease(widget, key)
+        self.let_go(key)
         self.settle()
+
+    def let_go(self, key: Qt.Key) -> None:
+        """Let a held key go, and have the time pass after which that counts."""
+        QTest.keyRelease(QApplication.focusWidget() or self.booth.window, key)
+        self.page.keys.settling.timeout.emit()
 
     def keep(self, phoneme: Phoneme, seconds: float = 0.8) -> None:
         """Make a take without the microphone."""

@@ -101,7 +101,7 @@ def test_each_sound_has_a_key_of_its_own_which_holds_its_button_down(calibrator:
     QTest.keyPress(calibrator.page.takes.list, key)
     assert calibrator.model.phoneme is phoneme
     assert calibrator.page.takes.record.buttons[phoneme].isDown()
-    QTest.keyRelease(calibrator.page.takes.list, key)
+    calibrator.let_go(key)
     assert calibrator.model.phoneme is None
 
 
@@ -128,6 +128,68 @@ def test_letters_in_the_speakers_name_record_nothing(listening: Calibrator):
     assert listening.model.takes.speaker.endswith("maesh")
     assert listening.model.phoneme is None
     assert listening.takes == ()
+
+
+def test_a_key_that_a_busy_system_repeats_as_presses_and_releases_is_one_take(listening: Calibrator):
+    takes, heard = listening.page.takes.list, listening.model.capture
+    QTest.keyPress(takes, Qt.Key.Key_A)
+    for n in range(1, 6):
+        listening.booth.give(listening.mic, A[: len(A) // 2205 * 441])
+        listening.until(lambda n=n: heard.seconds >= n * len(A) // 2205 * 441 / SAMPLE_RATE - 1e-9)
+        QTest.keyRelease(takes, Qt.Key.Key_A)
+        QTest.keyPress(takes, Qt.Key.Key_A)
+        assert not listening.page.keys.settling.isActive()
+    listening.let_go(Qt.Key.Key_A)
+    listening.settle()
+    (take,) = listening.takes
+    assert take.duration == pytest.approx(5 * (len(A) // 2205 * 441) / SAMPLE_RATE)
+
+
+def test_another_key_at_once_begins_another_take(listening: Calibrator):
+    QTest.keyPress(listening.page.takes.list, Qt.Key.Key_A)
+    QTest.keyRelease(listening.page.takes.list, Qt.Key.Key_A)
+    QTest.keyPress(listening.page.takes.list, Qt.Key.Key_I)
+    assert listening.model.phoneme is Phoneme.I
+    listening.let_go(Qt.Key.Key_I)
+    assert listening.model.phoneme is None
+
+
+def test_a_take_that_is_too_short_or_silent_counts_for_nothing_until_the_user_says_so(listening: Calibrator):
+    listening.say(Qt.Key.Key_A, A[: 441 * 30])  # 0.2 s of quiet, and 0.1 s of an a
+    assert verdicts(listening) == ["too short"]
+    assert listening.booth.banner.startswith("a-1 is left out: It lasted")
+    listening.say(Qt.Key.Key_A, in_room(silence(0.8)))
+    assert verdicts(listening) == ["too short", "silent"]
+    assert [take.excluded for take in listening.takes] == [True, True]
+    assert listening.model.workbench.utterances == ()
+    click_row(listening, 0)
+    press(listening.booth.window, Qt.Key.Key_X)
+    listening.settle()
+    assert [take.excluded for take in listening.takes] == [False, True]
+    assert len(listening.model.workbench.utterances) == 1
+
+
+def test_several_takes_are_deleted_and_brought_back_at_a_time(calibrator: Calibrator):
+    for phoneme in (Phoneme.A, Phoneme.E, Phoneme.I):
+        calibrator.keep(phoneme)
+    window, takes = calibrator.booth.window, calibrator.page.takes
+    click_row(calibrator, 0)
+    QTest.keyClick(takes.list, Qt.Key.Key_Down, Qt.KeyboardModifier.ShiftModifier)
+    press(window, Qt.Key.Key_X)
+    calibrator.settle()
+    assert [take.excluded for take in calibrator.takes] == [True, True, False]
+    assert edits(window) == ["Undo exclude 2 takes"]
+    click(takes.delete)
+    calibrator.settle()
+    assert [take.name for take in calibrator.takes] == ["i-3"]
+    assert edits(window) == ["Undo delete 2 takes"]
+    press(window, Qt.Key.Key_Z, CONTROL)
+    calibrator.settle()
+    assert [take.name for take in calibrator.takes] == ["a-1", "e-2", "i-3"]
+    press(window, Qt.Key.Key_A, CONTROL)
+    press(window, Qt.Key.Key_Delete)
+    calibrator.settle()
+    assert calibrator.takes == ()
 
 
 def test_a_slip_of_the_finger_is_no_take_and_is_said(listening: Calibrator):
@@ -197,7 +259,7 @@ def test_a_key_held_while_the_file_plays_takes_what_was_played(calibrator: Calib
     QTest.keyPress(calibrator.page.takes.list, Qt.Key.Key_E)
     began = session.position
     calibrator.until(lambda: session.position > began + 0.4)
-    QTest.keyRelease(calibrator.page.takes.list, Qt.Key.Key_E)
+    calibrator.let_go(Qt.Key.Key_E)
     ended = session.position
     calibrator.settle()
     (take,) = calibrator.takes

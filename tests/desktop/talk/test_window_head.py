@@ -293,6 +293,7 @@ def test_a_key_holds_its_mouth_shape_until_it_is_let_go(window, desktop, qtbot):
     assert window.talk.visemes.buttons["a"].isDown()
     open_mouth(desktop, qtbot, 40)
     QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+    window.talk.keys.settling.timeout.emit()
     assert not window.talk.visemes.buttons["a"].isDown()
     closed_mouth(desktop, qtbot)
 
@@ -350,6 +351,7 @@ def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     qtbot.waitUntil(lambda: jaw(desktop) > 40)
     assert window.talk.visemes.buttons["open"].isDown()
     QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+    window.talk.keys.settling.timeout.emit()
 
 
 def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, monkeypatch, tmp_path, qtbot):
@@ -486,6 +488,7 @@ def test_test_keys_and_sliders_reach_the_receiver_too(window, qtbot, receiver):
     qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] > 0.5)
     qtbot.waitUntil(lambda: ("a", 1.0) in receiver.of("/phoneme"))
     QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
+    window.talk.keys.settling.timeout.emit()
     window.talk.visemes.sliders["u"].setValue(60)
     qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] > 0.3 > receiver.weights()["jawOpen"])
     qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("u", pytest.approx(0.6)))

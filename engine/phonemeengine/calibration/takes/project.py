@@ -90,7 +90,8 @@ class TakeProject(Closing):
         speaker : who said it.
         phoneme : what was said.
         rate : Hz.
-        report : what the check found: its steady stretch counts; where it is None, everything.
+        report : what the check found: its steady stretch counts, and the take is excluded where nothing or too
+            little is heard; where it is None, everything counts.
         device : the microphone, or the file that the sound is from.
         time : when it was recorded; now, where it is None.
 
@@ -116,6 +117,7 @@ class TakeProject(Closing):
             onset=onset,
             offset=offset,
             device=device,
+            excluded=report is not None and report.too_little,
             time=(time or datetime.now()).astimezone().isoformat(timespec="seconds"),
             pauses=tuple((min(a, end), min(b, end)) for a, b in report.pauses) if report is not None else (),
         )

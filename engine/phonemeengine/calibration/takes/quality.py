@@ -60,6 +60,10 @@ class Fault(StrEnum):
     NOT_SILENT = "not silent"
 
 
+TOO_LITTLE = frozenset({Fault.SILENT, Fault.TOO_SHORT})
+"""Faults of a take that does not hold what was to be said: it would only mislead."""
+
+
 @dataclass(frozen=True)
 class TakeReport:
     """What was found in a take.
@@ -91,6 +95,11 @@ class TakeReport:
     def good(self) -> bool:
         """Whether nothing is wrong."""
         return not self.faults
+
+    @property
+    def too_little(self) -> bool:
+        """Whether nothing is heard, or too short a sound to count by itself."""
+        return bool(TOO_LITTLE & set(self.faults))
 
     def within(self, start: float, duration: float) -> "TakeReport":
         """Return the report of this take, as a part of a longer sound in which something is heard throughout."""

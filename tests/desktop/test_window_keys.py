@@ -1,0 +1,157 @@
+"""Which keys act where: single letters belong to the page Analyse, and typing to the control that has the focus."""
+
+import re
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QComboBox, QListView
+
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
+from phonemeengine.phonemes import Phoneme
+from tests.desktop.calibrate.calibrating import Calibrator
+from tests.desktop.hands import DEMO, LEFT, answer, click, press, shown, type_number
+
+pops_up = pytest.mark.qt_log_ignore("does not support", extend=True)  # lists without a display
+
+
+def opened(box: QComboBox) -> QListView:
+    """Click into a box, and give the list that opens."""
+    QTest.mouseClick(box, LEFT)
+    QApplication.processEvents()
+    assert box.view().isVisible()
+    return box.view()
+
+
+@pops_up
+def test_letters_typed_into_a_list_that_was_closed_search_in_it_and_record_nothing(desktop, qtbot):
+    window, session = shown(desktop, qtbot), desktop.session
+    window.show_page(2)
+    box = window.talk.text.language
+    box.clear()
+    box.addItems(["Choose", "Georgian", "German"])
+    box.setFocus()
+    QTest.keyClick(opened(box), Qt.Key.Key_Escape)
+    assert QApplication.focusWidget() is box
+    QTest.keyClicks(box, "Ger")
+    assert box.currentText() == "German"
+    assert not session.microphone.recording
+    assert session.source is SoundSource.FILE
+
+
+@pytest.mark.parametrize("page", [1, 2])
+def test_single_letters_of_the_menus_do_nothing_on_other_pages(desktop, qtbot, page):
+    window, session, preset = shown(desktop, qtbot), desktop.session, desktop.preset
+    window.show_page(page)
+    for key in (Qt.Key.Key_R, Qt.Key.Key_N, Qt.Key.Key_L, Qt.Key.Key_B, Qt.Key.Key_C, Qt.Key.Key_F, Qt.Key.Key_D):
+        press(window, key)
+    assert session.source is SoundSource.FILE
+    assert not session.loop
+    assert not preset.bypassed
+    assert not window.redraw.frozen
+    window.show_page(0)
+    press(window, Qt.Key.Key_L)
+    press(window, Qt.Key.Key_B)
+    assert session.loop
+    assert preset.bypassed
+
+
+def test_a_list_a_number_and_a_text_keep_what_is_typed_into_them(desktop, qtbot):
+    window, session = shown(desktop, qtbot), desktop.session
+    assert QApplication.focusWidget() is window.analysis.file.view
+    scroll = window.analysis.scroll_view
+    window.analysis.over_time.setCurrentWidget(scroll)
+    for control in (scroll.variable, scroll.low, window.transport.source):
+        control.setFocus()
+        assert QApplication.focusWidget() is control
+        QTest.keyClicks(control, "lbrn")
+        press(window, Qt.Key.Key_Delete)
+    assert not session.loop
+    assert not desktop.preset.bypassed
+    assert not session.microphone.recording
+    type_number(scroll.low, "-50")
+    assert scroll.low.value() == -50
+    press(window, Qt.Key.Key_Space)  # which writes no number
+    assert session.playing
+
+
+def test_record_asks_before_it_leaves_the_file_in_hand(desktop, qtbot):
+    window, session = shown(desktop, qtbot), desktop.session
+    asked = answer("Cancel")
+    press(window, Qt.Key.Key_R)
+    assert asked == ["Leave cards.flac, and record the microphone?"]
+    assert session.source is SoundSource.FILE
+    answer("Record")
+    window.menus.actions["Record"].trigger()  # without a window manager, the window has the keyboard no more
+    assert session.source is SoundSource.MICROPHONE
+
+
+def test_space_plays_after_a_control_that_had_the_focus_was_disabled(desktop, qtbot, tmp_path):
+    """Qt gives the focus to the next control, which is the button of presets, and that takes Space for itself."""
+    window = shown(desktop, qtbot)
+    window.transport.channel.setEnabled(True)
+    window.transport.channel.setFocus()
+    window.dialogs.open_sound(DEMO)  # mono: there is nothing to choose from
+    assert not window.transport.channel.isEnabled()
+    assert QApplication.focusWidget() is window.analysis.file.view
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.playing
+
+
+@pops_up
+def test_space_plays_after_a_choice_with_the_mouse_and_after_one_was_hidden(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    box = window.transport.source
+    box.setFocus()
+    view = opened(box)
+    QTest.mouseClick(view.viewport(), LEFT, pos=view.visualRect(view.model().index(0, 0)).center())
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is window.analysis.file.view)
+    window.transport.channel.setEnabled(True)
+    window.transport.channel.setFocus()
+    desktop.session.set_source(SoundSource.TONE)  # which has no channels to choose from
+    assert window.transport.channel.isHidden()
+    assert QApplication.focusWidget() is window.analysis
+    desktop.session.pause()
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.playing
+
+
+def test_a_button_reached_with_tab_keeps_space_and_one_that_was_clicked_does_not_get_the_focus(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    window.show_page(2)
+    wireframe = window.talk.wireframe
+    click(wireframe)
+    assert wireframe.isChecked()
+    assert QApplication.focusWidget() is window.talk.head
+    wireframe.setFocus(Qt.FocusReason.TabFocusReason)
+    press(window, Qt.Key.Key_Space)
+    assert not wireframe.isChecked()
+    assert not desktop.session.playing
+
+
+def test_the_list_of_keys_is_whole_on_every_page_and_says_where_letters_act(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    keys = window.menus.keys()
+    window.show_page(2)
+    assert window.menus.keys() == keys
+    window.show_shortcuts()
+    text = window.findChild(ShortcutsDialog).list.text()
+    assert re.search("<td>Record&nbsp;.*?<td>R</td>", text)
+
+
+def test_a_key_that_is_held_switches_once(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    assert not window.menus.actions["Loop"].autoRepeat()
+    assert not window.menus.actions["Play or Pause"].autoRepeat()
+    assert window.menus.actions["Forward 1 s"].autoRepeat()
+
+
+def test_letters_in_a_table_of_the_calibration_record_no_take(open_booth, mic):
+    calibrator = Calibrator(open_booth(mic), mic)
+    calibrator.keep(Phoneme.A)
+    for control in (calibrator.page.workbench.variables.table, calibrator.page.takes.phoneme):
+        control.setFocus()
+        QTest.keyPress(control, Qt.Key.Key_A)
+        assert calibrator.model.phoneme is None
+        QTest.keyRelease(control, Qt.Key.Key_A)
