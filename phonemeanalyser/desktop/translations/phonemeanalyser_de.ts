@@ -1214,14 +1214,19 @@
             <translation>Beschriftung löschen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <source>Delete the chosen takes (Delete); Ctrl+Z brings them back</source>
+            <translation>Gewählte Takes löschen (Entf); Strg+Z holt sie zurück</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Delete the take</source>
             <translation>Den Take löschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
-            <source>Delete the take (Delete); Ctrl+Z brings it back</source>
-            <translation>Den Take löschen (Entf); Strg+Z bringt ihn zurück</translation>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <source>delete {n} takes</source>
+            <translation>{n} Takes löschen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1487,6 +1492,11 @@
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Exclude the take, or not</source>
             <translation>Den Take auslassen, oder nicht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <source>exclude {n} takes</source>
+            <translation>{n} Takes auslassen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -2170,6 +2180,11 @@
             <translation>Wie sich die Frequenzen über das Sonagramm verteilen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
+            <source>How late phonemes are on the screen: it is being measured</source>
+            <translation>Wie spät Phoneme auf dem Bildschirm sind: wird gemessen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
             <source>how long every {what} is</source>
             <translation>wie lange jedes {what} dauert</translation>
@@ -2250,6 +2265,11 @@
             <translation>in </translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>In the menus, single letters, Delete, F2 and keys with Shift act on the page Analyse only. Where a list, a number or a text has the focus, letters belong to that: click into a plot to leave it.</source>
+            <translation>Einzelne Buchstaben, Entf, F2 und Tasten mit Umschalt aus den Menüs wirken nur auf der Seite Analysieren. Hat eine Liste, eine Zahl oder ein Text den Fokus, gehören Buchstaben dorthin: zum Verlassen in ein Diagramm klicken.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
             <source>in use</source>
             <translation>benutzt</translation>
@@ -2263,6 +2283,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
             <source>include</source>
             <translation>mitzählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <source>include {n} takes</source>
+            <translation>{n} Takes wieder zählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -2520,6 +2545,11 @@
             <translation>Das Preset lassen, wie es war; die Takes bleiben (Esc)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <source>Leave {name}, and record the microphone?</source>
+            <translation>{name} verlassen und das Mikrofon aufnehmen?</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
             <source>left</source>
             <translation>links</translation>
@@ -2546,8 +2576,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
-            <source>Let the take count for nothing for now, or count again (X)</source>
-            <translation>Den Take vorerst nicht zählen lassen, oder wieder (X)</translation>
+            <source>Let the chosen takes count for nothing for now, or count again (X)</source>
+            <translation>Gewählte Takes vorerst nicht zählen, oder wieder zählen (X)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
@@ -6769,6 +6799,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
             <source>{start:.3f} to {end:.3f} s of {sound}</source>
             <translation>{start:.3f} bis {end:.3f} s von {sound}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <source>{take} is left out: {reason}</source>
+            <translation>{take} zählt nicht: {reason}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
