@@ -112,10 +112,11 @@ def _gain_in_words(result: CalibrationResult) -> str:
     on = f"on {where}, {result.seconds:.0f} s"
     if not result.gains:
         return f"nothing better was found {on} (macro F1 {one.macro_f1:.1%}); unchanged"
+    clear = "" if result.is_clear else "; no clear change: so much may be chance"
     return (
         f"{on}: macro F1 {one.macro_f1:.1%} -> {other.macro_f1:.1%}, mouth shapes {one.viseme_accuracy:.1%} -> "
         f"{other.viseme_accuracy:.1%}, silence found {one.silence_recall:.1%} -> {other.silence_recall:.1%}, "
-        f"speech called silence {one.false_silence:.1%} -> {other.false_silence:.1%}"
+        f"speech called silence {one.false_silence:.1%} -> {other.false_silence:.1%}{clear}"
     )
 
 

@@ -16,8 +16,16 @@ from dataclasses import dataclass, replace
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.guard import loss_of
-from phonemeengine.calibration.held_back import N_PARTS, counts, parts_of, scores_on
+from phonemeengine.calibration.held_back import (
+    N_PARTS,
+    counts,
+    held_back_scores,
+    paired_answers,
+    parts_of,
+    predictions_on,
+)
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.scores.gain import gains_beyond_chance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room
 from phonemeengine.calibration.takes.room_takes import room_in, speech_in
@@ -50,6 +58,7 @@ class CalibrationResult:
     seconds : how much of that counted.
     cross_validated : whether it was quarters of the takes, each of them in turn.
     cost : what a bolder preset, which was refused, would have cost; mostly nothing.
+    is_clear : whether mouth shapes and macro F1 both rose by more than chance, see `gains_beyond_chance`.
     silence_accuracy : how well the preset tells the room from speech, as far as the takes say; None where they hold
         no silence.
     """
@@ -62,6 +71,7 @@ class CalibrationResult:
     cross_validated: bool
     cost: str = ""
     silence_accuracy: SilenceAccuracy | None = None
+    is_clear: bool = False
 
     @property
     def gains(self) -> bool:
@@ -115,18 +125,23 @@ def calibrate(
     report_progress(progress, 1.0)
     accuracy = _silence_accuracy(found, takes, room)
     return CalibrationResult(
-        preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.cost, accuracy
-    )
+        preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.cost, accuracy,
+        trial.is_clear,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True)
 class _Trial:
-    """Which of the adapted presets is taken, None for none; the figures, and what a bolder one would have cost."""
+    """Which of the adapted presets is taken, None for none; the figures, and what a bolder one would have cost.
+
+    `is_clear` says whether what is taken gains more than chance.
+    """
 
     index: int | None
     before: Scores
     after: Scores
     cost: str
+    is_clear: bool = False
 
 
 class _Trials:
@@ -173,12 +188,14 @@ class _Trials:
 
     def _tried(self, adapted: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
         """Try what was learned on what was kept from it; together these are what is judged by."""
-        before, first_cost = scores_on([(self._preset, judged)]), ""
+        old = predictions_on([(self._preset, judged)])
+        before, first_cost = held_back_scores(old), ""
         for index, presets in enumerate(zip(*adapted, strict=True)):
-            after = scores_on(zip(presets, kept, strict=True))
+            new = predictions_on(zip(presets, kept, strict=True))
+            after = held_back_scores(new)
             cost = loss_of(before, after) if after.macro_f1 > before.macro_f1 else ""
             if after.macro_f1 > before.macro_f1 and not cost:
-                return _Trial(index, before, after, first_cost)
+                return _Trial(index, before, after, first_cost, gains_beyond_chance(paired_answers(old, new)))
             first_cost = first_cost or cost
         return _Trial(None, before, before, first_cost)
 
@@ -205,7 +222,10 @@ def _with_silence(preset: Preset, takes: Takes, room: Float32Array | None) -> Pr
 
 def _with_ear_for_files(preset: Preset, judged: Takes, live: Scores) -> Preset:
     """Return the preset without its model for files, which has learned nothing, where the other one is better now."""
-    if preset.file_model is None or scores_on([(for_files(preset, Ear.TWIN), judged)]).macro_f1 >= live.macro_f1:
+    if preset.file_model is None:
+        return preset
+    with_twin = held_back_scores(predictions_on([(for_files(preset, Ear.TWIN), judged)]))
+    if with_twin.macro_f1 >= live.macro_f1:
         return preset
     return replace(preset, file_model=None)
 

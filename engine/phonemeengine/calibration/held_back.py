@@ -6,9 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from phonemeengine.arrays import UInt8Array
+from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
+from phonemeengine.calibration.scores.gain import PairedAnswers
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.labels.label import Label
@@ -18,6 +19,9 @@ from phonemeengine.settings import FRAME_PERIOD
 
 N_PARTS = 4
 """Parts of each recording, each of which is held back once: so it is tried with nearly all that there is to learn."""
+
+NOT_ASKED = 255
+"""Stands for the answer about a frame that does not count."""
 
 Utterances = tuple[LabelledUtterance, ...]
 
@@ -33,19 +37,38 @@ def parts_of(utterances: Sequence[LabelledUtterance]) -> Iterator[tuple[Utteranc
         yield tuple(learned_from for learned_from, _ in halves), tuple(kept for _, kept in halves)
 
 
-def scores_on(cases: Iterable[tuple[Preset, Sequence[LabelledUtterance]]]) -> Scores:
-    """Score presets on recordings, all together; labels that are ``trimmed`` do not count, but for the flicker.
+def predictions_on(cases: Iterable[tuple[Preset, Sequence[LabelledUtterance]]]) -> list[Predictions]:
+    """Have presets recognise recordings.
 
     Raises
     ------
     AudioError : a sound cannot be read.
     """
-    predictions = [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
+    return [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
+
+
+def held_back_scores(predictions: Sequence[Predictions]) -> Scores:
+    """Score recordings, all together; labels that are ``trimmed`` do not count, but for the flicker."""
     scores = scores_of([_counted(prediction) for prediction in predictions])
     flicker = scores_of([prediction.answers for prediction in predictions])
     return replace(
         scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s
     )  # fmt: skip
+
+
+def paired_answers(before: Sequence[Predictions], after: Sequence[Predictions]) -> list[PairedAnswers]:
+    """Return of each recording what was said and both answers, of the frames that count in both."""
+    learned: dict[object, UInt8Array] = {}
+    for prediction in after:
+        codes = learned.setdefault(_key(prediction), np.full(len(prediction.phonemes), NOT_ASKED, np.uint8))
+        kept = _kept(prediction)
+        codes[kept] = prediction.phonemes[kept]
+    pairs = []
+    for prediction in before:
+        codes = learned[_key(prediction)]
+        both = _kept(prediction) & (codes != NOT_ASKED)
+        pairs.append((prediction.labels.phonemes[both], prediction.phonemes[both], codes[both]))
+    return pairs
 
 
 def counts(labels: Sequence[Label]) -> bool:
@@ -54,13 +77,21 @@ def counts(labels: Sequence[Label]) -> bool:
 
 
 def _counted(prediction: Predictions) -> tuple[FrameLabels, UInt8Array]:
-    labels = prediction.labels
+    kept = _kept(prediction)
+    return prediction.labels.at(kept), prediction.phonemes[kept]
+
+
+def _key(prediction: Predictions) -> object:
+    return prediction.utterance.path, prediction.utterance.channel
+
+
+def _kept(prediction: Predictions) -> BoolArray:
+    """Return which frames count, shape (n_frames,)."""
     trimmed = tuple(
         replace(label, phoneme=Phoneme.UNIDENTIFIED if label.certainty == TRIMMED else Phoneme.SILENCE)
         for label in prediction.utterance.labels
     )
-    kept = frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
-    return labels.at(kept), prediction.phonemes[kept]
+    return frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
 
 
 def _parted(utterance: LabelledUtterance, part: int) -> tuple[LabelledUtterance, LabelledUtterance]:

@@ -11,12 +11,13 @@ from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.guide_model import Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.engine_words import tr_engine
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.sentences import LANGUAGES
 
+UNCLEAR = tr_noop("So small a gain on so little speech may be chance. Listen to both, then choose.")
 RING = 15
 """Width of the ring in pixels."""
 SIZES = (12, 64)
@@ -308,8 +309,9 @@ class GuideView(QWidget):
         if guide.phase is Phase.LEARNING:
             return tr("Learning your voice")
         if guide.phase is Phase.DONE:
-            better = guide.outcome is not None and guide.outcome.gains
-            return tr("It knows your voice better now") if better else tr("Nothing better was found")
+            if guide.outcome is None or not guide.outcome.gains:
+                return tr("Nothing better was found")
+            return tr("It knows your voice better now") if guide.outcome.is_clear else tr("No clear change")
         if guide.step.sentence is None:
             return (
                 tr("Sound {index} of {n}").format(index=guide.index + 1, n=len(guide.steps) - 1)
@@ -338,7 +340,8 @@ class GuideView(QWidget):
             if guide.outcome.silence_accuracy is not None
             else ""
         )
-        return tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure
+        unclear = tr(UNCLEAR) + "<br>" if guide.outcome.gains and not guide.outcome.is_clear else ""
+        return unclear + tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure
 
     def _advice(self) -> str:
         outcome = self._calibration.guide.outcome

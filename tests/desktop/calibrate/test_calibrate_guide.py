@@ -84,6 +84,11 @@ def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_
     assert [take.phoneme for take in by_sounds.takes] == [step.phoneme for step in STEPS]
     assert guide.outcome is not None
     assert guide.outcome.after.macro_f1 > guide.outcome.before.macro_f1
+    for is_clear, title in ((True, "It knows your voice better now"), (False, "No clear change")):
+        guide.outcome = replace(guide.outcome, is_clear=is_clear)
+        guide.changed.emit()
+        assert title in by_sounds.page.guide.title.text()
+        assert ("may be chance" in by_sounds.page.guide.hint.text()) is not is_clear
     figures = by_sounds.page.guide.figures
     assert figures.item(0, 1).text() == f"{guide.outcome.after.macro_f1:.1%}"
     assert "Measured on quarters of what was said, each held back in turn" in by_sounds.page.guide.hint.text()
