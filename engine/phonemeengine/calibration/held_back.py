@@ -91,7 +91,8 @@ def _kept(prediction: Predictions) -> BoolArray:
         replace(label, phoneme=Phoneme.UNIDENTIFIED if label.certainty == TRIMMED else Phoneme.SILENCE)
         for label in prediction.utterance.labels
     )
-    return frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
+    kept: BoolArray = frame_labels_of(trimmed).phonemes != Phoneme.UNIDENTIFIED
+    return kept
 
 
 def _parted(utterance: LabelledUtterance, part: int) -> tuple[LabelledUtterance, LabelledUtterance]:

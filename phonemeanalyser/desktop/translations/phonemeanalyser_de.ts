@@ -3255,6 +3255,11 @@
             <translation>Nächster Fehler</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>No clear change</source>
+            <translation>Keine klare Änderung</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
             <source>no clipping</source>
             <translation>nicht übersteuert</translation>
@@ -4909,6 +4914,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>Smooth time</source>
             <translation>Glätten Zeit</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>So small a gain on so little speech may be chance. Listen to both, then choose.</source>
+            <translation>Ein so kleiner Gewinn bei so wenig Sprache kann Zufall sein. Beides anhören, dann wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />

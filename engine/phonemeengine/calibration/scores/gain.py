@@ -54,4 +54,5 @@ def _mouths_gained(said: UInt8Array, before: UInt8Array, after: UInt8Array) -> i
 
 def _macro_f1s(counts: Float64Array) -> Float64Array:
     """Return the macro F1 of each row of flat confusion matrices; 0 where it has none of the ten classes."""
-    return np.nan_to_num(macro_f1_of(counts.reshape(-1, N_CODES, N_CODES), SCORED_PHONEMES))
+    whole = counts.astype(np.int64).reshape(-1, N_CODES, N_CODES)
+    return np.nan_to_num(macro_f1_of(whole, SCORED_PHONEMES))
