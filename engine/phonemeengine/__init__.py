@@ -11,8 +11,8 @@ sound, and whatever lives is a context manager::
 
 A program with samples of its own pushes them, cut as they come, or asks about a single window::
 
-    analyser = Analyser(preset)
-    analysis = analyser.push(samples)        # float32, mono, 44.1 kHz, ±1
+    analyser = Analyser(preset, rate=48_000, live=True)
+    analysis = analyser.push(samples)        # float32 within ±1 or int16; mono, or (n, n_channels)
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
     phoneme, intensity, confidence = recognise_window(samples[:2048], preset)
 

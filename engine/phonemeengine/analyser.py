@@ -13,24 +13,26 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
+from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr, UInt8Array
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.intake import SampleIntake
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_files, recogniser_for, while_played
+from phonemeengine.presets.ears import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.intensity import intensities_of
+from phonemeengine.recognition.plug_ins import completed
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import scores_in, separations_of
 from phonemeengine.recognition.smoothing import PhonemeSmoother
 from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
 from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, WINDOW, AnalysisSettings
+from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
@@ -44,8 +46,8 @@ PRE_ROLL = 100
 _SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
 
 
-@dataclass(frozen=True)
-class Analysis:
+@dataclass(frozen=True, repr=False)
+class Analysis(ShortRepr):
     """What was found in a block of frames.
 
     Attributes
@@ -152,22 +154,33 @@ class Analyser:
     Parameters
     ----------
     preset : what to recognise with.
+    rate : of the samples, Hz, 1000..768000; what is not at 44.1 kHz is resampled.
+    live : somebody waits for the answers: look ahead only as far as the preset's ``live_look_ahead``, 10 ms unless it
+        says otherwise, and resample with an even delay, as `Listener` and shipped ears do.
     pitch : measure `f0` too, which no rule needs; without it `f0` reads 0.
     start : number of the first frame, where the samples begin in the midst of a longer sound.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none; `volume` stays.
-    recogniser : what is asked instead of the preset's, made for this sound.
+    recogniser : what is asked instead of the preset's, made for this sound; an object with `recognise` is enough.
+
+    Raises
+    ------
+    AudioError : the rate lies outside its range.
+    EngineError : the preset's recogniser cannot be made.
     """
 
     def __init__(
-        self, preset: Preset, *, pitch: bool = False, start: int = 0, phonemes_only: bool = False,
-        recogniser: Recogniser | None = None,
+        self, preset: Preset, *, rate: int = SAMPLE_RATE, live: bool = False, pitch: bool = False, start: int = 0,
+        phonemes_only: bool = False, recogniser: object | None = None,
     ) -> None:  # fmt: skip
+        self._live = live
+        self._intake = SampleIntake(rate, steady=live)
+        preset = self._in_force(preset)
         self._pitch = pitch
         self._phonemes_only = phonemes_only
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_for(preset) if recogniser is None else recogniser
+        self._recogniser = recogniser_for(preset) if recogniser is None else completed(recogniser)
         self._statistics, self._visemes = _statistics_of(preset), VisemeSmoother()
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -183,6 +196,16 @@ class Analyser:
         """The recogniser in use; its `explain` says why."""
         return self._recogniser
 
+    @property
+    def n_replaced(self) -> int:
+        """Samples that were NaN or infinite, and were taken for 0."""
+        return self._intake.n_replaced
+
+    @property
+    def delay(self) -> float:
+        """How much is held back by the resampler now, seconds."""
+        return self._intake.delay
+
     def set_preset(self, preset: Preset) -> None:
         """Go on with another preset from the next frame; what need not change remembers its past.
 
@@ -190,6 +213,7 @@ class Analyser:
         ------
         EngineError : its recogniser cannot be made; everything stays as it was.
         """
+        preset = self._in_force(preset)
         old, recogniser = self._preset, self._recogniser
         if _recogniser_key(preset) != _recogniser_key(old):
             recogniser = recogniser_for(preset)
@@ -201,13 +225,24 @@ class Analyser:
         if recogniser is not self._recogniser:
             self._change_recogniser(recogniser)
 
-    def push(self, samples: Float32Array) -> Analysis:
-        """Take the next samples (float32, shape (n,), 44.1 kHz, ±1) and analyse the frames they complete."""
-        return self._analyse(self._framer.cut_frames(samples))
+    def push(self, samples: ArrayLike) -> Analysis:
+        """Take the next samples, and return the analysis of the frames that they complete.
+
+        Parameters
+        ----------
+        samples : shape (n,), or (n, n_channels), of which the mean is heard; float32 within ±1, int16 or int32. NaN
+            and infinity are taken for 0, and counted.
+
+        Raises
+        ------
+        AudioError : they are of another type or shape, or lie far beyond ±1.
+        """
+        return self._analyse(self._frames_of(samples))
 
     def finish(self) -> Analysis:
         """Analyse the last frames, with silence after the end of the sound."""
-        last = self._analyse(self._framer.finish())
+        rest_of_sound = self._framer.cut_frames(self._intake.finish())
+        last = self._analyse(np.concatenate([rest_of_sound, self._framer.finish()]))
         n = self._recogniser.look_ahead
         if n == 0:
             return last
@@ -216,6 +251,12 @@ class Analyser:
         else:
             rest = self._recognise(self._path.measure(np.zeros((n, WINDOW), np.float32)))
         return concatenate_analyses([last, rest])
+
+    def _in_force(self, preset: Preset) -> Preset:
+        return for_live_use(preset) if self._live else preset
+
+    def _frames_of(self, samples: ArrayLike) -> Float32Array:
+        return self._framer.cut_frames(self._intake.take(samples))
 
     def _analyse(self, frames: Float32Array) -> Analysis:
         if 0 < len(frames) <= BLOCK and not self._unasked:
@@ -303,7 +344,7 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
 
     Networks of one model are asked together; what each analyser says is as if it were alone, but for rounding.
     """
-    frames = [analyser._framer.cut_frames(samples) for analyser, samples in pushes]
+    frames = [analyser._frames_of(samples) for analyser, samples in pushes]
     found: dict[int, Analysis] = {}
     groups: defaultdict[object, dict[int, Joining]] = defaultdict(dict)
     for k, ((analyser, _), cut) in enumerate(zip(pushes, frames, strict=True)):
@@ -364,7 +405,8 @@ def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
 
     Parameters
     ----------
-    buffer : 2048 samples, mono, 44.1 kHz, ±1, shape (2048,); the answer is about their middle.
+    buffer : 2048 samples, mono, 44.1 kHz, shape (2048,), as `Analyser.push` takes them; the answer is about their
+        middle.
     preset : what to recognise with.
 
     Raises
@@ -372,9 +414,10 @@ def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
     SettingsError : the buffer has another shape.
     EngineError : the preset's recogniser cannot be used.
     """
-    window = np.asarray(buffer, np.float32)
-    if window.shape != (WINDOW,):
-        raise SettingsError(f"an analysis buffer has the shape ({WINDOW},), got {window.shape}; give one of mono")
+    samples = np.asarray(buffer)
+    if samples.shape != (WINDOW,):
+        raise SettingsError(f"an analysis buffer has the shape ({WINDOW},), got {samples.shape}; give one of mono")
+    window = SampleIntake(SAMPLE_RATE).take(samples)
     at_once = replace(preset, settings=replace(preset.settings, look_ahead=0.0))
     held = np.repeat(window[np.newaxis], HELD_FRAMES, axis=0)
     return latest_reading(Analyser(at_once, phonemes_only=True)._analyse(held))
@@ -393,17 +436,17 @@ def _statistics_of(preset: Preset) -> PhonemeSmoother:
 
 
 def analyse_blocks(
-    blocks: Iterable[Float32Array], preset: Preset, *, pitch: bool = False, start: int = 0,
-    recogniser: Recogniser | None = None,
+    blocks: Iterable[ArrayLike], preset: Preset, *, rate: int = SAMPLE_RATE, pitch: bool = False, start: int = 0,
+    recogniser: object | None = None,
 ) -> Iterator[Analysis]:  # fmt: skip
     """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
 
     Parameters
     ----------
-    blocks : of samples, float32, shape (n,), 44.1 kHz, ±1.
-    preset, pitch, start, recogniser : as of `Analyser`.
+    blocks : of samples, as `Analyser.push` takes them.
+    preset, rate, pitch, start, recogniser : as of `Analyser`.
     """
-    analyser = Analyser(preset, pitch=pitch, start=start, recogniser=recogniser)
+    analyser = Analyser(preset, rate=rate, pitch=pitch, start=start, recogniser=recogniser)
     for block in blocks:
         analysis = analyser.push(block)
         if len(analysis):

@@ -39,7 +39,7 @@ from phonemeengine import (
 )
 from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.devices import chosen_input, inputs_of
-from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.audio.intake import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.mouth.osc import OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE

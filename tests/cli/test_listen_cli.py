@@ -21,8 +21,8 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
-from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.files import DEFAULT_PRESET, factory_preset, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE

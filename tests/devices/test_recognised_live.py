@@ -17,8 +17,8 @@ import soxr
 from phonemeanalyser.cli.window import DEMO
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.conftest import CORPUS

@@ -8,7 +8,7 @@ from pathlib import Path
 import scipy.fft
 
 from phonemeengine import Analyser, format_ear, load_preset
-from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled

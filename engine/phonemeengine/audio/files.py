@@ -15,6 +15,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.containers import CONTAINER_SUFFIXES, ContainerDecoder, container_format
 from phonemeengine.audio.file_access import FileSlice, open_checked
 from phonemeengine.audio.headers import ADVICE, Extent, after_id3, extent_of
+from phonemeengine.audio.intake import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
@@ -28,9 +29,6 @@ SUFFIXES = frozenset(
     | CONTAINER_SUFFIXES
 )
 """Endings, in small letters, of sound files; films count for the sound in them."""
-
-LOWEST_RATE, HIGHEST_RATE = 1_000, 768_000
-"""Sample rates that are accepted, Hz."""
 
 READ_SECONDS = 0.2
 """Sound that is read from the disk at once, seconds."""

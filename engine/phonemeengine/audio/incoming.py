@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import HIGHEST_RATE, LOWEST_RATE, mono_of
+from phonemeengine.audio.files import mono_of
+from phonemeengine.audio.intake import HIGHEST_RATE, LOUDEST, LOWEST_RATE
 from phonemeengine.audio.ogg_opus import OPUS_RATE, OggOpusDecoder
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
@@ -18,8 +19,6 @@ from phonemeengine.settings import SAMPLE_RATE, Channel
 MOST_STREAM_CHANNELS = 8
 FULL_SCALE = np.float32(1 << 15)
 """The integer that stands for 1.0."""
-LOUDEST = 100.0
-"""Full scale is 1; what is so far above it is no sound, but bytes of another encoding."""
 PIECE = 0.2
 """Seconds of sound that are given at once at the most."""
 

@@ -11,6 +11,7 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import asdict
+from importlib.util import find_spec
 from typing import Any, Literal
 
 from phonemeengine.audio.devices import Device
@@ -22,6 +23,9 @@ Callback = Callable[[Any, int, Any, Any], None]
 A block to fill is an array, float32, shape (n, n_channels); one that came is raw memory of the same layout.
 """
 
+WITHOUT_SOUNDDEVICE = (
+    "sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"
+)
 CLOSE_TIMEOUT = 10.0
 """Seconds that another process may take to list the devices."""
 STALLED = 5.0
@@ -183,13 +187,16 @@ def _number_of(device: Device, sounddevice: Any) -> int:
     raise ValueError(f"{device.label} is not there")
 
 
+def missing_library() -> str:
+    """Return why no sound card can be used, in a sentence, where the package is not installed; empty where it is."""
+    return "" if find_spec("sounddevice") is not None else WITHOUT_SOUNDDEVICE
+
+
 def _sounddevice() -> Any:
     try:
         import sounddevice  # noqa: PLC0415 - raises where PortAudio is missing, so only who plays imports it
     except ImportError as error:
-        raise DeviceError(
-            "sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"
-        ) from error
+        raise DeviceError(WITHOUT_SOUNDDEVICE) from error
     except Exception as error:  # sounddevice initialises PortAudio, which may fail in its own ways
         raise DeviceError(
             "sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"

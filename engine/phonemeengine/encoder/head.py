@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.whisper import N_STATES
 from phonemeengine.errors import ModelError
 from phonemeengine.files import atomic_write, reason_of
@@ -35,8 +35,8 @@ SHAPES = {
 }
 
 
-@dataclass(frozen=True, eq=False)
-class EncoderHead:
+@dataclass(frozen=True, eq=False, repr=False)
+class EncoderHead(ShortRepr):
     """One hidden layer on neighbouring, projected states.
 
     Attributes

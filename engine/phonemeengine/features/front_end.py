@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.dsp.filters import (
     FrequencyShaper,
     TimeSmoother,
@@ -33,8 +33,8 @@ FAINTEST = np.array(1e-6, np.float32)
 """What a variable is divided by at the least, so that the quotient is never endless."""
 
 
-@dataclass(frozen=True)
-class FrameBlock:
+@dataclass(frozen=True, repr=False)
+class FrameBlock(ShortRepr):
     """A block of frames before anybody has said what they are.
 
     Attributes

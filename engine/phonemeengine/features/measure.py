@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.settings import WINDOW
 
@@ -14,8 +14,8 @@ ZERO = np.zeros((), FLOAT)
 ONES = np.ones(WINDOW - 1, FLOAT)
 
 
-@dataclass(frozen=True)
-class Features:
+@dataclass(frozen=True, repr=False)
+class Features(ShortRepr):
     """What was measured on a block of frames.
 
     Attributes

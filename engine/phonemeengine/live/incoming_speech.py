@@ -11,9 +11,9 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, pus
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
-from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW

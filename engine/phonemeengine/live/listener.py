@@ -18,7 +18,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
-from phonemeengine.audio.stream import STALLED
+from phonemeengine.audio.stream import STALLED, missing_library
 from phonemeengine.errors import DeviceError
 from phonemeengine.lifetime import Closing
 from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
@@ -77,7 +77,8 @@ class Listener(Closing):
         self._meter = PeakMeter()
         self._recorder = recorder
         self._error: Exception | None = None
-        self._refusal = "opening the microphone"
+        is_card = type(self)._open_input is Listener._open_input
+        self._refusal = (missing_library() if is_card else "") or "opening the microphone"
         self._began = self._heard_at = time.monotonic()
         self._known_at = 0.0
         self._next_frame = 0

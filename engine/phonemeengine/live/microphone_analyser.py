@@ -1,17 +1,13 @@
 """One opened microphone, from its samples to what was found in them."""
 
 import time
-from dataclasses import dataclass, replace
-
-import numpy as np
+from dataclasses import dataclass
 
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.input import Input
-from phonemeengine.audio.resampling import Resampler
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, Channel
+from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
 
 STEADINESS = 0.98
 """How much of what was measured before stays in a latency with each block."""
@@ -42,12 +38,6 @@ class Latency:
         return self.capture + self.window + self.hop + self.look_ahead + self.analysis
 
 
-def for_live_use(preset: Preset) -> Preset:
-    """Return the preset that looks ahead only as far as it may where somebody waits for the answer."""
-    settings = preset.settings
-    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
-
-
 class MicrophoneAnalyser:
     """Follows an open microphone.
 
@@ -69,8 +59,9 @@ class MicrophoneAnalyser:
         self._n_heard = 0
         self._spent = self._look_ahead = 0.0
         self._columns = slice(channel - 1, channel) if channel else slice(None)
-        self.analyser = Analyser(for_live_use(preset), pitch=pitch, start=start, phonemes_only=phonemes_only)
-        self._resampler = Resampler(source.rate, 1, steady=True) if source.rate != SAMPLE_RATE else None
+        self.analyser = Analyser(
+            preset, rate=source.rate, live=True, pitch=pitch, start=start, phonemes_only=phonemes_only
+        )
 
     @property
     def n_channels(self) -> int:
@@ -82,8 +73,7 @@ class MicrophoneAnalyser:
         """How long a sound takes to become a phoneme here; nothing is known before the first."""
         if not self._spent:
             return Latency()
-        held_back = self._resampler.delay if self._resampler is not None else 0.0
-        return Latency(self.source.delay + held_back, look_ahead=self._look_ahead, analysis=self._spent)
+        return Latency(self.source.delay + self.analyser.delay, look_ahead=self._look_ahead, analysis=self._spent)
 
     @property
     def seconds(self) -> float:
@@ -101,16 +91,13 @@ class MicrophoneAnalyser:
 
     def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
-        self.analyser.set_preset(for_live_use(preset))
+        self.analyser.set_preset(preset)
 
     def analyse(self, block: Float32Array) -> Analysis:
         """Analyse what is heard, shape (n, n_channels)."""
         began = time.monotonic()
         self._n_heard += len(block)
-        mono = mono_of(block, Channel.MIX)
-        if self._resampler is not None:
-            mono = self._resampler.resample(mono[:, np.newaxis])[:, 0]
-        analysis = self.analyser.push(mono)
+        analysis = self.analyser.push(block)
         self._look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD  # asked here: it may be made now
         spent = time.monotonic() - began
         self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent

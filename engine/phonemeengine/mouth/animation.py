@@ -7,7 +7,7 @@ from itertools import islice
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.cues import Cue
@@ -24,8 +24,8 @@ AFTERWARDS = 0.2
 """Seconds for which an expression is shown once it has come back after the last sound."""
 
 
-@dataclass(frozen=True)
-class Animation:
+@dataclass(frozen=True, repr=False)
+class Animation(ShortRepr):
     """The weights of a face's movestates at a frame rate.
 
     Attributes

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, UInt32Array
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, ShortRepr, UInt32Array
 from phonemeengine.errors import MeshError
 
 MOST_VERTICES = 1 << 20
@@ -29,8 +29,8 @@ class Material:
     colour: tuple[float, float, float] = GREY
 
 
-@dataclass(frozen=True, eq=False)
-class Mesh:
+@dataclass(frozen=True, eq=False, repr=False)
+class Mesh(ShortRepr):
     """Vertices and triangles; make one with `mesh_of`, which looks at them first.
 
     Attributes

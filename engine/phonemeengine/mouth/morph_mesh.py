@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, UInt32Array
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, ShortRepr, UInt32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh
 from phonemeengine.mouth.movestate import Movestate, movestate_at
@@ -22,16 +22,16 @@ CELL_STEPS = (1.0, 1618.03398875, 2718281.82846)
 """By how much the number of a cell differs from that of the next one along each axis."""
 
 
-@dataclass(frozen=True, eq=False)
-class MorphMesh:
+@dataclass(frozen=True, eq=False, repr=False)
+class MorphMesh(ShortRepr):
     """A mesh and its movestates."""
 
     mesh: Mesh
     states: tuple[Movestate, ...] = ()
 
 
-@dataclass(frozen=True, eq=False)
-class MorphTargets:
+@dataclass(frozen=True, eq=False, repr=False)
+class MorphTargets(ShortRepr):
     """Movestates, and where the vertices that they move are in the mesh: what a .3dm file holds.
 
     Attributes

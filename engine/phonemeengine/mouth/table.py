@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.errors import MouthError
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
@@ -45,8 +45,8 @@ _MOTION_KEYS = {"loudness": "loudness", "quiet": "minimum_opening", "randomness"
 """What [manner] calls the fields of `MotionSettings`."""
 
 
-@dataclass(frozen=True)
-class MouthTable:
+@dataclass(frozen=True, repr=False)
+class MouthTable(ShortRepr):
     """What the mouth does for each sound.
 
     Attributes

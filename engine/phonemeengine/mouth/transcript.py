@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.analyser import Analysis
-from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.features.front_end import F0
 from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
 from phonemeengine.labels.phone_sets import phone_classes_in
@@ -30,8 +30,8 @@ Stretch = tuple[float, float, Phoneme, str]
 """Start and end, seconds; what is said, and its phone."""
 
 
-@dataclass(frozen=True, eq=False)
-class Transcript:
+@dataclass(frozen=True, eq=False, repr=False)
+class Transcript(ShortRepr):
     """What was said in a sound.
 
     Attributes

@@ -58,6 +58,12 @@ def while_played(preset: Preset, ear: Ear | None = None) -> Preset:
     return for_files(replace(preset, file_ear=Ear.TWIN if ear is Ear.WHISPER else ear))
 
 
+def for_live_use(preset: Preset) -> Preset:
+    """Return the preset that looks ahead only as far as it may where somebody waits for the answer."""
+    settings = preset.settings
+    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
+
+
 def recogniser_for(preset: Preset) -> Recogniser:
     """Return what a preset hears with.
 

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, replace
 from types import MappingProxyType
 
+from phonemeengine.arrays import ShortRepr
 from phonemeengine.encoder.head import EncoderHead
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
@@ -22,8 +23,8 @@ NO_CURVES: Mapping[Ear, ConfidenceCurve] = MappingProxyType({})
 _IN_BINS = ("high_pass_start", "high_pass_end")
 
 
-@dataclass(frozen=True)
-class Preset:
+@dataclass(frozen=True, repr=False)
+class Preset(ShortRepr):
     """A calibrated recognition.
 
     Attributes

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
 from phonemeengine.files import atomic_write, reason_of
@@ -33,8 +33,8 @@ MOST_FRAMES_AROUND = 100
 """Frames of 10 ms that a centred model hears before and after each, at most."""
 
 
-@dataclass(frozen=True)
-class OutputHead:
+@dataclass(frozen=True, repr=False)
+class OutputHead(ShortRepr):
     """Turns what the network found into a score for each phoneme.
 
     Attributes
@@ -60,8 +60,8 @@ class LookAheadFigures(NamedTuple):
     mouth_shapes: float
 
 
-@dataclass(frozen=True, eq=False)
-class Model:
+@dataclass(frozen=True, eq=False, repr=False)
+class Model(ShortRepr):
     """What a learned recogniser knows; two models are equal if their arrays are.
 
     Attributes

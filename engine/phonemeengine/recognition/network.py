@@ -14,7 +14,7 @@ from timeit import repeat
 import numpy as np
 from numpy.lib.stride_tricks import as_strided
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, ShortRepr
 
 TAPS = 3
 """Frames that a layer looks at."""
@@ -27,8 +27,8 @@ CLEARLY = 0.85
 ZERO = np.zeros((), np.float32)
 
 
-@dataclass(frozen=True, eq=False)
-class Layer:
+@dataclass(frozen=True, eq=False, repr=False)
+class Layer(ShortRepr):
     """One layer: a rectified weighted sum of three frames.
 
     Attributes

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array
+from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array, ShortRepr
 from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
 from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import SettingsError
@@ -30,8 +30,8 @@ RAMP = 1.5
 """Decibels around the level of silence over which silence becomes e times less likely."""
 
 
-@dataclass(frozen=True)
-class Templates:
+@dataclass(frozen=True, repr=False)
+class Templates(ShortRepr):
     """What each phoneme's spectrum is like on average.
 
     Attributes

@@ -20,8 +20,8 @@ from phonemeengine.features.variables import (
     Spectrum,
     Variable,
 )
-from phonemeengine.live.microphone_analyser import for_live_use
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import line_of
 from phonemeengine.recognition.model import Model, OutputHead

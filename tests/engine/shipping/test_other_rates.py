@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeengine import SoundReader, analyse_blocks, format_ear, load_preset
+from phonemeengine import Analyser, SoundReader, analyse_blocks, format_ear, load_preset
 from phonemeengine.analyser import concatenate_analyses
 from phonemeengine.audio.resampling import resample_whole
-from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
 from tests.compiled_ears import CEar, CModel, EarLibrary
@@ -48,6 +48,17 @@ def test_speech_of_a_low_rate_is_nearly_the_same_in_c(library: EarLibrary, rate:
     phonemes, expected, scores, expected_scores = heard_both_ways(library, rate, tmp_path)
     assert (phonemes == expected).mean() >= 0.995
     assert np.abs(scores - expected_scores).max() < 0.03
+
+
+@pytest.mark.parametrize("rate", [16_000, 44_100, 48_000])
+def test_an_analyser_for_live_use_says_what_the_ear_in_c_says(library: EarLibrary, rate: int) -> None:
+    preset, sound = load_preset("learned"), resample_whole(speech(), SAMPLE_RATE, rate)
+    analyser = Analyser(preset, rate=rate, live=True)
+    found = np.concatenate([analyser.push(sound).phonemes, analyser.finish().phonemes])
+    expected = CEar(CModel(library, format_ear(preset, ())), rate).hear(sound)["phoneme"]
+    n = min(len(found), len(expected))
+    assert abs(len(found) - len(expected)) <= 1
+    assert (found[:n] == expected[:n]).mean() >= 0.99
 
 
 @pytest.mark.parametrize("rate", [8_000, 44_101, 48_000, 192_000])

@@ -34,7 +34,7 @@ from phonemeengine import (
     load_preset,
 )
 from phonemeengine.analyser import Analysis, concatenate_analyses
-from phonemeengine.live.microphone_analyser import for_live_use
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.recognition.network import TAPS
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import HOP, SAMPLE_RATE
