@@ -3,6 +3,7 @@
 from bisect import bisect_right
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from itertools import groupby
 
 import numpy as np
 
@@ -12,13 +13,25 @@ from phonemeengine.labels.pinyin import onset_and_rime, timed_syllable
 from phonemeengine.labels.utterance import Phone, Syllable, Word
 from phonemeengine.speech.closures import STOPS, closure_before
 from phonemeengine.text import mandarin
-from phonemeengine.text.espeak import VOICE_RATE, Event, EventKind, Language, stress_of, symbols_of, synthesise
+from phonemeengine.text.espeak import (
+    NORMAL_RATE,
+    VOICE_RATE,
+    Event,
+    EventKind,
+    Language,
+    stress_of,
+    symbols_of,
+    synthesise,
+)
 from phonemeengine.text.pronunciation import separator_of
 from phonemeengine.text.respelling import PHONEMES
 from phonemeengine.text.syllables import is_vowel, syllables_of
 
 LEAST_CLOSURE = 0.2
 """Share of an affricate that its closure has at least where it was found in the sound; else it has half."""
+
+LONGEST_GAP = 0.06
+"""Seconds that a voice of usual speed is silent between two words without a pause, at most: 39 ms before stops."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +98,10 @@ def speak_tokens(tokens: Sequence[Token], language: Language, voice: str, words_
 
     synthesise(text, language, hear, voice=voice, rate=words_a_minute, phonemes=PHONEMES in text)
     samples = np.concatenate(blocks)
-    words = tuple(_words_of(tokens, _timed(events, samples, starts, len(tokens))))
+    longest_gap = round(LONGEST_GAP * NORMAL_RATE / min(words_a_minute, NORMAL_RATE) * VOICE_RATE)
+    phones = list(_without_gaps([event for event in events if event.kind is EventKind.PHONE], longest_gap))
+    begin = 0 if phones and phones[0].sample <= longest_gap else len(samples)
+    words = tuple(_words_of(tokens, _timed(phones, samples, starts, len(tokens), begin)))
     return SpokenTokens(samples, words, tuple(token.text for token in tokens if token.unheeded))
 
 
@@ -99,18 +115,28 @@ def _text_of(tokens: Sequence[Token], language: Language) -> tuple[str, list[int
     return text.rstrip(), starts
 
 
-def _timed(events: Sequence[Event], samples: Int16Array, starts: Sequence[int], n_tokens: int) -> list[list[_Timed]]:
-    """Return the phones of each token, with times; those of stops begin with their closure."""
+def _timed(
+    phones: Sequence[Event], samples: Int16Array, starts: Sequence[int], n_tokens: int, first: int
+) -> list[list[_Timed]]:
+    """Return the phones of each token, with times; those of stops begin with their closure, and one by `first`."""
     found: list[list[_Timed]] = [[] for _ in range(n_tokens)]
-    phones = [event for event in events if event.kind is EventKind.PHONE]
     bursts = [min(event.sample, len(samples)) for event in phones]
     begins = [_begin(bursts[max(k - 1, 0)], bursts[k], event, samples) for k, event in enumerate(phones)]
+    begins[:1] = [min(begin, first) for begin in begins[:1]]
     for event, begin, burst, end in zip(phones, begins, bursts, [*begins[1:], len(samples)], strict=False):
         token = max(0, bisect_right(starts, event.position) - 1)
         symbols = symbols_of(event.name)
         if symbols and end > begin:
             found[token] += _shared(symbols, begin, burst, end, stress_of(event.name))
     return found
+
+
+def _without_gaps(phones: Sequence[Event], longest: int) -> Iterator[Event]:
+    """Return phones and pauses, without the gaps of so many samples at most before phones, in which nobody pauses."""
+    runs = [(spoken, list(run)) for spoken, run in groupby(phones, lambda event: bool(symbols_of(event.name)))]
+    for k, (spoken, run) in enumerate(runs):
+        if spoken or k == len(runs) - 1 or runs[k + 1][1][0].sample - run[0].sample > longest:
+            yield from run
 
 
 def _begin(before: int, burst: int, event: Event, samples: Int16Array) -> int:

@@ -1,4 +1,5 @@
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -157,6 +158,15 @@ def test_what_a_voice_cannot_say_as_a_lexicon_has_it_is_said_as_usual_and_told(t
     assert _phones(sentence.words[1]) == "t s u k"
     (sentence,) = Voice("cmn", lexicon=lexicon).speak("银行。")
     assert sentence.unheeded == ("银",)
+
+
+@pytest.mark.parametrize("rate", [1.6, 4.0, 9.0])
+def test_a_voice_pauses_at_marks_and_nowhere_else(rate: float) -> None:
+    text = "今天我们去北京大学看看朋友，好吗？"
+    _, utterance = speak(text, Voice("cmn", rate=rate))
+    pauses = [row for row in pinyin_track(utterance, text=text).plan.rows if row.kind == "pause"]
+    assert [pause.text for pause in pauses] == ["，", "？"]
+    assert all(a.end == b.start for a, b in pairwise(utterance.words) if a.text != "友")
 
 
 def test_pinyin_is_spoken_too() -> None:
