@@ -152,6 +152,7 @@ from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import has_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.program import speak_by_program
+from phonemeengine.speech.silent import SilentSpeech, SilentText
 from phonemeengine.speech.spoken_text import SpokenText, spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice, speak
 from phonemeengine.text.espeak import Language, languages, voices
@@ -314,6 +315,8 @@ __all__ = [
     "Sentence",
     "SettingsError",
     "SilenceAccuracy",
+    "SilentSpeech",
+    "SilentText",
     "Sound",
     "SoundReader",
     "Spectrum",

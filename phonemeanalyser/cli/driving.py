@@ -95,9 +95,19 @@ class Driving:
                 f"{name}: {_NEEDS_WORDS[driver]}, which nobody knows; give the text with --text, or the text or "
                 "labels with --script"
             )
-        if driver is FaceDriver.PINYIN and utterance is not None and not has_pinyin(utterance):
-            raise EngineError(f"{name}: there is no syllable of pinyin in what is said; choose another driver")
+        if utterance is not None:
+            self.check_letters(driver, name, letters=has_pinyin(utterance))
         return driver
+
+    def check_letters(self, driver: FaceDriver, name: str, *, letters: bool) -> None:
+        """Refuse to move a face by letters of pinyin where what is said has none.
+
+        Raises
+        ------
+        EngineError : it is so.
+        """
+        if driver is FaceDriver.PINYIN and not letters:
+            raise EngineError(f"{name}: there is no syllable of pinyin in what is said; choose another driver")
 
     def track(
         self, driver: FaceDriver, utterance: Utterance | None, speech: Transcript, text: str = "", say: Say = say_note

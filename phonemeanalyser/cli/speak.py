@@ -1,6 +1,6 @@
 """``phonemeanalyser speak``: a voice says a text: aloud, or into a sound, labels, and a mouth's movement.
 
-A Chinese text moves the mouth by pinyin, also without a voice, or in step with a recording.
+A mouth moves also without sound, or in step with a recording; by pinyin, where the text is Chinese.
 """
 
 import argparse
@@ -21,14 +21,15 @@ from phonemeengine import (
     DeviceError,
     EngineError,
     Lexicon,
+    SilentText,
     SpokenSentence,
     TextError,
     Utterance,
     Voice,
+    VoiceError,
     load_lexicon,
     load_preset,
     notes_on,
-    pinyin_track,
     speak_by_program,
 )
 from phonemeengine.audio.output import Output, open_output
@@ -36,8 +37,10 @@ from phonemeengine.files import printable, read_text_file
 from phonemeengine.live.player import Player
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.speech.pinyin.timing import FASTEST, SLOWEST, USUAL_RATE
+from phonemeengine.speech.silent import ENGLISH
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.text import mandarin
+from phonemeengine.text.espeak import language_of
 from phonemeengine.text.script import LARGEST
 
 LOOK = 0.05
@@ -89,7 +92,7 @@ def _add_voice(parser: argparse.ArgumentParser) -> None:
     program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
     add_literal(parser)
     parser.add_argument("--program", metavar="COMMAND", help=program)
-    parser.add_argument("--silent", action="store_true", help="a Chinese text without sound")
+    parser.add_argument("--silent", action="store_true", help="without sound, and without a voice for Chinese")
 
 
 def _add_files(parser: argparse.ArgumentParser) -> None:
@@ -101,7 +104,7 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
     parser.add_argument("--no-head", action="store_true", help="keep the head still")
     parser.add_argument("--seed", type=int, metavar="N", help="another number makes another face, and varies pinyin")
-    parser.add_argument("--plan", type=Path, metavar="OUT", help="write syllables and pauses as CSV; - prints it")
+    parser.add_argument("--plan", type=Path, metavar="OUT", help="write what is said when as CSV; - prints it")
 
 
 def _text_of(options: argparse.Namespace) -> str:
@@ -191,8 +194,8 @@ def _check_without_voice(options: argparse.Namespace, files: SpeechFiles) -> Non
         raise EngineError("there is nothing to write; ask for the plan with --plan, or for a file with --export")
     if files.sound is not None or files.labels is not None:
         raise EngineError("without a voice there are no sound and labels to write; leave --silent or --recording out")
-    if options.lexicon is not None:
-        raise EngineError("a lexicon is for a voice, and without one it says nothing; leave --lexicon out")
+    if options.lexicon is not None and options.recording is not None:
+        raise EngineError("a lexicon is for a text, and says nothing of a recording; leave --lexicon out")
 
 
 def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: str) -> None:
@@ -200,9 +203,19 @@ def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: s
     if options.recording is not None:
         files.write_said(*labelled(options))
         return
-    letters = pinyin_track(text, files.driving.table, rate=options.rate, seed=options.seed, literal=options.literal)
-    speech = letters.silent_transcript(options.file.name if options.file else "text")
-    files.write_said(letters.utterance, speech, letters)
-    if skipped := letters.utterance.skipped:
+    lexicon = load_lexicon(options.lexicon) if options.lexicon else Lexicon()
+    silent = SilentText(
+        text, _language_of(options, text), files.driving.table, options.rate, options.seed, lexicon, options.literal
+    )
+    if skipped := files.write_silent(silent, options.file.name if options.file else "text"):
         named = ", ".join(repr(word[:20]) for word in skipped[:SHOWN]) + (" ..." if len(skipped) > SHOWN else "")
-        say_note("the text", f"{named} is no Chinese, and so not said without a voice")
+        say_note("the text", f"{named} has no sound that is known, and is left out{_missing()}")
+
+
+def _missing() -> str:
+    """Return what to install for words of other scripts in Chinese; empty where it is there."""
+    try:
+        language_of(ENGLISH)
+    except VoiceError as error:
+        return f"; for words {error}"
+    return ""

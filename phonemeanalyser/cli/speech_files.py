@@ -1,7 +1,8 @@
 """What `speak` writes of speech: a sound, labels, the movement of a mouth, and its plan; all of them, or none."""
 
 import argparse
-from collections.abc import Iterator
+from collections import deque
+from collections.abc import Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from io import BytesIO
@@ -12,23 +13,29 @@ from phonemeanalyser.cli.driving import Driving, FaceTrack
 from phonemeanalyser.cli.expression import idle_of
 from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, print_bytes
 from phonemeengine import (
+    SAMPLE_RATE,
     EngineError,
     ExportOptions,
     FaceDriver,
     PinyinTrack,
+    PlanRow,
+    SilentText,
     SpokenSentence,
     Transcript,
     Utterance,
-    format_plan,
-    format_utterance,
+    has_pinyin,
     spoken_text,
 )
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.files import begins_like
 from phonemeengine.labels import textgrid
+from phonemeengine.labels.utterance import shifted
+from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.replacing import Guard, guarded_write, nothing_is_own
-from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS
+from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, plan_lines
+from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, plan_of, says_pinyin
+from phonemeengine.speech.spoken_text import written_as_spoken
 
 SILENCE = "sil"
 """The name of what lies between words, in labels."""
@@ -64,8 +71,6 @@ class SpeechFiles:
         """
         if (options.export is None) != (options.kind is None):
             raise EngineError("--export and --format go together; name both")
-        if options.plan is not None and (driving.performer is not None or driving.driver is FaceDriver.RULES):
-            raise EngineError("--plan tells of the pinyin mouth; leave --text-driver rules and --performance out")
         written = ExportOptions(rate=options.fps, idle=idle_of(options))
         exporter = Exporter(options.kind, written) if options.kind else None
         files = cls(
@@ -88,17 +93,45 @@ class SpeechFiles:
         return not any((self.sound, self.labels, self.export, self.plan, units))
 
     def write_spoken(self, sentences: Iterator[SpokenSentence], language: str, text: str) -> None:
-        """Write what a voice says of a text, as it says it."""
+        """Write what a voice says of a text, as it says it; its sound and its words are not kept for that."""
         with self._opened() as files:
-            measured, sound = bool(self.exporter or self.driving.performer), files.get(self.sound)
-            said = spoken_text(sentences, language=language, sound=sound, path=self.sound, measured=measured)
-            track = self._track_of(said.utterance, said.transcript, text)
-            self._fill(files, said.utterance, said.transcript, track)
+            noted = self._noted(sentences, files)
+            if self._moves:
+                said = spoken_text(noted, language=language, sound=files.get(self.sound), path=self.sound)
+                self._export(files, said.transcript, self._track_of(said.utterance, said.transcript, text))
+            else:
+                deque(written_as_spoken(noted, files.get(self.sound)), maxlen=0)
 
-    def write_said(self, utterance: Utterance, speech: Transcript, letters: PinyinTrack | None = None) -> None:
-        """Write what is said, and `speech`, how loud and high; by these letters, where letters move the face."""
+    def write_said(self, utterance: Utterance, speech: Transcript) -> None:
+        """Write what is said in a recording, and `speech`, how loud and high."""
+        plan = plan_of(utterance, self.driving.table, seed=self.driving.seed)
         with self._opened() as files:
-            self._fill(files, utterance, speech, self._track_of(utterance, speech, letters=letters))
+            self._write_plan(files, plan.rows)
+            self._export(files, speech, self._track_of(utterance, speech) if self._moves else None)
+
+    def write_silent(self, text: SilentText, name: str) -> tuple[str, ...]:
+        """Write what is said in a text without sound; returns what of it is not said.
+
+        Parameters
+        ----------
+        name : of the text, for people.
+        """
+        with self._opened() as files:
+            if not self._moves:
+                skipped: dict[str, None] = {}
+                self._write_plan(files, self._rows_of(text.parts(), skipped, name))
+                return tuple(skipped)
+            said = text.whole()
+            speech = said.transcript(name)
+            self._write_plan(files, said.plan.rows)
+            letters = PinyinTrack(said.utterance, said.plan, text.table) if has_pinyin(said.utterance) else None
+            self._export(files, speech, self._track_of(said.utterance, speech, letters=letters))
+            return said.utterance.skipped
+
+    @property
+    def _moves(self) -> bool:
+        """Whether a face moves, so that all that is said has to be there at once."""
+        return self.exporter is not None or self.driving.performer is not None
 
     @property
     def _guards(self) -> list[tuple[Path, Guard]]:
@@ -125,24 +158,56 @@ class SpeechFiles:
             yield files | {STANDARD_OUTPUT: printed}
         print_bytes([printed.getvalue()])
 
+    def _noted(
+        self, sentences: Iterable[SpokenSentence], files: dict[Path | None, BinaryIO]
+    ) -> Iterator[SpokenSentence]:
+        """Return sentences as they come, and write their plan and labels."""
+        planner, n, letters = SentencePlanner(self.driving.table, self.driving.seed), 0, False
+        self._write_plan(files, ())
+        with UtteranceSpool(SILENCE) as labels:
+            for sentence in sentences:
+                words = [shifted(word, n / SAMPLE_RATE) for word in sentence.words]
+                n += len(sentence.samples)
+                letters = letters or any(map(says_pinyin, words))
+                if self.labels is not None:
+                    for word in words:
+                        labels.add(word)
+                self._write_plan(files, planner.rows_of(sentence.text, words, n / SAMPLE_RATE), header=False)
+                yield sentence
+            self.driving.check_letters(
+                self.driving.driver, self.sound.name if self.sound else "text", letters=letters
+            )
+            if self.labels is not None:
+                files[self.labels].writelines(line.encode() for line in labels.lines(n / SAMPLE_RATE))
+
+    def _rows_of(self, parts: Iterable[SaidPart | str], skipped: dict[str, None], name: str) -> Iterator[PlanRow]:
+        """Return the rows of a plan; what is not spoken goes to `skipped`, each once."""
+        letters = False
+        for part in parts:
+            if isinstance(part, str):
+                skipped[part] = None
+            else:
+                letters = letters or (part.word is not None and says_pinyin(part.word))
+                yield from part.rows
+        self.driving.check_letters(self.driving.driver, name, letters=letters)
+
     def _track_of(
         self, utterance: Utterance, speech: Transcript, text: str = "", letters: PinyinTrack | None = None
     ) -> FaceTrack | None:
-        """Return what moves the face, or whose plan is asked for."""
-        asked = None if self.plan is None else FaceDriver.PINYIN
+        """Return what moves the face."""
         takes = None if self.exporter is None else self.exporter.takes
-        driver = self.driving.chosen(utterance, speech.name, takes, asked)
+        driver = self.driving.chosen(utterance, speech.name, takes)
         if driver is FaceDriver.PINYIN and letters is not None:
             return letters
         return self.driving.track(driver, utterance, speech, text)
 
-    def _fill(
-        self, files: dict[Path | None, BinaryIO], utterance: Utterance, speech: Transcript, track: FaceTrack | None
-    ) -> None:
-        if self.labels is not None:
-            files[self.labels].write(format_utterance(utterance, SILENCE).encode())
+    def _export(self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None) -> None:
         if self.exporter is not None:
             movement = self.driving.movement(track, speech, self.exporter)
             files[self.export].writelines(self.exporter.chunks_of(speech, movement))
-        if self.plan is not None and isinstance(track, PinyinTrack):
-            files[self.plan].write(format_plan(track.plan).encode())
+
+    def _write_plan(
+        self, files: dict[Path | None, BinaryIO], rows: Iterable[PlanRow], *, header: bool = True
+    ) -> None:
+        if self.plan is not None:
+            files[self.plan].writelines(line.encode() for line in plan_lines(rows, header=header))

@@ -119,7 +119,6 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
         ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
         ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
         (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),
-        (["speak", "你", "--performance", "ann.sqlite", "--plan", "-"], "--plan tells of the pinyin mouth"),
     ],
 )
 def test_what_cannot_be_done_is_said_in_a_sentence(

@@ -2,6 +2,8 @@
 
 import csv
 import json
+import tracemalloc
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -90,24 +92,65 @@ def test_a_voice_that_speaks_chinese_moves_the_mouth_by_letters(tmp_path: Path) 
 
 
 def test_what_is_not_said_is_told(capsys: pytest.CaptureFixture[str]) -> None:
-    spoken("我用iPhone。", "--silent", "--plan", "-")
-    assert (
-        capsys.readouterr().err
-        == "phonemeanalyser: the text: note: 'iPhone' is no Chinese, and so not said without a voice\n"
-    )
+    spoken("我🙂。", "--silent", "--plan", "-")
+    assert "note: '🙂' has no sound that is known, and is left out\n" in capsys.readouterr().err
+
+
+def test_every_language_is_planned_without_a_sound_by_every_driver(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    plans = set()
+    for driver in ("auto", "rules"):
+        spoken("Guten Tag, Welt.", "--language", "de", "--silent", "--text-driver", driver, "--plan", "-")
+        plans.add(capsys.readouterr().out)
+    (plan,) = plans
+    rows = [*csv.DictReader(plan.splitlines())]
+    assert list(dict.fromkeys(row["text"] for row in rows)) == ["Guten", "Tag", ",", "Welt", "."]
+    assert all(a["end_s"] == b["start_s"] for a, b in pairwise(rows))
+    assert [round(float(r["end_s"]) - float(r["start_s"]), 3) for r in rows if r["kind"] == "pause"] == [0.3, 0.6]
+    spoken("Guten Tag", "--language", "de", "--silent", "--export", tmp_path / "m.csv", "--format", "livelink-csv")
+    assert max(jaw(tmp_path / "m.csv")) > 0.2
+
+
+def test_a_voice_of_any_language_has_a_plan(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    for language, text, marks in (("en-us", "Hello there. Yes!", [".", "!"]), ("cmn", "你好，吗。", ["，", "。"])):
+        spoken(text, "--language", language, "--text-driver", "rules", "--plan", tmp_path / f"{language}.csv")
+        with (tmp_path / f"{language}.csv").open(encoding="utf-8", newline="") as file:
+            rows = [*csv.DictReader(file)]
+        assert [row["text"] for row in rows if row["kind"] == "pause"] == marks
+
+
+def test_the_memory_of_a_silent_text_does_not_grow_with_it(tmp_path: Path) -> None:
+    peaks = []
+    for n in (2_000, 20_000):
+        (tmp_path / "t.txt").write_text("我" * n, encoding="utf-8")
+        tracemalloc.start()
+        spoken("--file", tmp_path / "t.txt", "--silent", "--plan", tmp_path / "p.csv", "--overwrite")
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+        assert len((tmp_path / "p.csv").read_bytes().splitlines()) == n + 1
+    assert peaks[1] < peaks[0] + 18_000 * 50  # the text itself, a few times; a row takes more than 1000 bytes
 
 
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
-        (["hello", "--silent", "--plan", "-"], "there is no Chinese syllable in the text; write some"),
+        (["hello", "--silent", "--plan", "-"], "the language of a text is not guessed; name it with --language"),
+        (["。", "--language", "cmn", "--silent", "--plan", "-"], "there is no Chinese syllable in the text; write"),
+        (["\n.", "--language", "de", "--silent", "--plan", "-"], "there is no word to speak in '\\n.'; write some"),
         (["你好", "--silent"], "there is nothing to write; ask for the plan with --plan"),
-        (["你好", "--plan", "-", "--text-driver", "rules"], "--plan tells of the pinyin mouth; leave --text-driver"),
+        (
+            ["hi", "--language", "en", "--silent", "--plan", "-", "--text-driver", "pinyin"],
+            "text: there is no syllable of pinyin in what is said; choose another driver",
+        ),
         (
             ["你好", "--silent", "--plan", "-", "-o", "a.wav"],
             "without a voice there are no sound and labels to write",
         ),
-        (["你好", "--silent", "--plan", "-", "--lexicon", "l.csv"], "a lexicon is for a voice, and without one it"),
+        (
+            ["--recording", str(DEMO), "--plan", "-", "--lexicon", "l.csv"],
+            "a lexicon is for a text, and says nothing",
+        ),
         (["你好", "--silent", "--export", "a.csv"], "--export and --format go together; name both"),
         (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
         (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),

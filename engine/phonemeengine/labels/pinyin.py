@@ -7,6 +7,7 @@ Chinese (Beijing)", Journal of the International Phonetic Association 33 (2003).
 
 import unicodedata
 from collections.abc import Iterator, Sequence
+from functools import lru_cache
 from itertools import pairwise
 
 from phonemeengine.errors import TextError
@@ -50,6 +51,7 @@ _TONE_MARKS = {"\u0304": "1", "\u0301": "2", "\u030c": "3", "\u0300": "4"}
 """Macron, acute, caron and grave, as combining characters."""
 
 
+@lru_cache(maxsize=4096)
 def sound_of(written: str) -> str:
     """Return a syllable of pinyin with its tone as a digit, such as ``lü4``.
 
@@ -75,6 +77,7 @@ def is_sound(written: str) -> bool:
         return False
 
 
+@lru_cache(maxsize=4096)
 def initial_and_final(syllable: str) -> tuple[str, str]:
     """Return the initial of a syllable without tone, empty where it has none, and its full final.
 
@@ -84,6 +87,7 @@ def initial_and_final(syllable: str) -> tuple[str, str]:
     return initial, _full(initial, syllable.removeprefix(initial))
 
 
+@lru_cache(maxsize=4096)
 def onset_and_rime(syllable: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
     """Return the phones of a syllable without tone: those before its vowel, and the others; IPA.
 

@@ -7,14 +7,18 @@ praatio and textgrid give a cut-off file as if it were whole, or leave out stret
 
 import math
 import re
+import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import begins_like
-from phonemeengine.labels.label import Label, RawLabel
+from phonemeengine.labels.label import ROUNDING, Label, RawLabel
+from phonemeengine.lifetime import Closing
 
 INTERVALS, POINTS = "IntervalTier", "TextTier"
+_IN_MEMORY = 1 << 20
+"""Bytes of a tier that are kept in memory while it is written."""
 
 _HEADER = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n'
 _WORD = re.compile(
@@ -112,7 +116,61 @@ def format_grid(tiers: Sequence[Tier], end: float, *, short: bool = False) -> st
     lines = list(_lines(tiers, end))
     if short:
         return _HEADER + "".join(f"{value}\n" for _, value in lines if value is not None)
-    return _HEADER + "".join(f"{key}{'' if value is None else value} \n" for key, value in lines)
+    return _HEADER + "".join(map(_long, lines))
+
+
+class TierSpool(Closing):
+    """A tier of stretches that may be long: what is added lies on the disk until the whole is written.
+
+    Parameters
+    ----------
+    name : of the tier.
+    silence : the name of the stretches between.
+    """
+
+    def __init__(self, name: str, silence: str = "") -> None:
+        self._name, self._silence = name, silence
+        self._file = tempfile.SpooledTemporaryFile(_IN_MEMORY, "w+", encoding="utf-8", newline="\n")  # noqa: SIM115 - `close` lets it go
+        self._n, self._at = 0, "0"
+
+    def add(self, start: float, end: float, text: str) -> None:
+        """Add a stretch, seconds, after all that were added before; one without length is left out."""
+        first, last = _seconds(start), _seconds(end)
+        if float(first) - float(self._at) > ROUNDING:
+            self._append(self._at, first, self._silence)
+            self._at = first
+        first = self._at
+        if float(last) > float(first):
+            self._append(first, last, text)
+            self._at = last
+
+    def close(self) -> None:
+        """Forget what was added."""
+        self._file.close()
+
+    def lines(self, number: int, end: float) -> Iterator[str]:
+        """Return the tier as the lines of a TextGrid that ends at `end` seconds, as its tier of this number."""
+        self.add(end, end, "")
+        yield from map(_long, _tier_head(number, self._name, INTERVALS, end))
+        yield _long(("        intervals: size = ", str(self._n)))
+        self._file.seek(0)
+        yield from self._file
+
+    def _append(self, first: str, last: str, text: str) -> None:
+        self._n += 1
+        self._file.writelines(map(_long, _interval(self._n, first, last, text)))
+
+
+def grid_lines(tiers: Sequence[TierSpool], end: float) -> Iterator[str]:
+    """Return tiers as the lines of a TextGrid that ends at `end` seconds, as `format_tiers` has them."""
+    yield _HEADER
+    yield from map(_long, _head(len(tiers), end))
+    for number, tier in enumerate(tiers, 1):
+        yield from tier.lines(number, end)
+
+
+def _long(line: tuple[str, str | None]) -> str:
+    return f"{line[0]}{'' if line[1] is None else line[1]} \n"
 
 
 class _Words:
@@ -196,28 +254,40 @@ def _next_label(words: _Words, kind: str, place: str) -> RawLabel:
 
 def _lines(tiers: Sequence[Tier], end: float) -> Iterator[tuple[str, str | None]]:
     """Return what stands in front of each value in the long format, and the value; None where there is none."""
+    yield from _head(len(tiers), end)
+    for number, tier in enumerate(tiers, 1):
+        yield from _tier_head(number, tier.name, POINTS if tier.points else INTERVALS, end)
+        yield from _points(tier.raw_labels) if tier.points else _intervals(tier.raw_labels, end)
+
+
+def _head(n_tiers: int, end: float) -> Iterator[tuple[str, str | None]]:
     yield "xmin = ", "0"
     yield "xmax = ", _seconds(end)
     yield "tiers? ", "<exists>"
-    yield "size = ", str(len(tiers))
+    yield "size = ", str(n_tiers)
     yield "item []:", None
-    for number, tier in enumerate(tiers, 1):
-        yield f"    item [{number}]:", None
-        yield "        class = ", _quoted(POINTS if tier.points else INTERVALS)
-        yield "        name = ", _quoted(tier.name)
-        yield "        xmin = ", "0"
-        yield "        xmax = ", _seconds(end)
-        yield from _points(tier.raw_labels) if tier.points else _intervals(tier.raw_labels, end)
+
+
+def _tier_head(number: int, name: str, kind: str, end: float) -> Iterator[tuple[str, str | None]]:
+    yield f"    item [{number}]:", None
+    yield "        class = ", _quoted(kind)
+    yield "        name = ", _quoted(name)
+    yield "        xmin = ", "0"
+    yield "        xmax = ", _seconds(end)
 
 
 def _intervals(labels: Sequence[RawLabel], end: float) -> Iterator[tuple[str, str | None]]:
     filled = list(_filled(labels, end))
     yield "        intervals: size = ", str(len(filled))
-    for k, (first, last, text) in enumerate(filled, 1):
-        yield f"        intervals [{k}]:", None
-        yield "            xmin = ", first
-        yield "            xmax = ", last
-        yield "            text = ", _quoted(text)
+    for k, interval in enumerate(filled, 1):
+        yield from _interval(k, *interval)
+
+
+def _interval(number: int, first: str, last: str, text: str) -> Iterator[tuple[str, str | None]]:
+    yield f"        intervals [{number}]:", None
+    yield "            xmin = ", first
+    yield "            xmax = ", last
+    yield "            text = ", _quoted(text)
 
 
 def _points(labels: Sequence[RawLabel]) -> Iterator[tuple[str, str | None]]:

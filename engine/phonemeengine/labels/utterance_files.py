@@ -3,6 +3,7 @@
 import os
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from dataclasses import replace
 from itertools import groupby
 from pathlib import Path
@@ -16,9 +17,10 @@ from phonemeengine.labels.phone_sets import marks_silence
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.pinyin import sound_of, timed_syllable
 from phonemeengine.labels.text_io import read_text
-from phonemeengine.labels.textgrid import Interval, Tier, format_tiers, length_of, tiers_of
+from phonemeengine.labels.textgrid import Interval, Tier, TierSpool, grid_lines, length_of, tiers_of
 from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER, tiers_of_speaker
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.lifetime import Closing
 from phonemeengine.phonemes import Phoneme
 
 WORDS, SYLLABLES, PHONES, PHONEMES = "words", "syllables", "phones", "phonemes"
@@ -40,16 +42,45 @@ def format_utterance(
     silence : the name of the stretches between.
     more : further tiers, by name.
     """
-    phones = list(utterance.phones)
-    syllables = [syllable for word in utterance.words for syllable in word.syllables]
-    tiers = {
-        WORDS: [(word.start, word.end, word.text) for word in utterance.words],
-        SYLLABLES: [(syllable.start, syllable.end, syllable.text or _spelt(syllable)) for syllable in syllables],
-        PHONES: [(phone.start, phone.end, phone.ipa or phone.phoneme.label) for phone in phones],
-        PHONEMES: [(phone.start, phone.end, phone.phoneme.label) for phone in phones],
-    }
-    named = {name: list(_with_silence(stretches, utterance.duration, silence)) for name, stretches in tiers.items()}
-    return format_tiers(named | dict(more or {}), utterance.duration)
+    with UtteranceSpool(silence) as spool:
+        for word in utterance.words:
+            spool.add(word)
+        return "".join(spool.lines(utterance.duration, more))
+
+
+class UtteranceSpool(Closing):
+    """What is said in a sound, word by word, for a TextGrid; it may be long, so it lies on the disk meanwhile.
+
+    Parameters
+    ----------
+    silence : the name of the stretches between words.
+    """
+
+    def __init__(self, silence: str = "") -> None:
+        self._tiers = {name: TierSpool(name, silence) for name in (WORDS, SYLLABLES, PHONES, PHONEMES)}
+
+    def add(self, word: Word) -> None:
+        """Add the next word."""
+        self._tiers[WORDS].add(word.start, word.end, word.text)
+        for syllable in word.syllables:
+            self._tiers[SYLLABLES].add(syllable.start, syllable.end, syllable.text or _spelt(syllable))
+        for phone in word.phones:
+            self._tiers[PHONES].add(phone.start, phone.end, phone.ipa or phone.phoneme.label)
+            self._tiers[PHONEMES].add(phone.start, phone.end, phone.phoneme.label)
+
+    def lines(self, duration: float, more: Mapping[str, Sequence[Interval]] | None = None) -> Iterator[str]:
+        """Return the lines of the TextGrid of a sound, once; see `format_utterance`."""
+        with ExitStack() as stack:
+            further = {name: stack.enter_context(TierSpool(name)) for name in more or {}}
+            for name, tier in further.items():
+                for stretch in (more or {})[name]:
+                    tier.add(*stretch)
+            yield from grid_lines([*self._tiers.values(), *further.values()], duration)
+
+    def close(self) -> None:
+        """Forget what was added."""
+        for tier in self._tiers.values():
+            tier.close()
 
 
 def tells_sounds(path: str | os.PathLike[str], speaker: str | None = None) -> bool:
@@ -212,14 +243,3 @@ def _spelt(syllable: Syllable) -> str:
 
 def _stress_in(name: str) -> int:
     return next((stress for stress, mark in enumerate(STRESS_MARKS) if mark and name.startswith(mark)), 0)
-
-
-def _with_silence(stretches: Iterable[Interval], duration: float, silence: str) -> Iterator[Interval]:
-    at = 0.0
-    for start, end, text in stretches:
-        if start > at + ROUNDING:
-            yield at, start, silence
-        yield start, end, text
-        at = end
-    if duration > at + ROUNDING:
-        yield at, duration, silence

@@ -1,7 +1,7 @@
 """A text that was spoken to its end: what is said when, and how loud and high, as a mouth needs it."""
 
 import os
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 from typing import BinaryIO
@@ -54,14 +54,11 @@ def spoken_text(
     """
     if path is not None:
         check_wav_name(Path(path))
-    encoder = None if sound is None else WavEncoder(sound, SAMPLE_RATE, 1)
     analyser = Analyser(load_preset(DEFAULT_PRESET), pitch=True) if measured else None
     words: list[Word] = []
     skipped: list[str] = []
     prosody, n = Prosody(), 0
-    for sentence in sentences:
-        if encoder is not None:
-            encoder.write(sentence.samples[:, None])
+    for sentence in written_as_spoken(sentences, sound):
         if analyser is not None:
             prosody.add(analyser.push(sentence.samples))
         words += (shifted(word, n / SAMPLE_RATE) for word in sentence.words)
@@ -69,9 +66,24 @@ def spoken_text(
         n += len(sentence.samples)
     if analyser is not None:
         prosody.add(analyser.finish())
-    if encoder is not None:
-        encoder.close()
     utterance = Utterance(tuple(words), n / SAMPLE_RATE, language, tuple(skipped))
     name = "text" if path is None else Path(path).name
     transcript = transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, name, path)
     return SpokenText(utterance, transcript)
+
+
+def written_as_spoken(sentences: Iterable[SpokenSentence], sound: BinaryIO | None) -> Iterator[SpokenSentence]:
+    """Return sentences as they come, and write their sound as WAV, where there is a file for it.
+
+    Raises
+    ------
+    OSError : the sound cannot be written.
+    """
+    if sound is None:
+        yield from sentences
+        return
+    encoder = WavEncoder(sound, SAMPLE_RATE, 1)
+    for sentence in sentences:
+        encoder.write(sentence.samples[:, None])
+        yield sentence
+    encoder.close()

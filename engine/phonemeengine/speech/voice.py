@@ -6,7 +6,6 @@ sentence by sentence, a Chinese one clause by clause, so that a long one needs n
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import takewhile
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.utterance import Utterance, Word, shifted
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.speech.pinyin.script import mark_after
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import USUAL_RATE
 from phonemeengine.speech.synthesis import SpokenTokens, Token, speak_tokens
@@ -117,7 +117,7 @@ class Voice:
     def _said_in_chinese(self, clause: str, language: Language, table: PinyinTable) -> SpokenSentence:
         parts = list(mandarin.read(clause, language.tag))
         calls = [self._call(tokens, of) for tokens, of in _runs_of(parts)]
-        sentence = _ended(calls, clause, _weight_of(clause, table) * table.pause / self.rate)
+        sentence = _ended(calls, clause, _weight_after(clause, table) * table.pause / self.rate)
         unread = (part.text for part in parts if isinstance(part, mandarin.PinyinWord) and not part.syllables)
         return replace(sentence, skipped=tuple(unread))
 
@@ -187,10 +187,9 @@ def _ended(calls: Sequence[SpokenTokens], text: str, pause: float) -> SpokenSent
     )
 
 
-def _weight_of(clause: str, table: PinyinTable) -> float:
-    """Return the weight of the pause after a Chinese clause: that of the heaviest of its last marks."""
-    last = takewhile(lambda character: not character.isalnum(), reversed(clause))
-    return max(map(table.pause_at, last), default=0.0)
+def _weight_after(clause: str, table: PinyinTable) -> float:
+    mark = mark_after(clause, table)
+    return mark.weight if mark else 0.0
 
 
 def _runs_of(parts: Sequence["mandarin.PinyinWord | str"]) -> Iterator[tuple[list[Token], Language]]:

@@ -3,7 +3,7 @@
 import re
 import unicodedata
 from collections import defaultdict
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from phonemeengine.errors import TextError, VoiceError
@@ -86,17 +86,29 @@ def words_of(
     TextError : there is nothing to speak, or no such language.
     VoiceError : the library of voices is missing or broken.
     """
-    known, lexicon = language_of(language), lexicon or Lexicon()
+    known = language_of(language)
     cleaned = speakable(text, language, literal=literal).text
-    if known.tag in mandarin.TAGS:
-        reader: _WordReader | _MandarinReader = _MandarinReader(known, lexicon)
-    else:
+    if known.tag not in mandarin.TAGS:
         check_script(cleaned, known)
-        reader = _WordReader(known, lexicon)
-    words = tuple(word for clause in clauses_of(cleaned) for word in reader.words_of(clause))
+    read = clause_reader(language, lexicon)
+    words = tuple(word for clause in clauses_of(cleaned) for word in read(clause))
     if not words:
         raise TextError(f"the voice of {known.tag} has no sounds for this text; check its language")
     return words
+
+
+def clause_reader(language: str | None, lexicon: Lexicon | None = None) -> Callable[[str], Iterator[ScriptWord]]:
+    """Return what gives the words of a clause of a language, and how they are pronounced.
+
+    Raises
+    ------
+    TextError : there is no such language.
+    VoiceError : the library of voices is missing or broken.
+    """
+    known, lexicon = language_of(language), lexicon or Lexicon()
+    if known.tag in mandarin.TAGS:
+        return _MandarinReader(known, lexicon).words_of
+    return _WordReader(known, lexicon).words_of
 
 
 def timed_words_of(

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -62,10 +63,19 @@ class Plan:
 
 def format_plan(plan: Plan) -> str:
     """Write a plan as CSV: `PLAN_COLUMNS`, times in seconds to the millisecond."""
-    text = io.StringIO()
-    table = csv.writer(text, lineterminator="\n")
-    table.writerow(PLAN_COLUMNS)
-    for row in plan.rows:
+    return "".join(plan_lines(plan.rows))
+
+
+def plan_lines(rows: Iterable[PlanRow], *, header: bool = True) -> Iterator[str]:
+    """Return the lines of a plan as CSV, one by one, with the names of its columns before them; see `format_plan`."""
+    if header:
+        yield _line(PLAN_COLUMNS)
+    for row in rows:
         times = (f"{time:.3f}" for time in (row.start, row.turn, row.end))
-        table.writerow((*times, row.kind, row.text, row.sound, row.letters))
+        yield _line((*times, row.kind, row.text, row.sound, row.letters))
+
+
+def _line(values: Iterable[str]) -> str:
+    text = io.StringIO()
+    csv.writer(text, lineterminator="\n").writerow(values)
     return text.getvalue()

@@ -1,19 +1,29 @@
 """When each syllable is said: by a rate, or by the times of a voice or of labels."""
 
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
 
 from phonemeengine.errors import TextError
+from phonemeengine.labels.articulation import articulations_of, letters_of
 from phonemeengine.labels.label import ROUNDING
-from phonemeengine.labels.pinyin import is_sound
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance
+from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.pinyin import is_sound, timed_syllable
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow
-from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable
-from phonemeengine.speech.pinyin.table import LEAST_SHARE, MOST_SHARE, REST, PinyinTable
+from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable, WrittenWord, mark_after
+from phonemeengine.speech.pinyin.table import FULL_FORMS, LEAST_SHARE, MOST_SHARE, REST, PinyinTable
+from phonemeengine.text.clauses import tokens_of
+from phonemeengine.text.pronunciation import MARKS
 
 USUAL_RATE = 4.0
 SLOWEST, FASTEST = 0.5, 10.0
 """Syllables per second."""
+LENGTHS = {
+    "vowel": 0.37, "plosive": 0.32, "nasal": 0.3, "lateral": 0.3, "rhotic": 0.3, "fricative": 0.39,
+}  # fmt: skip
+"""How long sounds last, in syllables: means over the labels of the tests' corpus, at 4.0 syllables a second."""
+OTHER_LENGTH = 0.27
 
 
 def pause_unit(table: PinyinTable, rate: float) -> float:
@@ -30,33 +40,65 @@ def pause_unit(table: PinyinTable, rate: float) -> float:
     return table.pause / rate
 
 
-def plan_at_rate(
-    script: Sequence[Written], table: PinyinTable, rate: float = USUAL_RATE, seed: int | None = None
-) -> Plan:
-    """Plan a text that nobody speaks: each syllable lasts 1 / rate.
+@dataclass(frozen=True)
+class SaidPart:
+    """A word or a pause of a text that nobody speaks, with its times.
+
+    Attributes
+    ----------
+    rows : of its plan.
+    word : None for a pause.
+    """
+
+    rows: tuple[PlanRow, ...]
+    word: Word | None = None
+
+
+def said_at_rate(
+    script: Iterable[Written], table: PinyinTable, rate: float = USUAL_RATE, seed: int | None = None
+) -> Iterator[SaidPart]:
+    """Return the parts of a text with times, one by one: each Chinese syllable lasts 1 / rate.
+
+    Words of other languages last as long as their phones, by `LENGTHS`.
 
     Parameters
     ----------
-    script : its syllables and pauses.
+    script : its syllables, words and pauses.
     table : the letters, weights and marks.
-    rate : syllables per second, 0.5..10.
+    rate : syllables per second.
     seed : of the variation of onsets; none varies where it is None.
-
-    Raises
-    ------
-    TextError : there is no syllable, or the rate lies outside its range.
     """
-    if not any(isinstance(item, WrittenSyllable) for item in script):
-        raise TextError("there is no Chinese syllable in the text; write some, or choose another driver")
-    closing, row_of = pause_unit(table, rate), _SyllableRows(table, seed)
-    rows, at = [], 0.0  # counted in syllables, so that the sum of all is exact
+    row_of, at = _SyllableRows(table, seed), 0.0  # counted in syllables, so that the sum of all is exact
     for item in script:
-        start, at = at / rate, at + (1.0 if isinstance(item, WrittenSyllable) else table.pause * item.weight)
+        start = at / rate
         if isinstance(item, WrittenSyllable):
-            rows.append(row_of.syllable(start, at / rate, item.text, item.sound))
+            at += 1.0
+            row = row_of.syllable(start, at / rate, item.text, item.sound)
+            yield SaidPart((row,), Word(row.text, (timed_syllable(row.sound, row.start, row.turn, row.end),)))
+        elif isinstance(item, WrittenWord):
+            word, at = _timed_word(item, at, rate)
+            yield SaidPart(tuple(row_of.phone(phone.start, word.text, phone) for phone in word.phones), word)
         else:
-            rows.append(_pause_row(start, at / rate, item.text))
-    return Plan(tuple(rows), closing)
+            at += table.pause * item.weight
+            yield SaidPart((_pause_row(start, at / rate, item.text),))
+
+
+def length_of(phone: str) -> float:
+    """Return how long a phone of IPA lasts where its language is not Chinese, in syllables of the rate."""
+    classes = {name for letter in letters_of(phone)[:1] for name in articulations_of(letter)}
+    return next((length for name, length in LENGTHS.items() if name in classes), OTHER_LENGTH)
+
+
+def _timed_word(written: WrittenWord, at: float, rate: float) -> tuple[Word, float]:
+    """Return a word that begins after so many syllables, and after how many it ends."""
+    syllables = []
+    for syllable in written.syllables:
+        phones = []
+        for ipa in syllable.phones:
+            start, at = at / rate, at + length_of(ipa)
+            phones.append(Phone(start, at / rate, ipa, ipa_phoneme(ipa)))
+        syllables.append(Syllable(tuple(phones), syllable.stress, syllable.text))
+    return Word(written.text, tuple(syllables)), at
 
 
 def plan_of(
@@ -70,22 +112,22 @@ def plan_of(
     table : the letters and weights.
     script : the text that was spoken, for the marks of its pauses; they stay without, where it has other syllables.
     seed : of the variation of onsets; none varies where it is None.
-
-    Raises
-    ------
-    TextError : there is no syllable of pinyin in it.
     """
     n_syllables = sum(is_sound(syllable.text) for word in utterance.words for syllable in word.syllables)
-    if not n_syllables:
-        raise TextError("there is no syllable of pinyin in what is said; choose another driver")
-    marks = _marks_of(script, n_syllables)
-    rows = list(_rows_of(utterance, _SyllableRows(table, seed), marks))
+    marks, row_of = _marks_of(script, n_syllables), _SyllableRows(table, seed)
+    said = _rows_of(utterance.words, 0.0, utterance.duration, row_of, lambda syllables, _: marks.get(syllables, ""))
+    rows = list(said)
     return Plan(tuple(rows), pause_unit(table, USUAL_RATE))
 
 
 def has_pinyin(utterance: Utterance) -> bool:
     """Return whether a syllable of what is said is pinyin, so that letters can move a mouth."""
-    return any(is_sound(syllable.text) for word in utterance.words for syllable in word.syllables)
+    return any(map(says_pinyin, utterance.words))
+
+
+def says_pinyin(word: Word) -> bool:
+    """Return whether a syllable of a word is pinyin."""
+    return any(is_sound(syllable.text) for syllable in word.syllables)
 
 
 class _SyllableRows:
@@ -112,30 +154,75 @@ class _SyllableRows:
         return min(max(share * (1 + self._random.uniform(-spread, spread)), LEAST_SHARE), MOST_SHARE)
 
 
-def _rows_of(utterance: Utterance, row_of: _SyllableRows, marks: dict[int, str]) -> Iterator[PlanRow]:
-    """Return a row for each syllable of pinyin, each phone of what else is said, and each pause."""
-    at, n_syllables = 0.0, 0
-    for text, syllable in _syllables_of(utterance):
-        if syllable.start > at + ROUNDING:
-            yield _pause_row(at, syllable.start, marks.get(n_syllables, ""))
-            at = syllable.start
-        if is_sound(syllable.text):
-            n_syllables += 1
-            yield row_of.syllable(at, syllable.end, text, syllable.text)
-        else:
-            for phone in syllable.phones:
-                yield row_of.phone(at, text, phone)
-                at = phone.end
-        at = syllable.end
-    if utterance.duration > at + ROUNDING:
-        yield _pause_row(at, utterance.duration, marks.get(n_syllables, ""))
+class SentencePlanner:
+    """Plans sentences as they are spoken, one after the other.
+
+    Parameters
+    ----------
+    table : the letters, weights and marks.
+    seed : of the variation of onsets; none varies where it is None.
+    """
+
+    def __init__(self, table: PinyinTable, seed: int | None = None) -> None:
+        self._table, self._row_of, self._at = table, _SyllableRows(table, seed), 0.0
+
+    def rows_of(self, text: str, words: Sequence[Word], end: float) -> Iterator[PlanRow]:
+        """Return the rows of the next sentence.
+
+        Parameters
+        ----------
+        text : as it is written, for the marks of its pauses.
+        words : with their times in the whole sound.
+        end : when it ends, seconds.
+        """
+        marks = self._marks_in(text, words)
+        start, self._at = self._at, end
+        return _rows_of(words, start, end, self._row_of, lambda _, n_words: marks.get(n_words, ""))
+
+    def _marks_in(self, text: str, words: Sequence[Word]) -> dict[int, str]:
+        """Return the mark after so many words of a sentence."""
+        full = FULL_FORMS if any(map(says_pinyin, words)) else {}
+        marks: dict[int, str] = {}
+        n_words = 0
+        for token in tokens_of(text):
+            n_words += n_words < len(words) and token.strip(MARKS) == words[n_words].text
+            if mark := mark_after(token, self._table):
+                marks[n_words] = full.get(mark.text, mark.text)
+        if mark := mark_after(text, self._table):
+            marks[len(words)] = full.get(mark.text, mark.text)
+        return marks
 
 
-def _syllables_of(utterance: Utterance) -> Iterator[tuple[str, Syllable]]:
+def _rows_of(
+    words: Iterable[Word], at: float, end: float, row_of: _SyllableRows, mark_of: Callable[[int, int], str]
+) -> Iterator[PlanRow]:
+    """Return a row for each syllable of pinyin, each phone of what else is said, and each pause.
+
+    `mark_of` gives the mark after so many syllables of pinyin and so many words.
+    """
+    n_syllables = n_words = 0
+    for word in words:
+        for text, syllable in _syllables_of(word):
+            if syllable.start > at + ROUNDING:
+                yield _pause_row(at, syllable.start, mark_of(n_syllables, n_words))
+                at = syllable.start
+            if is_sound(syllable.text):
+                n_syllables += 1
+                yield row_of.syllable(at, syllable.end, text, syllable.text)
+            else:
+                for phone in syllable.phones:
+                    yield row_of.phone(at, text, phone)
+                    at = phone.end
+            at = syllable.end
+        n_words += 1
+    if end > at + ROUNDING:
+        yield _pause_row(at, end, mark_of(n_syllables, n_words))
+
+
+def _syllables_of(word: Word) -> Iterator[tuple[str, Syllable]]:
     """Return each syllable and how it is written: by a character of its word, where it has as many."""
-    for word in utterance.words:
-        texts = word.text if len(word.text) == len(word.syllables) else [word.text] * len(word.syllables)
-        yield from zip(texts, word.syllables, strict=True)
+    texts = word.text if len(word.text) == len(word.syllables) else [word.text] * len(word.syllables)
+    return zip(texts, word.syllables, strict=True)
 
 
 def _marks_of(script: Sequence[Written], n_syllables: int) -> dict[int, str]:
@@ -145,7 +232,7 @@ def _marks_of(script: Sequence[Written], n_syllables: int) -> dict[int, str]:
     for item in script:
         if isinstance(item, WrittenMark):
             marks[n_written] = item.text
-        else:
+        elif isinstance(item, WrittenSyllable):
             n_written += 1
     return marks if n_written == n_syllables else {}
 

@@ -1,21 +1,18 @@
 """Chinese text, or what somebody says, as the track of a mouth: one call for whoever shows, plays or writes it."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
-import numpy as np
-
-from phonemeengine.labels.pinyin import timed_syllable
-from phonemeengine.labels.utterance import Utterance, Word
+from phonemeengine.errors import TextError
+from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by
 from phonemeengine.mouth.performer import IdleMotion, Performer
-from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
-from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
-from phonemeengine.speech.pinyin.plan import Plan, PlanKind
+from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.speech.pinyin.driver import PinyinMouth
+from phonemeengine.speech.pinyin.plan import Plan
 from phonemeengine.speech.pinyin.script import script_of
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import USUAL_RATE, plan_at_rate, plan_of
+from phonemeengine.speech.pinyin.timing import USUAL_RATE, has_pinyin, plan_of
+from phonemeengine.speech.silent import SilentSpeech, SilentText
 from phonemeengine.text.notation import spoken_part
 
 LANGUAGE = "cmn"
@@ -41,17 +38,8 @@ class PinyinTrack:
         return PinyinMouth(self.plan, self.table)
 
     def silent_transcript(self, name: str) -> Transcript:
-        """Return what is said, as if a voice of even loudness said it, until the mouth is at rest.
-
-        Parameters
-        ----------
-        name : what files that are made of it call the sound.
-        """
-        said = replace(self.utterance, duration=self.plan.duration + AFTERWARDS)
-        loud = np.zeros(round(said.duration / FRAME_PERIOD), np.float32)
-        for phone in said.phones:
-            loud[round(phone.start / FRAME_PERIOD) : round(phone.end / FRAME_PERIOD)] = 1
-        return transcript_of_utterance(said, loud, np.zeros_like(loud), name)
+        """Return what is said, as if a voice of even loudness said it; see `SilentSpeech.transcript`."""
+        return SilentSpeech(self.utterance, self.plan).transcript(name)
 
     def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
         """Animate a face: its mouth says the plan, it blinks, and its head moves with the sound.
@@ -96,16 +84,13 @@ def pinyin_track(
     TextError : there is no Chinese syllable in it, or the rate lies outside its range.
     """
     table = table or load_pinyin_table()
-    written = text if isinstance(said, Utterance) else said
-    script = script_of(written if literal else spoken_part(written, LANGUAGE).text, table)
     if isinstance(said, Utterance):
-        return PinyinTrack(said, plan_of(said, table, script.written, seed), table)
-    plan = plan_at_rate(script.written, table, rate, seed)
-    return PinyinTrack(Utterance(tuple(_words_of(plan)), plan.duration, LANGUAGE, script.skipped), plan, table)
-
-
-def _words_of(plan: Plan) -> Iterator[Word]:
-    """Return what a plan says of a text that nobody speaks: each syllable is a word."""
-    for row in plan.rows:
-        if row.kind is PlanKind.SYLLABLE:
-            yield Word(row.text, (timed_syllable(row.sound, row.start, row.turn, row.end),))
+        script = script_of(text if literal else spoken_part(text, LANGUAGE).text, table)
+        speech = SilentSpeech(said, plan_of(said, table, script.written, seed))
+    else:
+        speech = SilentText(said, LANGUAGE, table, rate, seed, literal=literal).whole()
+    if not has_pinyin(speech.utterance):
+        if isinstance(said, str):
+            raise TextError("there is no Chinese syllable in the text; write some, or choose another driver")
+        raise TextError("there is no syllable of pinyin in what is said; choose another driver")
+    return PinyinTrack(speech.utterance, speech.plan, table)

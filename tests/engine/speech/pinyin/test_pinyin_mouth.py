@@ -18,8 +18,8 @@ from phonemeengine.speech.pinyin.plan import Plan
 from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.spring import LONGEST_JUMP, Spring
 from phonemeengine.speech.pinyin.table import PinyinTable
-from phonemeengine.speech.pinyin.timing import plan_at_rate, plan_of
-from tests.engine.speech.pinyin.saying import SAID, SCRIPT, TABLE
+from phonemeengine.speech.pinyin.timing import plan_of
+from tests.engine.speech.pinyin.saying import SAID, SCRIPT, TABLE, plan_at_rate
 
 ROWS = TABLE.weights()
 SPRUNG = replace(TABLE, spring=Spring())

@@ -68,7 +68,17 @@ def test_what_is_no_chinese_is_skipped_and_told() -> None:
     script = script_of("我用iPhone，看www.example.com🙂。", TABLE)
     assert script.skipped == ("iPhone", "www.example.com", "🙂")
     assert [item.text for item in script.written] == ["我", "用", "，", "看", "。"]
-    assert pinyin_track("我用iPhone。").utterance.skipped == ("iPhone",)
+    assert pinyin_track("我🙂。").utterance.skipped == ("🙂",)
+
+
+def test_latin_words_in_a_silent_text_are_spoken_and_move_the_mouth() -> None:
+    track = pinyin_track("我用Google，吗。")
+    assert [word.text for word in track.utterance.words] == ["我", "用", "Google", "吗"]
+    assert track.utterance.skipped == ()
+    assert track.utterance.words[2].phones[0].ipa == "ɡ"
+    rows = track.plan.rows
+    assert [row.text for row in rows if row.kind == "pause"] == ["，", "。"]
+    assert all(a.end == b.start for a, b in pairwise(rows))
 
 
 @pytest.mark.parametrize("text", ["", " ", "hello", "。。。", "🙂", "\0", "[[tS]]", "<b>", "\u202e", "\ud800"])

@@ -11,9 +11,12 @@ from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, Plan, PlanKind, format_plan
-from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable
-from phonemeengine.speech.pinyin.timing import plan_at_rate, plan_of
-from tests.engine.speech.pinyin.saying import MA, NIHAO, SAID, SCRIPT, TABLE
+from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable, WrittenWord
+from phonemeengine.speech.pinyin.timing import SentencePlanner, plan_of, said_at_rate
+from phonemeengine.speech.pinyin.track import pinyin_track
+from phonemeengine.speech.silent import SilentText
+from phonemeengine.text.syllables import SpokenSyllable
+from tests.engine.speech.pinyin.saying import MA, NIHAO, SAID, SCRIPT, TABLE, plan_at_rate
 
 Script = list[WrittenSyllable | WrittenMark]
 SCRIPTS = st.lists(
@@ -79,13 +82,19 @@ def test_the_plan_as_csv_reads_as_the_text_does() -> None:
 @pytest.mark.parametrize("rate", [0, -1, 0.49, 10.1, float("nan"), float("inf")])
 def test_a_rate_out_of_range_is_refused(rate: float) -> None:
     with pytest.raises(TextError, match=r"the rate must lie in 0\.5\.\.10 syllables per second, got"):
-        plan_at_rate(SCRIPT, TABLE, rate)
+        SilentText("你好", "cmn", rate=rate)
 
 
-@pytest.mark.parametrize("script", [[], [WrittenMark("。", 1.0)]])
-def test_a_text_without_a_chinese_syllable_is_refused(script: list[WrittenMark]) -> None:
-    with pytest.raises(TextError, match="there is no Chinese syllable in the text; write some"):
-        plan_at_rate(script, TABLE)
+def test_words_of_other_languages_last_as_long_as_their_phones() -> None:
+    word = WrittenWord("cat", (SpokenSyllable(("k", "æ", "t"), 1), SpokenSyllable(("s", "j"))))
+    syllable, said = said_at_rate([WrittenSyllable("吗", "ma5"), word], TABLE, 2.0)
+    assert said.word is not None
+    ends = [0.5 + x / 2 for x in (0.32, 0.69, 1.01, 1.4, 1.67)]
+    assert [phone.end for phone in said.word.phones] == pytest.approx(ends)
+    assert [row.end for row in said.rows] == [phone.end for phone in said.word.phones]
+    assert said.rows[0].start == syllable.rows[0].end
+    assert [syllable.stress for syllable in said.word.syllables] == [1, 0]
+    assert [row.letters for row in said.rows] == ["d", "e", "d", "y", "d"]
 
 
 def test_with_a_voice_its_own_times_count_and_what_lies_between_is_a_pause() -> None:
@@ -116,7 +125,22 @@ def test_an_english_name_among_chinese_words_moves_the_mouth_by_its_phones() -> 
     ]
 
 
-def test_what_holds_no_pinyin_is_refused() -> None:
+def test_sentences_of_a_voice_are_planned_one_after_the_other_with_their_marks() -> None:
+    phones = (Phone(1.6, 1.7, "m", Phoneme.M), Phone(1.7, 1.8, "iː", Phoneme.I))
+    again = (Phone(2.0, 2.1, "m", Phoneme.M),)
+    planner = SentencePlanner(TABLE)
+    first = list(planner.rows_of("你好,吗.", (NIHAO, MA), 1.5))
+    then = list(planner.rows_of("Me, me.", (Word("Me", (Syllable(phones),)), Word("me", (Syllable(again),))), 2.5))
+    assert [(row.start, row.end, row.text) for row in first if row.kind is PlanKind.PAUSE] == [
+        (0.0, 0.1, ""), (0.7, 0.95, "，"), (1.15, 1.5, "。"),
+    ]  # fmt: skip
+    assert [(row.start, row.end, row.text) for row in then if row.kind is PlanKind.PAUSE] == [
+        (1.5, 1.6, ""), (1.8, 2.0, ","), (2.1, 2.5, "."),
+    ]  # fmt: skip
+
+
+def test_what_holds_no_pinyin_moves_no_letters() -> None:
     said = Utterance((Word("me", (Syllable((Phone(0, 1, "m", Phoneme.M),)),)),), 1.0)
     with pytest.raises(TextError, match="there is no syllable of pinyin in what is said; choose another driver"):
-        plan_of(said, TABLE)
+        pinyin_track(said, TABLE)
+    assert [row.kind for row in plan_of(said, TABLE).rows] == [PlanKind.PHONE]
