@@ -30,6 +30,7 @@ class Conversion:
     ending : of its files.
     owns : says which files are of this kind and ours; None where those of other programs look alike.
     moves_mouth : whether `ExportOptions` say how it is written.
+    has_cues : whether it holds mouth cues, of which one may be too short.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Conversion:
     ending: str
     owns: Owns | None
     moves_mouth: bool
+    has_cues: bool = False
 
 
 def _conversions() -> dict[str, Conversion]:
@@ -55,7 +57,7 @@ def _conversions() -> dict[str, Conversion]:
         for kind, form in TABLES.items()
         if form.write_frames is not None
     ]
-    mouths = [Conversion(name, f.words, f.full_ending, f.owns, True) for name, f in FORMATS.items()]
+    mouths = [Conversion(name, f.words, f.full_ending, f.owns, True, f.has_cues) for name, f in FORMATS.items()]
     return {c.name: c for c in (*tables, *frames, *mouths)}
 
 

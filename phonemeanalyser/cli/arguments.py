@@ -8,7 +8,6 @@ from pathlib import Path
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, USUAL_CLIP_SIZE
 from phonemeengine import Channel, Detail, Ear
 from phonemeengine.batch.remote import place_of
-from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.presets.ears import WITHOUT_ENCODER
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import MOST_CHANNELS
@@ -106,7 +105,6 @@ def add_channel(parser: argparse.ArgumentParser, default: Channel | None = Chann
 
 def add_mouth(parser: argparse.ArgumentParser) -> None:
     """Let the user choose how closely the mouth follows the speech, and what the face does besides."""
-    parser.add_argument("--minimum", type=number, default=MINIMUM, metavar="S", help=f"shortest cue ({MINIMUM} s)")
     parser.add_argument("--anticipation", type=number, metavar="S", help="the mouth is ahead so much, 0..0.12 s")
     parser.add_argument(
         "--detail", choices=[d.value for d in Detail], default=Detail.PHONEMES.value, help="what the mouth follows"

@@ -35,6 +35,7 @@ from phonemeengine.analyser import analyse_file
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import printable_name
+from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
@@ -53,6 +54,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     add_ear(parser)
     parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
     parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: see below)")
+    words = f"shortest cue ({MINIMUM} s), for formats that have cues"
+    parser.add_argument("--minimum", type=number, metavar="S", help=words)
     add_mouth(parser)
     add_expression(parser)
     add_driver(parser)

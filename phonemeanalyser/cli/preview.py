@@ -105,9 +105,7 @@ def run(options: argparse.Namespace) -> int:
     texts, table = spoken_texts(options, [job.source for job in jobs]), load_table(options.table)
     if idle.expression is not None:
         idle.expression.check_fits(table.movestates, table.name)
-    by_rules = ExportOptions(
-        minimum=options.minimum, anticipation=options.anticipation, table=options.table, idle=idle
-    )
+    by_rules = ExportOptions(anticipation=options.anticipation, table=options.table, idle=idle)
     faces = ShownFace(options.mesh, options.movestates)
     faces.morph_mesh()
     with driving(options, _beside(options)):  # says what it has to say, and refuses what it must

@@ -125,8 +125,11 @@ class ExportDialog(QDialog):
         idle = IdleMotion(self.blinks.isChecked(), self.head.isChecked(), self.seed.value(), detail)
         anticipation = self.anticipation.value()
         ahead = None if anticipation < 0 else anticipation
-        options = ExportOptions(self.rate.value() or None, self.minimum.value(), ahead, table, idle=idle)
+        options = ExportOptions(self.rate.value() or None, self._minimum(), ahead, table, idle=idle)
         return ExportOrder(self.kind.currentData(), preset, options, self._channel)
+
+    def _minimum(self) -> float | None:
+        return self.minimum.value() if self.minimum.isEnabled() else None
 
     # -- how it is made -----------------------------------------------------------------------------------
 
@@ -257,6 +260,7 @@ class ExportDialog(QDialog):
         numbers = (self.rate, self.minimum, self.anticipation, self.seed)
         for widget in (self.table, self.detail, *numbers, self.blinks, self.head):
             widget.setEnabled(kind.moves_mouth)
+        self.minimum.setEnabled(kind.has_cues)
         self.preview.clear()
         self._show_files()
 

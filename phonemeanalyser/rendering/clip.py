@@ -19,7 +19,6 @@ from phonemeengine import (
     SoundReader,
     Transcript,
     animation_of,
-    cues_of,
     load_table,
 )
 from phonemeengine.arrays import Float32Array, UInt8Array
@@ -85,7 +84,7 @@ def write_clip(
 
 
 def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) -> Animation:
-    """Return how a face says speech by the cues of a mouth table, at a rate in frames per second.
+    """Return how a face says speech by the shapes of a mouth table, at a rate in frames per second.
 
     Raises
     ------
@@ -93,8 +92,7 @@ def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) 
     """
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
     table = load_table(options.table or USUAL_TABLE)
-    cues = cues_of(speech.runs, table, minimum=options.minimum, anticipation=ahead)
-    return animation_of(speech, cues, table, rate, options.idle)
+    return animation_of(speech, table, rate, options.idle, anticipation=ahead)
 
 
 def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = None) -> SoundTrack:

@@ -206,14 +206,14 @@ def _jerk(table: PerformanceTable, left_out: Sequence[Performance]) -> dict[str,
 
 
 @dataclass(frozen=True, eq=False)
-class _Lips:
+class Lips:
     """How far lips are from each other: at rest, and how much farther each blend shape parts them."""
 
     rest: Float64Array
     parted: Float64Array
 
     @classmethod
-    def of_head(cls) -> "_Lips":
+    def of_head(cls) -> "Lips":
         """Find them in the head that ships: where the jaw takes a vertex from a neighbour that stays."""
         head = load_head()
         places, n = head.mesh.positions, len(head.mesh)
@@ -241,7 +241,7 @@ def _dense(state: Movestate, n: int) -> Float64Array:
 
 def _open(table: PerformanceTable, left_out: Sequence[Performance]) -> float:
     """Give the share of p, b and m, from closure to end, in which no picture shows shut lips."""
-    lips, shut = _Lips.of_head(), []
+    lips, shut = Lips.of_head(), []
     driver = PerformanceDriver(table)
     for performance in left_out:
         times = np.arange(0, performance.duration, 1 / (2 * PICTURES))

@@ -10,7 +10,8 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import EYELIDS
-from phonemeengine.mouth.cues import Cue
+from phonemeengine.mouth.cues import MOST_ANTICIPATION, check_seconds
+from phonemeengine.mouth.motion_settings import LIMITS
 from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
@@ -53,25 +54,35 @@ class Animation(ShortRepr):
 
 
 def animation_of(
-    speech: Transcript, cues: Sequence[Cue], table: MouthTable, rate: float, idle: IdleMotion | None = None
-) -> Animation:
-    """Animate a face: its mouth moves along the cues with the loudness of the sound.
+    speech: Transcript, table: MouthTable, rate: float, idle: IdleMotion | None = None,
+    *, anticipation: float = MOST_ANTICIPATION,
+) -> Animation:  # fmt: skip
+    """Animate a face: its mouth moves along what is said with the loudness of the sound.
 
     Parameters
     ----------
     speech : what was said.
-    cues : the same, cleaned; see `cues_of`.
     table : the mouth shapes.
     rate : frames per second, 1..240.
     idle : what else the face does; blinks and a moving head, where it is None.
+    anticipation : by how much a movement may begin before its sound at most, 0..0.12 s.
 
     Raises
     ------
-    MouthError : the rate lies outside its range.
+    MouthError : the rate or the anticipation lies outside its range.
     """
-    performer = Performer(table, idle)
-    performer.follow(cues)
-    return animation_by(performer, speech, rate)
+    return animation_by(performer_of(speech, table, rate, idle, anticipation), speech, rate)
+
+
+def performer_of(
+    speech: Transcript, table: MouthTable, rate: float, idle: IdleMotion | None, anticipation: float
+) -> Performer:
+    """Return a performer that knows all that is said in a sound, and is looked at at a rate; see `animation_of`."""
+    check_rate(rate)
+    check_seconds("anticipation", anticipation, MOST_ANTICIPATION)
+    performer = Performer(table, idle, rate=rate)
+    performer.follow(speech.runs, anticipation)
+    return performer
 
 
 def animation_by(performer: Performer, speech: Transcript, rate: float) -> Animation:
@@ -138,9 +149,13 @@ def check_rate(rate: float) -> None:
 
 def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:
     """Have a performer hear the speech as it goes on, and look at it at some times."""
+    expected = _rows(speech.times, speech.intensities)
     frames = _rows(speech.times, speech.intensities, speech.pitches)
-    coming = next(frames, None)
+    known, coming = next(expected, None), next(frames, None)
     for (time,) in _rows(times):
+        while known is not None and known[0] <= time + LIMITS["loudness"][1]:
+            performer.expect_loudness(*known)
+            known = next(expected, None)
         while coming is not None and coming[0] <= time:
             performer.hear_voice(*coming)
             coming = next(frames, None)

@@ -69,22 +69,23 @@ def cues_of(
     ------
     MouthError : a time lies outside its range.
     """
-    _check("minimum", minimum, LONGEST_MINIMUM)
-    _check("anticipation", anticipation, MOST_ANTICIPATION)
-    cues = cleaned_cues((run for run in runs if run.end > run.start), table, minimum)
-    begins = begins_of(cues, table, anticipation, minimum)
+    check_seconds("minimum", minimum, LONGEST_MINIMUM)
+    check_seconds("anticipation", anticipation, MOST_ANTICIPATION)
+    cues = _joined(
+        _Chain(joined_runs((run for run in runs if run.end > run.start), table), minimum, table).cleaned(), _alike
+    )
+    begins = _begins_of(cues, table, anticipation, minimum)
     ends = [*begins[1:], *(cue.end for cue in cues[-1:])]
     return tuple(replace(cue, start=start, end=end) for cue, start, end in zip(cues, begins, ends, strict=True))
 
 
-def cleaned_cues(runs: Iterable[Segment], table: MouthTable, minimum: float, n_begun: int = 0) -> list[Cue]:
-    """Make cues of runs that last the minimum, seconds; so many of the first stay, however short they are."""
-    cues = _joined((_cue_of(run, table) for run in runs), _alike)
-    return _joined(_Chain(cues, minimum, table, n_begun).cleaned(), _alike)
+def joined_runs(runs: Iterable[Segment], table: MouthTable) -> list[Cue]:
+    """Make cues of runs, however short, of which neighbours of one phoneme and shape are one."""
+    return _joined((_cue_of(run, table) for run in runs), _alike)
 
 
-def begins_of(cues: Sequence[Cue], table: MouthTable, anticipation: float, minimum: float) -> list[float]:
-    """Return when the mouth begins to move to each cue: to vowels, and lips that meet, early; see `cues_of`."""
+def _begins_of(cues: Sequence[Cue], table: MouthTable, anticipation: float, minimum: float) -> list[float]:
+    """Return when each cue begins: vowels, and lips that meet, early; see `cues_of`."""
     begins = [cue.start for cue in cues[:1]]
     for before, cue in pairwise(cues):
         lead = _lead_of(cue, table, anticipation)
@@ -97,7 +98,13 @@ def joined_by_shape(cues: Iterable[Cue]) -> tuple[Cue, ...]:
     return tuple(_joined(cues, lambda one, other: one.shape == other.shape))
 
 
-def _check(name: str, value: float, most: float) -> None:
+def check_seconds(name: str, value: float, most: float) -> None:
+    """Refuse a time that lies outside 0..`most`, seconds.
+
+    Raises
+    ------
+    MouthError : it does.
+    """
     if not 0 <= value <= most:
         raise MouthError(f"{name} must lie in 0..{most:g} s, got {value:g}; choose another")
 
@@ -139,14 +146,13 @@ def _union(one: Cue, other: Cue) -> Cue:
 class _Chain:
     """Cues of which each knows its neighbours, so that the shortest can be dealt with first."""
 
-    def __init__(self, cues: list[Cue], minimum: float, table: MouthTable, n_begun: int) -> None:
+    def __init__(self, cues: list[Cue], minimum: float, table: MouthTable) -> None:
         self._cues: list[Cue | None] = list(cues)
         self._before = list(range(-1, len(cues) - 1))
         self._after = [*range(1, len(cues)), -1]
         self._minimum = minimum
         self._least = minimum - ROUNDING
         self._table = table
-        self._n_begun = n_begun
         self._shortest: list[tuple[float, int]] = []
 
     def cleaned(self) -> list[Cue]:
@@ -162,7 +168,7 @@ class _Chain:
 
     def _watch(self, k: int) -> None:
         cue = self._cues[k]
-        if k >= self._n_begun and cue is not None and cue.duration < self._least:
+        if cue is not None and cue.duration < self._least:
             heapq.heappush(self._shortest, (cue.duration, k))
 
     def _at(self, k: int) -> Cue | None:

@@ -88,14 +88,17 @@ class Morpher:
         self.set_loudness(time, intensity)
         self.set_phoneme(time, phoneme, phone)
 
-    def set_phoneme(self, time: float, phoneme: int, phone: str = "") -> None:
-        """Take a phoneme alone from a time on, and its phone where it is known: the loudness goes on."""
+    def set_phoneme(self, time: float, phoneme: int, phone: str = "", *, time_share: float = 1.0) -> None:
+        """Take a phoneme alone from a time on, and its phone where it is known: the loudness goes on.
+
+        The movement takes `time_share` of the time that the table has for it.
+        """
         said = _followed(phoneme, phone, self._detail, self._closed)
         if said == self._said:
             return
         row = self._row_of(*said)
         if row != self._row:
-            self._movements.append(self._movement(time, row, *said))
+            self._movements.append(self._movement(time, row, *said, time_share))
         self._said, self._row = said, row
 
     def set_loudness(self, time: float, intensity: float) -> None:
@@ -122,7 +125,7 @@ class Morpher:
         shape = self.table.shape_of(phoneme, phone)
         return int(phoneme) if shape == self.table.phonemes[phoneme] else self._row_of_shape[shape]
 
-    def _movement(self, time: float, row: int, phoneme: Phoneme, phone: str) -> _Movement:
+    def _movement(self, time: float, row: int, phoneme: Phoneme, phone: str, time_share: float) -> _Movement:
         table, spread = self.table, self._motion.randomness
         silent = phoneme is Phoneme.SILENCE
         closes = silent or table.closes(phoneme, phone)
@@ -131,7 +134,7 @@ class Morpher:
         if not closes:
             duration *= 1 + vary_time
         whole = closes or self._detail is Detail.TWO_STATES
-        return _Movement(time, duration, row, whole, 1.0 if closes else 1.0 + vary_shape)
+        return _Movement(time, duration * time_share, row, whole, 1.0 if closes else 1.0 + vary_shape)
 
     def _gain(self, time: float) -> float:
         least = 0.0 if self._detail is Detail.LOUDNESS else self._motion.minimum_opening

@@ -1,8 +1,8 @@
 """The one driver of a face: phonemes and their times go in, the mouth, blinks and the pose of the head come out.
 
 Whoever moves a face asks the same object: the window, films, exports and the network. What is known of the speech
-before it is heard is cleaned as cues are (see `cues`) and moves the mouth early; what comes live moves it when it is
-heard. The loudness moves it on time.
+before it is heard moves the mouth early (see `coarticulation`); what comes live moves it when it is heard. The mouth
+follows the loudness with a low-pass, and is told of it earlier by the delay of that, where it is known.
 
 What comes out depends on what was said to it and when, never on how often anybody looked.
 """
@@ -19,7 +19,8 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.blinks import Blinker
-from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, Cue, begins_of, cleaned_cues
+from phonemeengine.mouth.coarticulation import PlannedMovement, planned_movements
+from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_runs
 from phonemeengine.mouth.expression.composer import Composer, Expression
 from phonemeengine.mouth.expression.inhibition import Inhibition
 from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
@@ -155,22 +156,24 @@ class Performer:
     ----------
     table : the mouth shapes, and how the mouth moves between them.
     idle : what else the face does; blinks and a moving head, where it is None.
+    rate : pictures per second that are taken of it from time 0 on, where that is known; 0 where it is not.
 
     Attributes
     ----------
     visemes : the shapes that a person asks for; one thread alone may change them, the one that looks.
     """
 
-    def __init__(self, table: MouthTable, idle: IdleMotion | None = None) -> None:
+    def __init__(self, table: MouthTable, idle: IdleMotion | None = None, *, rate: float = 0.0) -> None:
         self.table, self.idle = table, idle or IdleMotion()
-        self.visemes = VisemeOverride(table)
+        self.visemes, self._rate = VisemeOverride(table), rate
         self._lock = threading.RLock()
         self._blinker, self._head = Blinker(self.idle.seed), HeadMotion(self.idle.seed)
         self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
+        self._loudnesses: deque[tuple[float, float]] = deque()  # from when the mouth goes by which
         self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
         self._runs: list[TimedFrame] = []  # the first frame of each run of a sound, from the one that is shown on
-        self._movements: deque[tuple[float, TimedFrame]] = deque()  # when the mouth begins to move to which run
+        self._movements: deque[tuple[float, PlannedMovement]] = deque()  # each with when it begins, once it is known
         self._closes_at = math.inf
         self._track: MouthTrack | None = None
         self._track_start = 0.0
@@ -206,13 +209,17 @@ class Performer:
             self._advance(now)
             self._closes_at = now + CLOSE_AFTER if live else math.inf
             self._coming.extend(frames)
+            self._loudnesses.extend((max(self._shown_from(frame), now), frame.intensity) for frame in frames)
             if self._add_runs(frames):
                 self._plan(min(now, frames[0].time))
 
-    def follow(self, cues: Iterable[Cue]) -> None:
-        """Take cues that are cleaned and ahead of the sound already: the mouth moves when they begin."""
+    def follow(self, runs: Iterable[Segment], anticipation: float = MOST_ANTICIPATION) -> None:
+        """Take all that is said in a whole sound; see `planned_movements`."""
         with self._lock:
-            self._movements.extend((cue.start, _onset_of(cue)) for cue in cues)
+            silent = Segment(-math.inf, 0.0, Phoneme.SILENCE, 0.0)
+            cues = joined_runs((silent, *(run for run in runs if run.end > run.start)), self.table)
+            planned = planned_movements(cues, self.table, -math.inf, anticipation, rate=self._rate)
+            self._movements.extend((movement.begin, movement) for movement in planned)
 
     def play(self, track: MouthTrack | None, start: float = 0.0) -> None:
         """Have a track move the mouth, whose time 0 is at `start`, whatever is heard; None goes on by what is heard.
@@ -226,8 +233,15 @@ class Performer:
                 self._columns = self._columns_of_track()
             self._track_start = start
 
+    def expect_loudness(self, time: float, intensity: float) -> None:
+        """Take how loud a frame is that will begin at a time, 0..1; the mouth, which lags, is told before."""
+        self._loudnesses.append((time - self.table.motion.loudness, intensity))
+
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
-        """Take the loudness alone, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time."""
+        """Take the loudness, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time.
+
+        Head and expressions go by these; the mouth goes by what `expect_loudness` has told.
+        """
         self._coming.append(self._runs[-1]._replace(time=time, intensity=intensity, f0=f0))
 
     def expect_speech(self, speech: Iterable[tuple[float, float]]) -> None:
@@ -240,6 +254,7 @@ class Performer:
             self._advance(now)
             self._closes_at = math.inf
             self._coming.clear()
+            self._loudnesses.clear()
             self._movements.clear()
             current = self._runs[0]  # the mouth may be ahead of it
             self._runs = [current._replace(time=min(current.time, now))]
@@ -321,11 +336,16 @@ class Performer:
         self._morpher = Morpher(self.table, detail=self.idle.detail, seed=self.idle.seed)
         self._runs = [SILENT]
         self._movements.clear()
-        self._begun = -math.inf
+        self._begun = -math.inf  # when the last movement was to begin
         self._add_runs([*self._heard, *self._coming])
         self._plan(-math.inf)
         for frame in self._heard:
-            self._morpher.set_loudness(frame.time, frame.intensity)
+            self._morpher.set_loudness(self._shown_from(frame), frame.intensity)
+        self._loudnesses = deque((self._shown_from(frame), frame.intensity) for frame in self._coming)
+
+    def _shown_from(self, frame: TimedFrame) -> float:
+        """Return from when the mouth goes by the loudness of a frame: before it, by the delay of its low-pass."""
+        return frame.time - self.table.motion.loudness
 
     def _add_runs(self, frames: Iterable[TimedFrame]) -> bool:
         """Note when which phoneme or shape begins; says whether any does."""
@@ -343,13 +363,12 @@ class Performer:
         return next(shapes) == next(shapes)
 
     def _plan(self, earliest: float) -> None:
-        """Clean what is known after the run that the mouth moves to already, and plan movements from a time on."""
+        """Plan the movements to what is known after the run that the mouth moves to already, from a time on."""
         runs = zip(self._runs, self._run_ends(), strict=True)
         segments = (Segment(run.time, end, run.phoneme, run.intensity, run.phone) for run, end in runs)
-        cues = cleaned_cues(segments, self.table, MINIMUM, n_begun=1)
-        begins = begins_of(cues, self.table, MOST_ANTICIPATION, MINIMUM)
-        movements = zip(begins[1:], cues[1:], strict=True)
-        self._movements = deque((max(begin, earliest, self._begun), _onset_of(cue)) for begin, cue in movements)
+        cues = joined_runs(segments, self.table)
+        planned = planned_movements(cues, self.table, self._begun, rate=self._rate)
+        self._movements = deque((max(movement.begin, earliest), movement) for movement in planned)
 
     def _spoken(self, time: float) -> Float32Array:
         if self._track is not None and self._columns:
@@ -379,17 +398,19 @@ class Performer:
             if not self._alike(frame, self._heard[-1]):
                 self._changes.append(frame)
             self._heard.append(frame)
-            self._morpher.set_loudness(frame.time, frame.intensity)
             self._inhibition.hear(frame.time, speaks=frame.phoneme is not Phoneme.SILENCE)
             if self.idle.head:
                 self._head.hear(frame.time, frame.intensity, frame.f0)
+        while self._loudnesses and self._loudnesses[0][0] <= time:
+            self._morpher.set_loudness(*self._loudnesses.popleft())
         while self._movements and self._movements[0][0] <= time:
             self._begin(*self._movements.popleft())
 
-    def _begin(self, begin: float, onset: TimedFrame) -> None:
+    def _begin(self, begin: float, movement: PlannedMovement) -> None:
         """Begin a movement: it is not taken back any more, and the runs before it are over."""
-        self._begun = begin
-        self._morpher.set_phoneme(begin, onset.phoneme, onset.phone)
+        self._begun, onset = movement.begin, _onset_of(movement.cue)
+        share = movement.time_share if begin <= movement.begin else 1.0
+        self._morpher.set_phoneme(begin, onset.phoneme, onset.phone, time_share=share)
         runs = zip(self._runs, self._run_ends(), strict=True)
         same = (self._alike(run, onset) and end > onset.time for run, end in runs)
         past = next((k for k, found in enumerate(same) if found), 0)

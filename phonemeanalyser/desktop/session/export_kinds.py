@@ -64,6 +64,7 @@ class ExportKind:
     moves_mouth : whether the order's options say how it is made.
     make : makes it of a sound, as another file.
     is_text : whether its beginning tells what it will be.
+    has_cues : whether it holds mouth cues, of which one may be too short.
     """
 
     words: str
@@ -71,6 +72,7 @@ class ExportKind:
     moves_mouth: bool
     make: Callable[[Path, Path, ExportOrder, Progress], None]
     is_text: bool = True
+    has_cues: bool = False
 
 
 def check_order(order: ExportOrder) -> None:
@@ -176,7 +178,10 @@ def _write_report(source: Path, target: Path, order: ExportOrder, progress: Prog
 
 
 EXPORT_KINDS: dict[str, ExportKind] = {
-    **{name: ExportKind(c.words, c.ending, c.moves_mouth, _convert) for name, c in CONVERSIONS.items()},
+    **{
+        name: ExportKind(c.words, c.ending, c.moves_mouth, _convert, has_cues=c.has_cues)
+        for name, c in CONVERSIONS.items()
+    },
     "clip-mp4": ExportKind(tr_noop("a clip of the head with its sound"), ".mp4", True, _make_clip, is_text=False),
     "clip-gif": ExportKind(tr_noop("a clip of the head"), ".gif", True, _make_clip, is_text=False),
     "report-html": ExportKind(

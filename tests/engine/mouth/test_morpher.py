@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.animation import animation_of
-from phonemeengine.mouth.cues import cues_of
 from phonemeengine.mouth.morpher import HALF_OPEN, Detail, Morpher
 from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
@@ -113,7 +112,7 @@ def test_an_animation_moves_as_fast_as_its_table_says() -> None:
     )
     opened = {}
     for table in (TABLE, slow):
-        animation = animation_of(speech, cues_of(speech.runs, table), table, 240)
+        animation = animation_of(speech, table, 240, anticipation=0)
         opened[table.times[A].attack] = float(animation.times[np.argmax(animation.weights[:, 0] >= 0.9)]) - 1
     assert opened == {attack: pytest.approx(attack, abs=1 / 120) for attack in (0.1, 0.4)}
 

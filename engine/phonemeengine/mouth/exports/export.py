@@ -5,8 +5,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-from phonemeengine.mouth.animation import Animation, animation_blocks, animation_of
-from phonemeengine.mouth.cues import Cue, joined_by_shape
+from phonemeengine.mouth.animation import Animation, animation_blocks, animation_by, performer_of
+from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_by_shape
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
@@ -25,11 +25,12 @@ class Export:
     ----------
     speech : what was said.
     table : the mouth shapes.
-    cues : what was said, cleaned; without gaps from 0 to the end.
+    cues : what was said, cleaned; without gaps from 0 to the end. None where the format has no cues.
     rate : frames per second, where the format counts frames.
     idle : what else the face does.
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
-    movement : how the face moves, where the cues do not say that.
+    movement : how the face moves, where the mouth table does not say that.
+    anticipation : by how much a movement may begin before its sound at most, seconds.
     """
 
     speech: Transcript
@@ -39,6 +40,7 @@ class Export:
     idle: IdleMotion = field(default_factory=IdleMotion)
     mesh: Path | None = None
     movement: Animation | None = None
+    anticipation: float = MOST_ANTICIPATION
 
     @cached_property
     def drawings(self) -> tuple[Cue, ...]:
@@ -50,13 +52,14 @@ class Export:
         """The movement of the face."""
         if self.movement is not None:
             return self.movement
-        return animation_of(self.speech, self.cues, self.table, self.rate, self.idle)
+        return animation_by(self._performer(), self.speech, self.rate)
 
     def animation_blocks(self) -> Iterator[Animation]:
         """Return the movement of the face in consecutive parts, for formats that have a row a frame."""
         if self.movement is not None:
             yield self.movement
             return
-        performer = Performer(self.table, self.idle)
-        performer.follow(self.cues)
-        yield from animation_blocks(performer, self.speech, self.rate)
+        yield from animation_blocks(self._performer(), self.speech, self.rate)
+
+    def _performer(self) -> Performer:
+        return performer_of(self.speech, self.table, self.rate, self.idle, self.anticipation)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
-from phonemeengine.mouth.cues import MINIMUM, cues_of
+from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.performer import IdleMotion
@@ -22,7 +22,7 @@ class ExportOptions:
     Attributes
     ----------
     rate : frames per second.
-    minimum : least duration of a cue, seconds; where frames are counted, a frame at least.
+    minimum : least duration of a cue, seconds; where frames are counted, a frame at least. Curves have no cues.
     anticipation : by how much the mouth is ahead of the sound, seconds.
     table : a mouth table's name or file.
     mesh : the file of the face that shall move; else it is the program's own head.
@@ -30,7 +30,7 @@ class ExportOptions:
     """
 
     rate: float | None = None
-    minimum: float = MINIMUM
+    minimum: float | None = None
     anticipation: float | None = None
     table: str | os.PathLike[str] | None = None
     mesh: str | os.PathLike[str] | None = None
@@ -64,6 +64,7 @@ class Exporter:
         self._mesh = None if self._options.mesh is None else Path(self._options.mesh)
         self._table = load_table(self._options.table or self.format.table)
         self.rate = self._checked_rate()
+        self._check_minimum()
         self._check_table()
         self._check_mesh()
         self._check_expression()
@@ -72,14 +73,14 @@ class Exporter:
     def export_of(self, speech: Transcript, movement: Animation | None = None) -> Export:
         """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""
         movement = None if movement is None else self._held(movement)
-        options, anticipation = self._options, self._options.anticipation
-        cues = cues_of(
-            speech.runs,
-            self._table,
-            minimum=max(options.minimum, 1 / self.rate) if self.rate else options.minimum,
-            anticipation=self.format.anticipation if anticipation is None else anticipation,
-        )
-        return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement)
+        options = self._options
+        anticipation = self.format.anticipation if options.anticipation is None else options.anticipation
+        cues: tuple[Cue, ...] = ()
+        if self.format.has_cues:
+            minimum = MINIMUM if options.minimum is None else options.minimum
+            minimum = max(minimum, 1 / self.rate) if self.rate else minimum
+            cues = cues_of(speech.runs, self._table, minimum=minimum, anticipation=anticipation)
+        return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement, anticipation)
 
     def chunks_of(self, speech: Transcript, movement: Animation | None = None) -> Iterator[bytes]:
         """Return the file, in parts as they are made.
@@ -113,6 +114,10 @@ class Exporter:
                 f"second, got {rate:g}; choose another"
             )
         return rate
+
+    def _check_minimum(self) -> None:
+        if self._options.minimum is not None and not self.format.has_cues:
+            raise ExportError(f"{self.name} has curves and no cues, so there is no shortest cue; leave it out")
 
     def _check_table(self) -> None:
         table, known = self._table, self.format

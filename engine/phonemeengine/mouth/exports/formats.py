@@ -40,6 +40,7 @@ class Format:
     shapes : the mouth shapes that it knows; empty where it takes any.
     movestates : the columns that it has; empty where it takes any.
     separated : whether names of shapes may hold no spaces.
+    has_cues : whether it holds cues; else the movement of a face alone, in which no sound is too short.
     moves_head : whether it holds the pose of the head.
     moves_mesh : whether it holds a face that it moves.
     mark : stands before the ending of files that are named by the program, where several formats end alike.
@@ -56,6 +57,7 @@ class Format:
     shapes: frozenset[str] = frozenset()
     movestates: tuple[str, ...] = ()
     separated: bool = False
+    has_cues: bool = True
     moves_head: bool = False
     moves_mesh: bool = False
     mark: str = ""
@@ -93,15 +95,15 @@ FORMATS: dict[str, Format] = {
     "audacity": Format(".txt", audacity.write, "eleven", "Audacity label track", mark=".mouth"),
     "livelink-csv": Format(
         ".csv", livelink.write, "arkit", "Live Link Face, ARKit 52", rate=60, anticipation=MOST_ANTICIPATION,
-        movestates=ARKIT, moves_head=True, mark=".livelink", owns=livelink.owns,
+        movestates=ARKIT, has_cues=False, moves_head=True, mark=".livelink", owns=livelink.owns,
     ),
     "oculus-csv": Format(
         ".csv", oculus.write, "oculus", "weights of 15 visemes", rate=60, anticipation=MOST_ANTICIPATION,
-        movestates=OCULUS, mark=".oculus", owns=oculus.owns,
+        movestates=OCULUS, has_cues=False, mark=".oculus", owns=oculus.owns,
     ),
     "gltf": Format(
         ".glb", gltf.write, "arkit", "the head or a face of yours", rate=30, anticipation=MOST_ANTICIPATION,
-        moves_head=True, moves_mesh=True, owns=gltf.owns,
+        has_cues=False, moves_head=True, moves_mesh=True, owns=gltf.owns,
     ),
     "curves-json": Format(
         ".json", curves.write, "arkit", "curves for Unity, Godot, pages", rate=60, anticipation=MOST_ANTICIPATION,

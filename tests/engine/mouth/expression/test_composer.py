@@ -23,7 +23,6 @@ from phonemeengine import (
 )
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.cues import cues_of
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.expression.channels import SHIPPED, shipped_channels
 from phonemeengine.mouth.expression.composer import Composer
@@ -134,7 +133,7 @@ def said(*runs: tuple[float, float, Phoneme]) -> Transcript:
 def film(speech: Transcript, expression: Expression | None, duration: float = 3.0) -> Animation:
     table = load_table("arkit")
     idle = IdleMotion(blinks=False, head=False, expression=expression)
-    return animation_of(replace(speech, duration=duration), cues_of(speech.runs, table), table, RATE, idle)
+    return animation_of(replace(speech, duration=duration), table, RATE, idle)
 
 
 MAMA = said(*((0.5 + 0.2 * k, 0.7 + 0.2 * k, (Phoneme.M, Phoneme.A)[k % 2]) for k in range(6)))
@@ -163,8 +162,7 @@ def test_a_film_ends_when_the_expression_has_come_back():
     short = replace(MAMA, duration=1.8)
     table = load_table("arkit")
     lengths = [
-        len(animation_of(short, cues_of(short.runs, table), table, RATE, IdleMotion(expression=one)).weights) / RATE
-        for one in (None, smiling())
+        len(animation_of(short, table, RATE, IdleMotion(expression=one)).weights) / RATE for one in (None, smiling())
     ]
     assert lengths == pytest.approx([1.8, 1.7 + 0.7], abs=2 / RATE)
 
