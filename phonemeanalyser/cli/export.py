@@ -1,6 +1,7 @@
 """``phonemeanalyser export``: what sound files say, as mouth cues and movements for other programs."""
 
 import argparse
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -16,6 +17,7 @@ from phonemeanalyser.cli.arguments import (
     add_script,
     add_sounds,
     number,
+    number_in,
 )
 from phonemeanalyser.cli.driving import Driving, add_driver, driving, driving_key, driving_options
 from phonemeanalyser.cli.expression import add_expression, idle_of
@@ -63,6 +65,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--mesh", type=Path, metavar="M", help="another face than the program's, for gltf: .glb, .gltf, .obj or .x"
     )
     add_channel(parser)
+    longest = "refuse sounds that last longer than so many seconds"
+    parser.add_argument("--longest", type=number_in(0, math.inf, "s"), default=math.inf, metavar="S", help=longest)
     add_overwrite(parser)
     add_batch(parser)
 
@@ -81,7 +85,9 @@ def run(options: argparse.Namespace) -> int:
         raise EngineError("--units tells of one sound, and there are several; leave it out, or name one alone")
     texts = spoken_texts(options, [job.source for job in jobs])
     with driving(options):  # says what it has to say, and refuses what it must, before any sound is heard
-        work = ExportWork(options.kind, written, preset, options.channel, texts, driving_options(options))
+        work = ExportWork(
+            options.kind, written, preset, options.channel, texts, driving_options(options), options.longest
+        )
         return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
 
 
@@ -95,6 +101,7 @@ class ExportWork:
     preset, channel : what is recognised with, and of what.
     texts : what is said in the sounds.
     driving : arguments of what moves a face, and whether whatever is there is replaced.
+    longest : seconds that a sound may last.
     """
 
     kind: str
@@ -103,6 +110,7 @@ class ExportWork:
     channel: Channel
     texts: SpokenTexts
     driving: argparse.Namespace
+    longest: float = math.inf
 
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
@@ -126,7 +134,7 @@ class ExportWork:
     def _export(self, job: Job, exporter: Exporter, moved: Driving, say: Say, progress: Progress) -> Made:
         guard = Guard(exporter.format.owns, self.driving.overwrite, job.earlier)
         guard.check(job.target)
-        with open_sound(job.source, self.channel, say) as reader:
+        with open_sound(job.source, self.channel, say, self.longest) as reader:
             pitch = moved.performer is not None or (exporter.format.moves_head and exporter.idle.head)
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
             name, found = printable_name(job.source), self.texts.aligned(reader, job.sound, analyses, say)

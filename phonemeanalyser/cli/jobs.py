@@ -1,6 +1,7 @@
 """Files that a command works through: where each goes, how far it is, and what is said of those that fail."""
 
 import argparse
+import math
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager, suppress
@@ -153,17 +154,20 @@ def file_preset(path: Path, ear: str | None) -> Preset:
 
 
 @contextmanager
-def open_sound(path: Path, channel: Channel, say: Say) -> Iterator[SoundReader]:
+def open_sound(path: Path, channel: Channel, say: Say, longest: float = math.inf) -> Iterator[SoundReader]:
     """Open a sound to analyse one of its channels, and say what is odd about it.
 
     Raises
     ------
-    AudioError : it cannot be read, or lacks the channel, or there is none.
+    AudioError : it cannot be read, or lacks the channel, or there is none, or it lasts longer than so many seconds.
     """
     name = printable_name(path)
     if _is_folder(path):
         raise AudioError(f"{name}: there is no sound file in this folder; name another")
     with SoundReader(path, channel) as reader:
+        if reader.duration > longest:
+            lasts = f"it lasts {reader.duration:.0f} s, and at most {longest:g} s are taken"
+            raise AudioError(f"{name}: {lasts}; cut it into shorter ones")
         for note in reader.notes:
             say(name, note)
         yield reader

@@ -21,8 +21,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--port", type=whole_in(0, 65_535), default=USUAL_PORT, metavar="P", help=port)
     token = "file with the token that clients must know; without one, only this machine is served"  # noqa: S105
     parser.add_argument("--token-file", type=Path, metavar="FILE", help=token)
-    origin = "page of another machine that may ask without a token, such as https://example.org; again for more"
+    origin = "origin of pages that may ask, such as https://example.org or http://localhost:8000; again for more"
     parser.add_argument("--origin", action="append", default=[], metavar="URL", help=origin)
+    proxy = "address of a proxy whose X-Forwarded-For says who asks, such as 127.0.0.1; again for more"
+    parser.add_argument("--trusted-proxy", action="append", default=[], metavar="ADDRESS", help=proxy)
     add_preset(parser)
     for limit in fields(ServerLimits):
         low, high, unit, words = LIMITS[limit.name]
@@ -37,7 +39,7 @@ def run(options: argparse.Namespace) -> int:
     service = module_that_serves()
     token = None if options.token_file is None else token_in(options.token_file)
     limits = ServerLimits(**{limit.name: getattr(options, limit.name) for limit in fields(ServerLimits)})
-    access = Access(token, tuple(options.origin))
+    access = Access(token, tuple(options.origin), tuple(options.trusted_proxy))
     settings = service.ServerSettings(options.preset, options.host, options.port, access, limits)
     with ended_by_signals():
         asyncio.run(_serve(service.serving(settings), options.host))

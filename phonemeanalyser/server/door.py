@@ -2,15 +2,21 @@
 
 import asyncio
 import logging
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
 
 from aiohttp import web
 
 from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import ServerLimits
-from phonemeanalyser.server.refused import FAILED
+from phonemeanalyser.server.refused import FAILED, RefusedError
 
 CLOSING = 2.0
 """Seconds that a client has to take what it is told last."""
+ARRIVING = 5.0
+"""Seconds from a connection to the end of its request's head."""
 FULL = "there are as many connections as this server takes; try later"
 
 _log = logging.getLogger(__name__)
@@ -34,32 +40,86 @@ class Door:
         self._server, self._limits = server, limits
         self._arriving: set[asyncio.BaseProtocol] = set()
         self._silent: dict[asyncio.BaseProtocol, asyncio.TimerHandle] = {}
+        self._n_of: Counter[str] = Counter()
 
     def __call__(self) -> asyncio.Protocol:
         """Return the protocol of a new connection."""
-        if len(self._server.connections) + len(self._arriving) >= self._limits.most_connections:
+        n = len(self._server.connections) + len(self._arriving)
+        if n >= self._limits.most_connections and not self._make_room():
             return _Full()
         loop = asyncio.get_running_loop()
-        handler = _Handler(self._server, loop=loop, lingering_time=CLOSING)
+        handler = _Handler(self, self._server, loop=loop, lingering_time=CLOSING)
         self._arriving.add(handler)
         loop.call_soon(self._arriving.discard, handler)  # by then the server counts it
-        self._silent[handler] = loop.call_later(self._limits.idle, self._let_go, handler)
+        self._silent[handler] = loop.call_later(min(ARRIVING, self._limits.idle), self._let_go, handler)
         return handler
 
     def enter(self, request: web.BaseRequest) -> None:
         """Let a connection stay, since it has asked for something."""
-        timer = self._silent.pop(request.protocol, None)
+        self.forget(request.protocol)
+
+    def forget(self, handler: asyncio.BaseProtocol) -> None:
+        """Watch a connection no more."""
+        timer = self._silent.pop(handler, None)
         if timer is not None:
             timer.cancel()
 
-    def _let_go(self, handler: web.RequestHandler) -> None:
-        del self._silent[handler]
-        if handler.transport is not None:
-            handler.transport.abort()
+    @contextmanager
+    def place_of(self, client: str) -> Iterator[None]:
+        """Count a connection of a client meanwhile.
+
+        Raises
+        ------
+        RefusedError : it has as many as one may have.
+        """
+        if self._n_of[client] >= self._limits.most_per_address:
+            raise RefusedError(
+                f"your address has {self._n_of[client]} connections, as many as one may have; close one first", 429
+            )
+        self._n_of[client] += 1
+        try:
+            yield
+        finally:
+            self._n_of[client] -= 1
+            if not self._n_of[client]:
+                del self._n_of[client]
+
+    def _make_room(self) -> bool:
+        """Let go of the connection that has been silent for longest: whoever has something to ask says so at once."""
+        oldest = next(iter(self._silent), None)
+        if oldest is not None:
+            self._let_go(oldest)
+        return oldest is not None
+
+    def _let_go(self, handler: asyncio.BaseProtocol) -> None:
+        self.forget(handler)
+        assert isinstance(handler, _Handler)
+        handler.let_go()
 
 
 class _Handler(web.RequestHandler):
-    """Answers what is no request of HTTP in one sentence, too."""
+    """Can be let go before it has asked for anything; answers what is no request of HTTP in one sentence, too."""
+
+    def __init__(self, door: Door, *words: Any, **options: Any) -> None:
+        super().__init__(*words, **options)
+        self._door, self._is_let_go = door, False
+
+    def let_go(self) -> None:
+        """Break the connection, as soon as there is one."""
+        self._is_let_go = True
+        if self.transport is not None:
+            self.transport.abort()
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Begin to speak."""
+        super().connection_made(transport)
+        if self._is_let_go:
+            self.let_go()
+
+    def connection_lost(self, exc: BaseException | None) -> None:
+        """End."""
+        super().connection_lost(exc)
+        self._door.forget(self)
 
     def handle_error(
         self,

@@ -6,18 +6,23 @@ nothing with it, and live streams go first.
 
 import asyncio
 import contextlib
+import logging
 import math
 import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Awaitable
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
+from typing import TypeVar
 
 from aiohttp import BodyPartReader, web
 
+from phonemeanalyser.server.file_turns import FileTurn, FileTurns
 from phonemeanalyser.server.limits import MEGABYTE, ServerLimits
-from phonemeanalyser.server.refused import RefusedError
+from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeengine import FORMATS
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.processes import ENDS_WITH_INPUT
@@ -26,7 +31,7 @@ CHUNK = 1 << 16
 SOUND = "sound"
 FIELDS = ("format", "table", "fps", "text", "language")
 """What may stand beside the sound, each as the option of ``export`` of that name."""
-NICE = 1
+NICE, NICEST = 1, 19
 LONGEST_FIELD = 64
 """Characters of a field other than the text."""
 KINDS = {
@@ -36,6 +41,10 @@ KINDS = {
 """Media types by the ending of a format; all others are plain text."""
 GENTLY = getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)
 """Flags of a process on Windows, so that streams go first; elsewhere there are none."""
+
+
+_T = TypeVar("_T")
+_log = logging.getLogger(__name__)
 
 
 @dataclass
@@ -90,10 +99,15 @@ class FileExporter:
 
     def __init__(self, preset: Path, limits: ServerLimits) -> None:
         self._preset, self._limits = preset, limits
-        self._turn = asyncio.Semaphore(limits.most_files)
+        self._turns = FileTurns(limits.most_files)
 
-    async def handle(self, request: web.Request) -> web.StreamResponse:
-        """Answer a request.
+    @property
+    def n_files(self) -> int:
+        """How many files are being exported."""
+        return self._turns.n_begun
+
+    async def handle(self, request: web.Request, address: str) -> web.StreamResponse:
+        """Answer a request of an address.
 
         Raises
         ------
@@ -106,8 +120,9 @@ class FileExporter:
                     form = FORMATS.get(asked.words.get("format", ""))
                     out = Path(folder) / f"mouth{form.ending if form else ''}"
                     arguments = asked.arguments(self._preset, out)
-                    async with self._turn:
-                        await _run(["export", *arguments])
+                    limit = f"--longest={self._limits.longest_file:g}"
+                    async with self._turns.turn(address) as turn:
+                        await _run(["export", limit, *arguments], turn, self._limits.file_memory)
                     return await _sent(request, out)
         except TimeoutError:
             raise RefusedError(
@@ -120,7 +135,7 @@ class FileExporter:
             raise RefusedError(f"send a form (multipart/form-data) with the fields {SOUND}, {', '.join(FIELDS)}", 415)
         try:
             reader = await request.multipart()
-            while (part := await reader.next()) is not None:
+            while (part := await self._in_time(reader.next())) is not None:
                 if not isinstance(part, BodyPartReader) or part.name not in (SOUND, *FIELDS):
                     raise RefusedError(f"there is no such field; a form has {SOUND}, {', '.join(FIELDS)}")
                 if part.name == SOUND:
@@ -131,10 +146,18 @@ class FileExporter:
             raise RefusedError("the form is damaged or cut off; send it again") from error
         return asked
 
+    async def _in_time(self, coming: Awaitable[_T]) -> _T:
+        """Return the next of what the client sends, unless it sends nothing for too long."""
+        try:
+            async with asyncio.timeout(self._limits.idle):
+                return await coming
+        except TimeoutError:
+            raise RefusedError(f"nothing came for {self._limits.idle:g} s; send the form at once", 408) from None
+
     async def _keep(self, part: BodyPartReader, path: Path) -> None:
         n = 0
         with path.open("wb") as file:
-            while chunk := await part.read_chunk(CHUNK):
+            while chunk := await self._in_time(part.read_chunk(CHUNK)):
                 n += len(chunk)
                 if n > self._limits.largest_file * MEGABYTE:
                     raise RefusedError(f"a file may have {self._limits.largest_file:g} MB; send a shorter one", 413)
@@ -144,7 +167,7 @@ class FileExporter:
         most = self._limits.most_text if part.name == "text" else LONGEST_FIELD
         too_long = RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
         content = bytearray()
-        while chunk := await part.read_chunk(CHUNK):
+        while chunk := await self._in_time(part.read_chunk(CHUNK)):
             content += chunk
             if len(content) > 4 * most:
                 raise too_long
@@ -157,8 +180,8 @@ class FileExporter:
         return words
 
 
-async def _run(arguments: list[str]) -> None:
-    """Run a command of this program; what it refuses is refused.
+async def _run(arguments: list[str], turn: FileTurn, memory: float) -> None:
+    """Run a command of this program in its turn, with so many MB of memory; what it refuses is refused.
 
     The process is killed where nobody waits for it any more.
     """
@@ -168,9 +191,9 @@ async def _run(arguments: list[str]) -> None:
         *words, stdin=pipe, stdout=asyncio.subprocess.DEVNULL, stderr=pipe, creationflags=GENTLY,
         env=os.environ | {ENDS_WITH_INPUT: "1"},
     )  # fmt: skip
-    if not GENTLY:
-        with contextlib.suppress(OSError):
-            os.setpriority(os.PRIO_PROCESS, process.pid, NICE)
+    _set_priority(process.pid, NICE)
+    limit_memory(process.pid, round(memory * MEGABYTE))
+    turn.give_way = partial(_set_priority, process.pid, NICEST)
     try:
         assert process.stderr is not None
         said = await process.stderr.read()  # its input stays open as long as this process is there
@@ -180,8 +203,33 @@ async def _run(arguments: list[str]) -> None:
             process.kill()
             await process.wait()
     if process.returncode:
-        lines = said.decode(errors="replace").strip().splitlines() or ["the file cannot be exported"]
-        raise RefusedError(lines[-1].removeprefix("phonemeanalyser: "))
+        raise refusal_of(said.decode(errors="replace").strip(), memory)
+
+
+def refusal_of(said: str, memory: float) -> RefusedError:
+    """Return why a command has failed, by what it said last."""
+    last = said.rpartition("\n")[2]
+    if last.startswith("phonemeanalyser"):
+        return RefusedError(last.removeprefix("phonemeanalyser: "))
+    if "MemoryError" in last or "MemoryError" in said[-2000:]:
+        return RefusedError(f"the file needs more than {memory:g} MB of memory; send a shorter one", 413)
+    _log.error("a file could not be exported: %s", said[-2000:])
+    return RefusedError(FAILED, 500)
+
+
+def _set_priority(process: int, nice: int) -> None:
+    if not GENTLY:
+        with contextlib.suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, process, nice)
+
+
+def limit_memory(process: int, most: int) -> None:
+    """Let a process have so many bytes of data; only Linux limits other processes."""
+    if sys.platform == "linux":
+        import resource  # noqa: PLC0415 - it is not there on Windows
+
+        with contextlib.suppress(OSError):
+            resource.prlimit(process, resource.RLIMIT_DATA, (most, most))
 
 
 async def _sent(request: web.Request, path: Path) -> web.StreamResponse:

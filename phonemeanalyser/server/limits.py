@@ -15,12 +15,15 @@ AHEAD = 5.0
 LIMITS: dict[str, tuple[float, float, str, str]] = {
     "most_streams": (1, 10_000, "", "streams at a time"),
     "most_connections": (1, 20_000, "", "connections at a time, streams and files together"),
+    "most_per_address": (1, 20_000, "", "connections at a time that one address may have"),
     "most_speed": (1, 1000, "", "times as fast as it is spoken that a stream is read"),
     "idle": (1, 86_400, "s", "how long a client may send nothing, or take nothing, before it is let go"),
     "largest_message": (0.001, 1024, "MB", "size of a message of a stream"),
     "most_text": (0, 10_000_000, "", "characters of the text of a stream, or a file"),
     "largest_file": (0.001, 100_000, "MB", "size of a sound file"),
-    "most_files": (1, 1000, "", "files that are exported at a time; others wait"),
+    "longest_file": (1, 1_000_000, "s", "length of the sound in a file"),
+    "file_memory": (128, 1_000_000, "MB", "memory that the export of a file may take (Linux only)"),
+    "most_files": (1, 1000, "", "files that are exported at a time, besides those that take long; others wait"),
     "file_seconds": (1, 86_400, "s", "how long a file may take, from its first byte on"),
 }
 """Least, most, unit, and what each is."""
@@ -37,11 +40,14 @@ class ServerLimits:
 
     most_streams: int = 64
     most_connections: int = 128
+    most_per_address: int = 64
     most_speed: float = 4.0
     idle: float = 30.0
     largest_message: float = 1.0
     most_text: int = 100_000
     largest_file: float = 64.0
+    longest_file: float = 1800.0
+    file_memory: float = 1024.0
     most_files: int = 1
     file_seconds: float = 300.0
 

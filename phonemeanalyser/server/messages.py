@@ -116,7 +116,9 @@ def frames(heard: HeardPiece) -> str:
 
 def end(speech: IncomingSpeech) -> str:
     """Return what is said last."""
-    return json.dumps({"end": round(speech.seconds, 4)} | ({"other_text": True} if speech.is_other_text else {}))
+    told: dict[str, Any] = {"end": round(speech.seconds, 4)}
+    told |= {"other_text": True} if speech.is_other_text else {}
+    return json.dumps(told | ({"silenced": speech.n_silenced} if speech.n_silenced else {}))
 
 
 def error(sentence: str) -> str:

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 from aiohttp import web
 
-from phonemeanalyser.server.access import PROTOCOL, Access
+from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_of
 from phonemeanalyser.server.door import CLOSING, Door, refusal
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import MEGABYTE, USUAL_HOST, USUAL_PORT, ServerLimits
@@ -27,6 +27,13 @@ from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import DEFAULT_PRESET
 
 STREAM, EXPORT = "/stream", "/export"
+PREFLIGHT = {
+    "Access-Control-Allow-Methods": "GET, POST",
+    "Access-Control-Allow-Headers": "Authorization, Content-Type",
+    "Access-Control-Allow-Private-Network": "true",
+    "Access-Control-Max-Age": "600",
+}
+"""What a page may ask with, whose origin may."""
 WRITER_LIMIT = 1 << 14
 """Bytes of answers that are under way to a client before the next one waits."""
 BUFFER = 1 << 16
@@ -70,6 +77,7 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
     application.router.add_get("/", service.tell)
     application.router.add_get(STREAM, service.stream)
     application.router.add_post(EXPORT, service.export)
+    application.on_response_prepare.append(service.share)
     runner = web.AppRunner(application, access_log=None, handler_cancellation=True, shutdown_timeout=CLOSING)
     async with AsyncExitStack() as stack:
         stack.callback(service.close)
@@ -105,7 +113,7 @@ class Service:
         self._access, self._limits = settings.access, settings.limits
         self._preset = load_preset(settings.preset)
         self._exporter = FileExporter(settings.preset, settings.limits)
-        self._turns = Turns()
+        self._turns, self._wrong_tokens = Turns(), WrongTokens()
         self._readers = ThreadPoolExecutor(1, "reading texts")  # a voice reads one text at a time
         self._n_streams = 0
         speech = IncomingSpeech(self._preset, StreamFormat())
@@ -121,9 +129,15 @@ class Service:
     ) -> web.StreamResponse:
         """Let in who may come, and say in one sentence why something is refused."""
         self.door.enter(request)
+        client = self._client_of(request)
         try:
-            self._access.check(request.headers, _protocols_of(request))
-            answer = await handler(request)
+            with self.door.place_of(client):
+                if request.method == "OPTIONS":
+                    self._access.check_preflight(request.headers)
+                    answer: web.StreamResponse = web.Response(status=204, headers=PREFLIGHT)
+                else:
+                    await self._admit(request, client)
+                    answer = await handler(request)
         except EngineError as error:
             answer = refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
         except web.HTTPException as error:
@@ -137,18 +151,43 @@ class Service:
             answer.force_close()
         return answer
 
+    async def share(self, request: web.Request, answer: web.StreamResponse) -> None:
+        """Let a page read an answer, if its origin is one that may."""
+        origin = request.headers.get("Origin", "")
+        if self._access.allows(origin):
+            answer.headers["Access-Control-Allow-Origin"] = origin
+            answer.headers["Vary"] = "Origin"
+
+    def _client_of(self, request: web.Request) -> str:
+        return self._access.client_of(request.remote, request.headers)
+
+    async def _admit(self, request: web.Request, client: str) -> None:
+        """Let a request in, or refuse it; who sent wrong tokens before waits."""
+        protocols = _protocols_of(request)
+        await asyncio.sleep(self._wrong_tokens.wait_of(client))
+        try:
+            self._access.check(request.headers, protocols)
+        except RefusedError:
+            if self._access.token is not None and tokens_of(request.headers, protocols):
+                n = self._wrong_tokens.add(client)
+                if n & (n - 1) == 0:  # the log grows slowly, too
+                    _log.warning("%s has sent %d wrong tokens", client, n)
+            raise
+        self._wrong_tokens.forgive(client)
+
     async def tell(self, _request: web.Request) -> web.StreamResponse:
         """Say what is served."""
         told = {
             "program": "phonemeanalyser", "version": __version__, "preset": self._preset.name,
             "stream": STREAM, "export": EXPORT, "encodings": [*Encoding], "formats": [*FORMATS],
             "tables": shipped_tables(), "streams": self._n_streams, "most_streams": self._limits.most_streams,
+            "files": self._exporter.n_files,
         }  # fmt: skip
         return web.json_response(told)
 
     async def export(self, request: web.Request) -> web.StreamResponse:
         """Export a file."""
-        return await self._exporter.handle(request)
+        return await self._exporter.handle(request, self._client_of(request))
 
     async def stream(self, request: web.Request) -> web.StreamResponse:
         """Hear a stream."""

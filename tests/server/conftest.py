@@ -38,4 +38,5 @@ def recording() -> Sound:
 def token_file(tmp_path: Path) -> Path:
     path = tmp_path / "token.txt"
     path.write_text("0123456789abcdef-secret\n")
+    path.chmod(0o600)
     return path

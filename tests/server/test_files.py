@@ -3,14 +3,21 @@
 import asyncio
 import io
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
 import aiohttp
+import numpy as np
 import pytest
+import soundfile
 
 from phonemeanalyser.cli.main import main
+from phonemeanalyser.server.files import limit_memory, refusal_of
 from phonemeanalyser.server.limits import ServerLimits
+from phonemeanalyser.server.refused import FAILED
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import FORMATS
 from tests.server.conftest import RECORDING, TEXT
@@ -101,6 +108,76 @@ def test_what_is_no_sound_is_answered_by_a_sentence(server: str, sound: bytes | 
 def test_a_file_that_is_too_large_is_not_taken() -> None:
     with served(ServerSettings(port=0, limits=ServerLimits(largest_file=0.01))) as address:
         assert told(exported(address, format="gltf")) == (413, "a file may have 0.01 MB; send a shorter one")
+
+
+def silent_flac(seconds: float, rate: int = 8000) -> bytes:
+    """Give silence, which FLAC holds in next to nothing."""
+    content = io.BytesIO()
+    soundfile.write(content, np.zeros(round(seconds * rate), np.int16), rate, format="FLAC")
+    return content.getvalue()
+
+
+def test_a_sound_that_is_too_long_is_not_taken_however_small_its_file_is() -> None:
+    with served(ServerSettings(port=0, limits=ServerLimits(longest_file=60))) as address:
+        sound = silent_flac(1200)
+        assert len(sound) < 100_000
+        status, sentence = told(exported(address, sound, format="rhubarb-tsv"))
+        assert (status, "it lasts 1200 s, and at most 60 s are taken" in sentence) == (400, True)
+        assert exported(address, silent_flac(2), format="rhubarb-tsv")[0] == 200
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of other processes")
+def test_a_file_that_needs_too_much_memory_is_given_up_in_a_sentence() -> None:
+    words = [sys.executable, "-c", "input(); bytearray(1 << 30)"]
+    with subprocess.Popen(words, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        limit_memory(process.pid, 200 << 20)
+        _, said = process.communicate(b"\n")
+    assert process.returncode == 1
+    refused = refusal_of(said.decode(), 200)
+    assert (refused.status, str(refused)) == (413, "the file needs more than 200 MB of memory; send a shorter one")
+
+
+def test_a_bug_in_an_export_is_no_traceback(caplog: pytest.LogCaptureFixture) -> None:
+    refused = refusal_of("Traceback (most recent call last):\n  ...\nKeyError: 7", 200)
+    assert (refused.status, str(refused)) == (500, FAILED)
+    assert "KeyError: 7" in caplog.text
+
+
+@pytest.mark.skipif(os.name == "nt", reason="there, processes do not give way")
+def test_a_short_file_does_not_wait_for_a_long_one_that_came_first() -> None:
+    ended: list[str] = []
+
+    async def ask(session: aiohttp.ClientSession, address: str, name: str, sound: bytes) -> None:
+        form = aiohttp.FormData({"format": "rhubarb-tsv"})
+        form.add_field("sound", sound, filename=name)
+        async with session.post(f"{address}/export", data=form) as found:
+            await found.read()
+            ended.append(name)
+
+    async def both(address: str) -> None:
+        async with aiohttp.ClientSession() as session:
+            long = asyncio.create_task(ask(session, address, "long", silent_flac(7200)))
+            while (await (await session.get(address)).json())["files"] == 0:
+                await asyncio.sleep(0.01)
+            await ask(session, address, "short", SOUND)
+            long.cancel()
+            await asyncio.gather(long, return_exceptions=True)
+
+    with served(ServerSettings(port=0, limits=ServerLimits(most_files=1, longest_file=7200))) as address:
+        run(both(address))
+    assert ended == ["short"]
+
+
+def test_a_form_that_stops_coming_is_given_up() -> None:
+    async def ask(address: str) -> None:
+        reader, writer = await asyncio.open_connection("127.0.0.1", int(address.rsplit(":", 1)[1]))
+        head = "POST /export HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=x\r\n"
+        writer.write(f"{head}Content-Length: 1000\r\n\r\n--x\r\n".encode())
+        assert b"nothing came for 1 s" in await reader.read()
+        writer.close()
+
+    with served(ServerSettings(port=0, limits=ServerLimits(idle=1))) as address:
+        run(ask(address))
 
 
 def test_a_form_that_is_no_form_is_answered_by_a_sentence(server: str) -> None:

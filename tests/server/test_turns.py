@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.server import turns as room
+from phonemeanalyser.server.file_turns import FileTurns
 from phonemeanalyser.server.pace import Pace
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, load_preset, words_of
@@ -105,3 +106,95 @@ def test_a_pace_lets_some_come_at_once_and_then_so_much_a_second() -> None:
     now[0] = 1000.0
     assert pace.wait_after(5.0) == 0
     assert pace.wait_after(0.4) == pytest.approx(0.1)
+
+
+class Files:
+    """Files that clients want exported, at a time that is moved by hand."""
+
+    def __init__(self, most: int) -> None:
+        self.now = 0.0
+        self.turns = FileTurns(most, lambda: self.now)
+        self.begun: list[str] = []
+        self.gave_way: list[str] = []
+        self.tasks: list[asyncio.Task[None]] = []
+        self._ends: dict[str, asyncio.Event] = {}
+
+    async def export(self, name: str) -> None:
+        """Export a file, whose name begins with its address."""
+        self._ends[name] = asyncio.Event()
+        async with self.turns.turn(name[0]) as turn:
+            turn.give_way = lambda: self.gave_way.append(name)
+            self.begun.append(name)
+            await self._ends[name].wait()
+
+    async def begin(self, *names: str) -> None:
+        """Have files wait for their turn, in this order."""
+        self.tasks += [asyncio.create_task(self.export(name)) for name in names]
+        await self.go_on()
+
+    async def end(self, name: str) -> None:
+        self._ends[name].set()
+        await self.go_on()
+
+    async def go_on(self, seconds: float = 0.0) -> None:
+        self.now += seconds
+        self.turns.share()
+        for _ in range(5):  # until all that may begin has begun
+            await asyncio.sleep(0)
+
+
+def test_a_file_that_takes_long_keeps_no_other_one_waiting() -> None:
+    async def act() -> None:
+        files = Files(1)
+        await files.begin("a long", "b short")
+        assert files.begun == ["a long"]
+        await files.go_on(1.0)
+        assert (files.begun, files.gave_way) == (["a long"], [])
+        await files.go_on(1.0)
+        assert (files.begun, files.gave_way) == (["a long", "b short"], ["a long"])
+        await files.end("b short")
+        await files.begin("b next")
+        assert files.begun[-1] == "b next"
+
+    asyncio.run(act())
+
+
+def test_alone_a_file_gives_way_to_nobody() -> None:
+    async def act() -> None:
+        files = Files(1)
+        await files.begin("a")
+        await files.go_on(100.0)
+        assert files.gave_way == []
+        await files.begin("b")
+        assert (files.begun, files.gave_way) == (["a", "b"], ["a"])
+
+    asyncio.run(act())
+
+
+def test_addresses_take_turns_and_none_takes_all_places() -> None:
+    async def act() -> None:
+        files = Files(1)
+        await files.begin(*(f"a{k}" for k in range(9)), "b0")
+        await files.end("a0")
+        assert files.begun == ["a0", "a1"]  # a has none any more, and came first
+        for _ in range(9):
+            await files.go_on(2.0)
+        assert files.begun == ["a0", "a1", "b0", "a2", "a3"]  # four at once: those that take long keep their memory
+        await files.end("b0")
+        await files.go_on(2.0)
+        assert files.begun[-1] == "a3"  # the last place is for others
+        await files.begin("c0")
+        assert files.begun[-1] == "c0"
+
+    asyncio.run(act())
+
+
+def test_who_goes_while_waiting_leaves_the_turn_to_others() -> None:
+    async def act() -> None:
+        files = Files(1)
+        await files.begin("a", "b", "c")
+        files.tasks[1].cancel()
+        await files.end("a")
+        assert files.begun == ["a", "c"]
+
+    asyncio.run(act())

@@ -74,6 +74,10 @@ class IncomingSound:
     ----------
     form : what the bytes are.
 
+    Attributes
+    ----------
+    n_silenced : values that were NaN or infinite, and were taken as 0, as the ear in C does.
+
     Raises
     ------
     AudioError : Opus is asked for, and what decodes it is not installed.
@@ -84,7 +88,7 @@ class IncomingSound:
         is_opus = form.encoding is Encoding.OPUS
         self._decoder = OggOpusDecoder() if is_opus else PcmDecoder(_TYPES[form.encoding], form)
         self._resampler = Resampler(self._rate, 1, steady=True) if self._rate != SAMPLE_RATE else None
-        self._n_frames = self._n_given = 0
+        self._n_frames = self._n_given = self.n_silenced = 0
 
     @property
     def seconds(self) -> float:
@@ -103,10 +107,10 @@ class IncomingSound:
 
         Raises
         ------
-        AudioError : they are not what the format says, or hold NaN, infinity or samples far beyond ±1.
+        AudioError : they are not what the format says, or hold samples far beyond ±1.
         """
-        for block in self._decoder.blocks(data):
-            self._check(block)
+        for coded in self._decoder.blocks(data):
+            block = self._checked(coded)
             self._n_frames += len(block)
             mono = mono_of(block, Channel.MIX)
             if self._resampler is not None:
@@ -131,16 +135,21 @@ class IncomingSound:
         rest = self._resampler.resample(np.zeros((0, 1), np.float32), last=True)[:n_missing, 0]
         return np.pad(rest, (0, n_missing - len(rest)))
 
-    def _check(self, block: Float32Array) -> None:
-        sane = np.abs(block) <= LOUDEST  # NaN is not
-        if sane.all():
-            return
-        first = int((~sane).any(axis=1).argmax())
-        when, value = self.seconds + first / self._rate, block[first][~sane[first]][0]
-        raise AudioError(
-            f"samples must be finite numbers within ±1, found {value:g} at {when:.3f} s; check the format, or "
-            "repair the sound"
-        )
+    def _checked(self, block: Float32Array) -> Float32Array:
+        """Return a block with 0 for what is no number; refuse what is far too loud."""
+        if (np.abs(block) <= LOUDEST).all():  # NaN is not
+            return block
+        finite = np.isfinite(block)
+        self.n_silenced += int(np.count_nonzero(~finite))
+        block = np.where(finite, block, np.float32(0))
+        loud = np.abs(block) > LOUDEST
+        if loud.any():
+            first = int(loud.any(axis=1).argmax())
+            when, value = self.seconds + first / self._rate, block[first][loud[first]][0]
+            raise AudioError(
+                f"samples must lie within ±1, found {value:g} at {when:.3f} s; check the format, or repair the sound"
+            )
+        return block
 
 
 @functools.cache

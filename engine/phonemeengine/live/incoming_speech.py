@@ -85,6 +85,11 @@ class IncomingSpeech:
         return self._sound.seconds
 
     @property
+    def n_silenced(self) -> int:
+        """How many values were no finite numbers, and were taken as 0."""
+        return self._sound.n_silenced
+
+    @property
     def latency(self) -> float:
         """From the last sample of a frame to its phoneme, without the work, seconds."""
         return BEYOND + self._sound.delay + self.analyser.recogniser.look_ahead * FRAME_PERIOD
