@@ -8,7 +8,7 @@ from pathlib import Path
 from phonemeengine.analyser import analyse_file
 from phonemeengine.analysis_tables import TABLES
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import ExportError
+from phonemeengine.errors import ExportError, remedy
 from phonemeengine.files import Owns
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
@@ -76,7 +76,7 @@ def check_options(kind: str, options: ExportOptions | None) -> None:
     MouthError : the table cannot be used.
     """
     if kind not in CONVERSIONS:
-        raise ExportError(f"there is no kind of file {kind!r}; choose one of {', '.join(CONVERSIONS)}")
+        raise ExportError(f"there is no kind of file {kind!r}; {remedy(kind, CONVERSIONS)}")
     if CONVERSIONS[kind].moves_mouth:
         Exporter(kind, options)
 

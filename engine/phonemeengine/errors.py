@@ -23,7 +23,11 @@ EngineError
 Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+
+MOST_SUGGESTED = 3
+_SIMILAR = 0.6
+"""How alike a word is to one that may have been meant, 0..1, as `difflib` measures it."""
 
 
 class EngineError(Exception):
@@ -117,3 +121,29 @@ class UnknownPhonemeError(CorpusError):
 
 class TakeError(CorpusError):
     """Takes cannot be kept or used."""
+
+
+def meant_by(word: str, known: Iterable[str]) -> list[str]:
+    """Return the known words that may be meant by another one: those that begin alike, else those spelt alike."""
+    from difflib import get_close_matches  # noqa: PLC0415 - only where something is wrong
+
+    word, names = word.lower(), {name.lower(): name for name in known}
+    begun = [name for name in names if word and name.startswith(word)]
+    found = begun or get_close_matches(word, names, MOST_SUGGESTED, _SIMILAR)
+    return [names[name] for name in found[:MOST_SUGGESTED]]
+
+
+def remedy(word: str, known: Iterable[str], whole: str = "choose one of {}") -> str:
+    """Return the end of a sentence that refuses a word: what may have been meant, else what there is.
+
+    Parameters
+    ----------
+    word : what came.
+    known : what there is.
+    whole : what is said of all that there is.
+    """
+    names = [*known]
+    meant = meant_by(word, names)
+    if not meant:
+        return whole.format(", ".join(names))
+    return f"did you mean {', '.join(meant[:-1])}{' or ' if len(meant) > 1 else ''}{meant[-1]}?"

@@ -4,10 +4,13 @@ import argparse
 import math
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any, NoReturn
 
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, USUAL_CLIP_SIZE
-from phonemeengine import Channel, Detail, Ear
+from phonemeengine import FORMATS, Channel, Detail, Ear
 from phonemeengine.batch.remote import place_of
+from phonemeengine.errors import meant_by, remedy
+from phonemeengine.mouth.exports.formats import formats_for
 from phonemeengine.presets.ears import WITHOUT_ENCODER
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import MOST_CHANNELS
@@ -16,6 +19,30 @@ PRESET = "preset (.toml) or PhonemeData file"
 MOST_JOBS = 1024
 SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
 """Pixels along an edge of its pictures."""
+
+
+class CommandParser(argparse.ArgumentParser):
+    """Reads the arguments of a command, and refuses what is wrong in one sentence, with what may have been meant."""
+
+    def error(self, message: str) -> NoReturn:
+        """End the program, with a sentence about what is wrong."""
+        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+
+    def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Read the arguments; an unknown option is refused with those that are spelt alike."""
+        options, unknown = self.parse_known_args(args, namespace)
+        if unknown:
+            word = unknown[0].partition("=")[0]
+            known = {name.lstrip("-"): name for name in self._option_string_actions}
+            meant = [known[name] for name in meant_by(word.lstrip("-"), known)] if word.startswith("-") else []
+            self.error(f"{word!r} is unknown" + (f"; did you mean {' or '.join(meant)}?" if meant else ""))
+        return options
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        """Refuse a value that is none of an argument's choices."""
+        if action.choices is not None and value not in action.choices:
+            words = remedy(str(value), map(str, action.choices))
+            raise argparse.ArgumentError(action, f"there is no {value!r}; {words}")
 
 
 def add_preset(
@@ -122,6 +149,20 @@ def add_log(parser: argparse.ArgumentParser) -> None:
 def add_overwrite(parser: argparse.ArgumentParser) -> None:
     """Let the user have files replaced that were made in another way."""
     parser.add_argument("--overwrite", action="store_true", help="replace files that were made in another way, too")
+
+
+def format_of(options: argparse.Namespace, out: Path | None) -> str:
+    """Return the format of an export that was named by no --format, as its file ends.
+
+    Parameters
+    ----------
+    out : the file; None where there is none, or a folder.
+    """
+    found = [] if out is None else formats_for(out.name)
+    if len(found) != 1:
+        several = f"several formats end as {out.name!r} does" if out is not None and found else "--format is missing"
+        options.parser.error(f"{several}; choose one of {', '.join(found or FORMATS)}")
+    return found[0]
 
 
 def place(text: str) -> Path:

@@ -16,6 +16,7 @@ from phonemeanalyser.cli.arguments import (
     add_preset,
     add_script,
     add_sounds,
+    format_of,
     number,
     number_in,
 )
@@ -24,6 +25,7 @@ from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import (
     batch_options,
     file_preset,
+    is_single,
     jobs_of,
     n_failed,
     open_sound,
@@ -51,7 +53,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.epilog = _formats()
     add_sounds(parser)
     add_script(parser)
-    parser.add_argument("--format", choices=FORMATS, required=True, dest="kind", metavar="F", help="see below")
+    parser.add_argument(
+        "--format",
+        choices=FORMATS,
+        dest="kind",
+        metavar="F",
+        help="see below (default: as OUT ends, if one alone does)",
+    )
     add_preset(parser)
     add_ear(parser)
     parser.add_argument("--table", metavar="T", help=f"mouth table: a file, or one of {', '.join(shipped_tables())}")
@@ -75,6 +83,7 @@ def run(options: argparse.Namespace) -> int:
     """Export sound files as the command line asks; 1 where one could not be."""
     share_paths(options)
     idle = idle_of(options)
+    options.kind = options.kind or format_of(options, options.out if is_single(options.inputs, options.out) else None)
     written = ExportOptions(options.fps, options.minimum, options.anticipation, options.table, options.mesh, idle)
     exporter = Exporter(options.kind, written)
     if exporter.format.moves_mesh and options.out is None:

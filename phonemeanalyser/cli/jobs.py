@@ -28,7 +28,7 @@ from phonemeengine import (
 from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Say, Work
-from phonemeengine.files import printable, printable_name
+from phonemeengine.files import is_device, printable, printable_name
 
 SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
 """Arguments that name files which are opened where the work is done."""
@@ -61,9 +61,15 @@ def sounds_in(inputs: list[Path]) -> list[Path]:
     return [file for path in inputs for file, _ in _files_under(path)]
 
 
-def is_single(inputs: list[Path], out: Path) -> bool:
+def is_single(inputs: list[Path], out: Path | None) -> bool:
     """Return whether what is asked for is one file of one sound, not a folder of them."""
-    return len(inputs) == 1 and out.suffix != "" and not _is_folder(inputs[0]) and not _is_folder(out)
+    return (
+        out is not None
+        and len(inputs) == 1
+        and (out.suffix != "" or is_device(out))
+        and not _is_folder(inputs[0])
+        and not _is_folder(out)
+    )
 
 
 def is_batch(inputs: list[Path]) -> bool:
@@ -189,7 +195,7 @@ def _say_outcome(outcome: Outcome) -> None:
     if outcome.state is not JobState.SKIPPED:
         for name, note in outcome.notes:
             say_note(name, note)
-    if outcome.words:
+    if outcome.words and not outcome.is_fatal:  # of a full disk, the batch tells as it ends
         tqdm.write(f"phonemeanalyser: {outcome.words}", file=sys.stderr)
 
 

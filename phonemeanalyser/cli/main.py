@@ -3,14 +3,15 @@
 import importlib
 import os
 import sys
-from argparse import ArgumentParser, RawDescriptionHelpFormatter
+from argparse import RawDescriptionHelpFormatter
 from collections.abc import Sequence
 from types import ModuleType
 
-from phonemeanalyser.cli.arguments import add_log
+from phonemeanalyser.cli.arguments import CommandParser, add_log
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.logs import logged_to
 from phonemeengine import EngineError
+from phonemeengine.errors import meant_by
 from phonemeengine.processes import ENDS_WITH_INPUT, end_with_input
 
 COMMANDS = {
@@ -37,13 +38,17 @@ COMMANDS = {
 _TABLES, _TABLE = "--performance", ".sqlite"
 
 
+SPELLINGS = {"analyze": "analyse"}
+"""Commands as others spell them."""
+
+
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
     words = list(sys.argv[1:] if arguments is None else arguments)
     if os.environ.pop(ENDS_WITH_INPUT, ""):
         end_with_input()
     try:
-        command, rest = (words[0], words[1:]) if words and words[0] in COMMANDS else ("window", words)
+        command, rest = _command_in(words)
         module, parser = _module_of(command), _parser_of(command)
         parser.set_defaults(parser=parser)
         module.add_arguments(parser)
@@ -78,6 +83,23 @@ def _with_each_table(words: Sequence[str]) -> list[str]:
     return found
 
 
+def _command_in(words: list[str]) -> tuple[str, list[str]]:
+    """Return the command of a command line, and what follows it; what is no command is a file for the window.
+
+    Raises
+    ------
+    SystemExit : it is neither, but a command may have been meant.
+    """
+    first = SPELLINGS.get(words[0], words[0]) if words else ""
+    if first in COMMANDS:
+        return first, words[1:]
+    is_word = first.replace("-", "").isalpha() and not first.startswith("-") and not os.path.lexists(first)
+    if is_word and (meant := meant_by(first, COMMANDS)):
+        print(f"phonemeanalyser: there is no command {first!r}; did you mean {' or '.join(meant)}?", file=sys.stderr)
+        raise SystemExit(2)
+    return "window", words
+
+
 def _module_of(command: str) -> ModuleType:
     """Import the module of a command, and no other: nobody should wait for them."""
     if command == "preview":
@@ -85,11 +107,11 @@ def _module_of(command: str) -> ModuleType:
     return importlib.import_module(f"phonemeanalyser.cli.{command}")
 
 
-def _parser_of(command: str) -> ArgumentParser:
+def _parser_of(command: str) -> CommandParser:
     if command in COMMANDS:
-        return ArgumentParser(prog=f"phonemeanalyser {command}", description=COMMANDS[command])
+        return CommandParser(prog=f"phonemeanalyser {command}", description=COMMANDS[command])
     lines = "\n".join(f"  {name:<12}{words}" for name, words in COMMANDS.items())
-    return ArgumentParser(
+    return CommandParser(
         prog="phonemeanalyser",
         description="Calibrate real-time phoneme recognition for lip sync; without a command, in a window.",
         epilog=f"commands:\n{lines}\n\nFor each: phonemeanalyser COMMAND --help",

@@ -9,6 +9,7 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
+from phonemeanalyser.cli.arguments import format_of
 from phonemeanalyser.cli.driving import Driving, FaceTrack
 from phonemeanalyser.cli.expression import idle_of
 from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, print_bytes
@@ -69,8 +70,10 @@ class SpeechFiles:
         ------
         EngineError : it cannot be written, or another file is there.
         """
-        if (options.export is None) != (options.kind is None):
-            raise EngineError("--export and --format go together; name both")
+        if options.export is None and options.kind is not None:
+            raise EngineError("--format is of a file for another program; name it with --export")
+        if options.export is not None and options.kind is None:
+            options.kind = format_of(options, options.export)
         written = ExportOptions(rate=options.fps, idle=idle_of(options))
         exporter = Exporter(options.kind, written) if options.kind else None
         files = cls(

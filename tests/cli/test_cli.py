@@ -92,8 +92,9 @@ def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixtur
     assert end.value.code == 2
     said = capsys.readouterr()
     assert said.out == ""
-    assert said.err.startswith("usage: phonemeanalyser")
-    assert "Traceback" not in said.err
+    (sentence,) = said.err.splitlines()
+    assert sentence.startswith("phonemeanalyser")
+    assert sentence.endswith(" --help")
 
 
 @pytest.mark.parametrize("words", [["--help"], ["analyse", "--help"], ["screenshot", "--help"]])
@@ -102,6 +103,44 @@ def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> 
         main(words)
     assert end.value.code == 0
     assert "usage: phonemeanalyser" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (["analyse", "x.wav", "--fromat", "csv"], "analyse: '--fromat' is unknown; did you mean --format?"),
+        (
+            ["analyse", "x.wav", "--format", "jsn"],
+            "analyse: argument --format: there is no 'jsn'; did you mean json?",
+        ),
+        (["exprot", "x.wav"], "there is no command 'exprot'; did you mean export?"),
+        (["movestates", "inof", "x"], "movestates: argument WHAT: there is no 'inof'; did you mean info?"),
+        (
+            ["export", "x.wav", "--format", "rhubarb"],
+            "export: argument --format: there is no 'rhubarb'; did you mean rhubarb-tsv, rhubarb-xml or rhubarb-json",
+        ),
+        (
+            ["export", "x.wav", "-o", "x.json"],
+            "export: several formats end as 'x.json' does; choose one of rhubarb-json, curves-json; see",
+        ),
+        (["export", "x.wav", "-o", "x.fbx"], "export: --format is missing; choose one of rhubarb-tsv, rhubarb-xml"),
+    ],
+)
+def test_what_is_spelt_wrong_is_refused_with_what_may_be_meant(
+    words: list[str], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(words)
+    assert end.value.code == 2
+    (said,) = capsys.readouterr().err.splitlines()
+    assert said.removeprefix("phonemeanalyser").lstrip(": ").startswith(sentence)
+
+
+def test_analyse_may_be_spelt_as_americans_do(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["analyze", str(sound)]) == 0
+    american = capsys.readouterr().out
+    assert main(["analyse", str(sound)]) == 0
+    assert capsys.readouterr().out == american != ""
 
 
 def test_help_lists_every_command_with_a_line(capsys: pytest.CaptureFixture[str]) -> None:

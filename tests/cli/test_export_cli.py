@@ -1,6 +1,9 @@
 """`phonemeanalyser export`: sound files in, files of other programs out."""
 
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +19,7 @@ from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import ODD_FILES
+from tests.conftest import ROOT
 from tests.glb_faces import face_with_targets
 from tests.sounds import silence
 from tests.tables import outputs_in, refused
@@ -198,7 +202,8 @@ def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixtur
     with pytest.raises(SystemExit) as end:
         main(["export", *words])
     assert end.value.code == 2
-    assert capsys.readouterr().err.startswith("usage: phonemeanalyser export")
+    (sentence,) = capsys.readouterr().err.splitlines()
+    assert sentence.startswith("phonemeanalyser export: ")
 
 
 def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture[str]) -> None:
@@ -208,3 +213,35 @@ def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture
     said = capsys.readouterr().out
     assert all(f"  {name}" in said for name in FORMATS)
     assert "Papagayo-NG (24 fps, ahead 0.04 s, table preston-blair)" in said
+
+
+@pytest.mark.parametrize(
+    ("name", "kind"),
+    [("x.tsv", "rhubarb-tsv"), ("x.pgo", "papagayo-pgo"), ("x.glb", "gltf"), ("x.LiveLink.csv", "livelink-csv"),
+     ("x.curves.json", "curves-json"), ("x.anno", "anno")],
+)  # fmt: skip
+def test_the_ending_of_a_file_says_its_format_where_one_alone_ends_so(
+    name: str, kind: str, sound: Path, tmp_path: Path
+) -> None:
+    assert main(["export", str(sound), "-o", str(tmp_path / name)]) == 0
+    assert main(["export", str(sound), "-o", str(tmp_path / "named"), "--format", kind, "--overwrite"]) == 0
+    (named,) = (tmp_path / "named").iterdir()
+    assert (tmp_path / name).read_bytes() == named.read_bytes()
+
+
+def test_standard_output_has_what_a_file_would_have(sound: Path, tmp_path: Path) -> None:
+    for kind in ("rhubarb-tsv", "gltf"):
+        words = [sys.executable, "-m", "phonemeanalyser", "export", sound, "--format", kind, "-o"]
+        environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
+        printed = subprocess.run([*words, "-"], cwd=tmp_path, env=environment, capture_output=True, check=True).stdout
+        subprocess.run([*words, tmp_path / "file.x"], cwd=tmp_path, env=environment, check=True)
+        assert printed == (tmp_path / "file.x").read_bytes()
+        (tmp_path / "file.x").unlink()
+    assert [path.name for path in tmp_path.iterdir()] == [sound.name]
+
+
+@pytest.mark.skipif(not Path("/dev/full").is_char_device(), reason="this system has no device that is always full")
+def test_a_full_disk_is_told_once(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    said = refused(capsys, "export", sound, "--format", "anno", "-o", "/dev/full")
+    assert said == "/dev/full: cannot be written (No space left on device); choose another place"
+    assert Path("/dev/full").is_char_device()

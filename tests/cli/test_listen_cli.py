@@ -114,7 +114,7 @@ def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixtur
     assert end.value.code == 2
     said = capsys.readouterr()
     assert said.out == ""
-    assert said.err.startswith(f"usage: phonemeanalyser {words[0]}")
+    assert said.err.startswith(f"phonemeanalyser {words[0]}: ")
 
 
 @pytest.mark.parametrize("command", ["listen", "record"])

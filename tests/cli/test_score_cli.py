@@ -294,4 +294,4 @@ def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixtur
     assert end.value.code == 2
     said = capsys.readouterr()
     assert said.out == ""
-    assert said.err.startswith("usage: phonemeanalyser score")
+    assert said.err.startswith("phonemeanalyser score: ")

@@ -248,6 +248,8 @@ class _Batch:
         self.note(outcomes)
         fatal = next((outcome for outcome in outcomes if outcome.is_fatal), None)
         if fatal is not None:
+            if len(self.jobs) == 1:
+                raise BatchError(fatal.words)
             raise BatchError(
                 f"{fatal.words}; the disk is full, so the batch ends here: make room, and start it again, which goes "
                 "on where it was"

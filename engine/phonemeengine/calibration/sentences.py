@@ -6,7 +6,7 @@ says `phonemeengine.labels.phone_sets`. Each holds all vowels, m, p, s, and sh w
 
 from dataclasses import dataclass
 
-from phonemeengine.errors import CorpusError
+from phonemeengine.errors import CorpusError, remedy
 from phonemeengine.labels.phone_sets import ipa_class, split_ipa
 from phonemeengine.text.pronunciation import Pronunciation, ScriptWord
 from phonemeengine.text.syllables import SpokenSyllable
@@ -129,5 +129,5 @@ def sentences_in(language: str) -> tuple[Sentence, Sentence]:
     """
     found = [sentence for sentence in SENTENCES if sentence.language.lower() == language.lower()]
     if not found:
-        raise CorpusError(f"there is no sentence in {language!r}; choose one of {', '.join(LANGUAGES)}")
+        raise CorpusError(f"there is no sentence in {language!r}; {remedy(language, LANGUAGES)}")
     return found[0], found[1]

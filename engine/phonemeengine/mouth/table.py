@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, ShortRepr
-from phonemeengine.errors import MouthError
+from phonemeengine.errors import MouthError, remedy
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
@@ -144,8 +144,8 @@ def load_table(name: str | os.PathLike[str]) -> MouthTable:
     path = shipped if str(name) in shipped_tables() else Path(name)
     shown = printable_name(path)
     if not os.path.lexists(path):
-        known = ", ".join(shipped_tables())
-        raise MouthError(f"{shown}: there is no such mouth table; name a file, or one of {known}")
+        words = remedy(shown, shipped_tables(), "name a file, or one of {}")
+        raise MouthError(f"{shown}: there is no such mouth table; {words}")
     text = read_text_file(path, LARGEST_FILE, "a mouth table (.toml)", MouthError)
     try:
         return table_of(text)

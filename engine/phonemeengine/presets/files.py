@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TypeVar
 
 from phonemeengine.encoder.head import load_head, save_head
-from phonemeengine.errors import EngineError, ModelError, PresetError
+from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
 from phonemeengine.files import read_text_file, write_file
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
@@ -48,8 +48,8 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     """
     path = preset_path(path)
     if path.name == str(path) and not path.suffix and not path.exists():
-        known = ", ".join(sorted(_names()))
-        raise PresetError(f"{path}: there is no such preset; name a file, or one of {known}")
+        words = remedy(str(path), sorted(_names()), "name a file, or one of {}")
+        raise PresetError(f"{path}: there is no such preset; {words}")
     text = read_text_file(path, LARGEST_FILE, "a .toml or .phonemedata file", PresetError)
     try:
         if path.suffix.lower() == ".toml":

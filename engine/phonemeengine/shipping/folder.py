@@ -4,7 +4,7 @@ import os
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
-from phonemeengine.errors import ExportError
+from phonemeengine.errors import ExportError, remedy
 from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
@@ -68,7 +68,7 @@ def ship(
         written.
     """
     if target not in TARGETS:
-        raise ExportError(f"there is no target {target!r:.40}; choose one of {', '.join(TARGETS)}")
+        raise ExportError(f"there is no target {target!r:.40}; {remedy(target, TARGETS)}")
     folder = Path(folder)
     files = {TARGETS[target].preset: format_ear(preset, tables), **TARGETS[target].files()}
     for name, content in files.items():

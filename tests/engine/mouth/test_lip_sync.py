@@ -53,7 +53,7 @@ def test_an_export_holds_the_cues(sound: Path, tmp_path: Path) -> None:
 def test_a_refusal_leaves_the_old_file(sound: Path, tmp_path: Path) -> None:
     target = tmp_path / "speech.json"
     target.write_text("old")
-    with pytest.raises(ExportError, match="there is no format 'rhubarb'; choose one of rhubarb-tsv"):
+    with pytest.raises(ExportError, match="there is no format 'rhubarb'; did you mean rhubarb-tsv, "):
         export(sound, target, "rhubarb", PRESET)
     with pytest.raises(AudioError, match=r"^missing\.wav: "):
         export(tmp_path / "missing.wav", tmp_path / "new.json", "rhubarb-json", PRESET)

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from phonemeengine.errors import ExportError
+from phonemeengine.errors import ExportError, remedy
 from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import Export
@@ -57,7 +57,7 @@ class Exporter:
 
     def __init__(self, name: str, options: ExportOptions | None = None) -> None:
         if name not in FORMATS:
-            raise ExportError(f"there is no format {name!r}; choose one of {', '.join(FORMATS)}")
+            raise ExportError(f"there is no format {name!r}; {remedy(name, FORMATS)}")
         self.name, self.format = name, FORMATS[name]
         self._options = options or ExportOptions()
         self.idle = self._options.idle

@@ -69,6 +69,13 @@ class Format:
         return f"{self.mark}{self.ending}"
 
 
+def formats_for(name: str) -> list[str]:
+    """Return the formats whose files end as a name does, such as ``x.livelink.csv`` or ``x.csv``."""
+    name = name.lower()
+    whole = [kind for kind, form in FORMATS.items() if form.mark and name.endswith(form.full_ending.lower())]
+    return whole or [kind for kind, form in FORMATS.items() if name.endswith(form.ending.lower())]
+
+
 def _letters(ending: str, write: Callable[[Export], Iterator[str]], owns: Owns | None = None) -> Format:
     return Format(
         ending, write, "rhubarb", "Rhubarb Lip Sync", anticipation=DRAWINGS_AHEAD, shapes=rhubarb.SHAPES,

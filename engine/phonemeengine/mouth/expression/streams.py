@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.errors import MouthError
+from phonemeengine.errors import MouthError, remedy
 from phonemeengine.files import read_text_file
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.channels import columns_of
@@ -139,5 +139,6 @@ def _columns_named(name: str, known: Mapping[str, Float32Array]) -> list[int]:
         return columns_of(name)
     except MouthError:
         raise MouthError(
-            f"there is no expression {name[:40]!r}; choose one of {', '.join(known)}, or a shape such as mouthSmile"
+            f"there is no expression {name[:40]!r}; "
+            + remedy(name, known, "choose one of {}, or a shape such as mouthSmile")
         ) from None
