@@ -14,6 +14,8 @@ from phonemeengine.labels.textgrid import Tier, format_grid, tiers_of
 
 SHORTEST = 0.005
 """Seconds that a label lasts at least when it is edited."""
+TRANSCRIPTION, CERTAINTY = "transcription", "certainty"
+"""The tiers of a TextGrid that keep the columns phone and certainty of the corpus format."""
 BY_HAND = "by hand"
 """Where labels stand that are in no file yet."""
 
@@ -50,6 +52,9 @@ def _tiers_as_they_stand(path: Path) -> tuple[Tier, ...]:
 def write_tiers(tiers: Sequence[Tier], path: Path, *, duration: float = 0.0) -> None:
     """Write tiers to a label file; the old file stays until the new one is complete.
 
+    In a TextGrid, what the corpus format says besides of labels becomes tiers of its own, ``transcription`` and
+    ``certainty``; in Audacity's labels it is lost, see `columns_lost`.
+
     Parameters
     ----------
     tiers : all of a TextGrid, or the one of another file.
@@ -63,7 +68,7 @@ def write_tiers(tiers: Sequence[Tier], path: Path, *, duration: float = 0.0) -> 
     name, suffix = printable_name(path), path.suffix.lower()
     if suffix == ".textgrid":
         ends = [raw.end for tier in tiers for raw in tier.raw_labels]
-        write_text(format_grid(tiers, max([duration, *ends])), path)
+        write_text(format_grid([*tiers, *_tiers_of_columns(tiers)], max([duration, *ends])), path)
         return
     if suffix not in LABEL_SUFFIXES:
         raise CorpusError(f"{name}: labels are written to .TextGrid, .txt and .csv files; choose such a name")
@@ -75,6 +80,28 @@ def write_tiers(tiers: Sequence[Tier], path: Path, *, duration: float = 0.0) -> 
         write_text(table.table_of(table.COLUMNS, rows), path)
     else:
         write_text("".join(f"{x.start:.6f}\t{x.end:.6f}\t{x.name}\n" for x in labels), path)
+
+
+def columns_lost(tiers: Sequence[Tier], path: Path) -> tuple[str, ...]:
+    """Return the columns of the corpus format that labels have and a label file of such a name does not hold."""
+    if path.suffix.lower() != ".txt":
+        return ()
+    labels = [raw for tier in tiers for raw in tier.raw_labels]
+    lost = {
+        "phone": any(raw.phone not in {None, raw.name} for raw in labels),
+        "certainty": any(raw.certainty not in {None, CORE} for raw in labels),
+    }
+    return tuple(name for name, is_lost in lost.items() if is_lost)
+
+
+def _tiers_of_columns(tiers: Sequence[Tier]) -> list[Tier]:
+    """Return what the corpus format says of labels besides their names, a tier for each column."""
+    labels = [raw for tier in tiers for raw in tier.raw_labels]
+    columns = {
+        TRANSCRIPTION: [replace(raw, name=raw.phone) for raw in labels if raw.phone],
+        CERTAINTY: [replace(raw, name=raw.certainty) for raw in labels if raw.certainty],
+    }
+    return [Tier(name, tuple(found)) for name, found in columns.items() if found]
 
 
 def labels_beside(sound: Path) -> Path | None:

@@ -16,7 +16,16 @@ from phonemeengine.files import printable_name
 from phonemeengine.labels.files import known_labels, phoneme_tier_of
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.labels.textgrid import Tier
-from phonemeengine.labels.tiers import deleted, inserted, labels_beside, moved, read_tiers, renamed, write_tiers
+from phonemeengine.labels.tiers import (
+    columns_lost,
+    deleted,
+    inserted,
+    labels_beside,
+    moved,
+    read_tiers,
+    renamed,
+    write_tiers,
+)
 from phonemeengine.whole_sound import FrameState, SoundTracks
 
 MOST_SHOWN = 3
@@ -168,6 +177,9 @@ class LabelTiers(QObject):
             return False
         self.path, self._saved = path, self.tiers
         self.info.emit(tr("Saved the labels as {path}").format(path=path))
+        if lost := columns_lost(self.tiers, path):
+            words = tr("Saved the labels as {path}, without {columns}, which Audacity's labels do not hold.")
+            self.info.emit(words.format(path=path, columns=", ".join(lost)))
         self.changed.emit()
         return True
 

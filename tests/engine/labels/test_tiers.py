@@ -6,10 +6,13 @@ import parselmouth
 import pytest
 
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.files import phoneme_tier_of
 from phonemeengine.labels.label import RawLabel
+from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import (
     SHORTEST,
+    columns_lost,
     deleted,
     inserted,
     labels_beside,
@@ -59,6 +62,22 @@ def test_the_corpus_format_keeps_phone_and_certainty_of_what_is_not_renamed(tmp_
     assert path.read_text().splitlines()[1:] == [
         "0.100000,0.200000,ɛ,e,ambiguous", "0.200000,0.300000,sz,sz,core",
     ]  # fmt: skip
+
+
+def test_a_textgrid_keeps_the_columns_of_the_corpus_format_as_tiers(tmp_path: Path) -> None:
+    path = tmp_path / "x.csv"
+    path.write_text("start_s,end_s,phone,class,certainty\n0.1,0.2,ɛ,e,ambiguous\n0.2,0.3,ʃ,sch,core\n")
+    found = read_tiers(path)
+    write_tiers(found, tmp_path / "x.TextGrid", duration=0.5)
+    again = read_tiers(tmp_path / "x.TextGrid")
+    assert {t.name: [name for _, _, name in shown(t)] for t in again} == {
+        "x": ["e", "sch"], "transcription": ["ɛ", "ʃ"], "certainty": ["ambiguous", "core"],
+    }  # fmt: skip
+    assert {tuple((start, end) for start, end, _ in shown(t)) for t in again} == {((0.1, 0.2), (0.2, 0.3))}
+    assert phoneme_tier_of(again, PhonemeMap()).name == "x"
+    assert columns_lost(found, tmp_path / "x.TextGrid") == ()
+    assert columns_lost(found, tmp_path / "x.txt") == ("phone", "certainty")
+    assert columns_lost([MA], tmp_path / "x.txt") == ()
 
 
 def test_a_boundary_moves_with_the_label_that_touches_it() -> None:
