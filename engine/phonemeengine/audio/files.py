@@ -4,7 +4,7 @@ import io
 import math
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
 from typing import BinaryIO
@@ -260,6 +260,22 @@ class SoundReader(Closing):
 def is_sound(path: Path) -> bool:
     """Return whether a file is a sound by its name; what macOS lays beside files (``._x.wav``) is none."""
     return path.suffix.lower() in SUFFIXES and not path.name.startswith("._") and "__MACOSX" not in path.parts
+
+
+def once_each(sounds: Iterable[Path]) -> tuple[list[Path], dict[Path, Path]]:
+    """Return the sounds of a folder, each recording once, and the copies in other formats, each with what it copies.
+
+    Files that differ in their endings alone are one recording: ``x.wav`` counts, before ``x.flac``, before others.
+    """
+    groups: dict[str, list[Path]] = {}
+    for sound in sounds:
+        groups.setdefault(str(sound.with_suffix("")), []).append(sound)
+    order = {".wav": 0, ".flac": 1}
+    kept = {
+        name: min(group, key=lambda x: (order.get(x.suffix.lower(), 2), x.name)) for name, group in groups.items()
+    }
+    copies = {sound: kept[name] for name, group in groups.items() for sound in group if sound != kept[name]}
+    return list(kept.values()), copies
 
 
 def sounds_under(folder: str | os.PathLike[str]) -> list[Path]:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.audio.files import SoundReader, is_sound
+from phonemeengine.audio.files import SoundReader, is_sound, once_each
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
@@ -93,8 +93,9 @@ def find_recordings(folder: Path) -> Corpus:
         files = {path.name.lower(): path for path in sorted(folder.iterdir())}
     except OSError as error:
         raise CorpusError(f"{printable_name(folder)}: this folder cannot be read ({error.strerror})") from error
-    sounds = [path for path in files.values() if is_sound(path)]
+    sounds, copies = once_each(path for path in files.values() if is_sound(path))
     found = [_recording_of(sound, files) for sound in sounds]
+    found += [f"{printable_name(x)}: it is left out, as {printable_name(of)} is the same" for x, of in copies.items()]
     recordings = tuple(entry for entry in found if isinstance(entry, RecordingFiles))
     if not recordings:
         raise CorpusError(

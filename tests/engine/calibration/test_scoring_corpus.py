@@ -11,11 +11,12 @@ import soundfile
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_corpus
+from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_corpus, read_recordings
 from phonemeengine.calibration.scores.evaluation import Predictions, group_scores_of, kind_of, score
 from phonemeengine.calibration.scores.scoring import scores_of
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
@@ -189,6 +190,16 @@ def test_a_sound_that_cannot_be_read_is_told_and_left_out(tmp_path: Path) -> Non
     assert len(told) == 2
     with pytest.raises(CorpusError, match="no labelled sound that can be scored"):
         score(THESIS, [utterances[1]], on_skipped=told.append)
+
+
+def test_a_recording_that_is_there_in_two_formats_is_scored_once_unless_it_is_named(tmp_path: Path) -> None:
+    (tmp_path / "takes").mkdir()
+    for name in ("a.flac", "a.wav", "b.flac"):
+        soundfile.write(tmp_path / "takes" / name, silence(1.0), SAMPLE_RATE)
+    for name in ("a", "b"):
+        write_labels([Label(0.0, 1.0, "", Phoneme.SILENCE)], tmp_path / "takes" / f"{name}.csv")
+    assert [x.path.name for x in read_recordings(tmp_path)] == ["a.wav", "b.flac"]
+    assert [x.path.name for x in read_recordings(tmp_path / "takes" / "a.flac")] == ["a.flac"]
 
 
 def test_recordings_without_labels_are_given_only_to_those_who_ask(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 
 from phonemeengine import AudioError, CorpusError
 from phonemeengine.labels.textgrid import format_tiers
@@ -93,6 +94,15 @@ def test_what_lacks_a_file_is_left_out_and_said(tmp_path: Path) -> None:
         "faceless.wav: it is left out, as there is no face beside it",
         "unlabelled.wav: it is left out, as there is no face beside it",
     )
+
+
+def test_a_recording_that_is_there_in_two_formats_counts_once(tmp_path: Path) -> None:
+    write_recording(tmp_path)
+    samples, rate = soundfile.read(tmp_path / "mami.wav")
+    soundfile.write(tmp_path / "mami.flac", samples, rate)
+    corpus = find_recordings(tmp_path)
+    assert [recording.sound.name for recording in corpus.recordings] == ["mami.wav"]
+    assert corpus.notes == ("mami.flac: it is left out, as mami.wav is the same",)
 
 
 def test_a_folder_tells_what_it_is_called_and_whether_a_model_moved(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, UInt8Array
-from phonemeengine.audio.files import SoundReader, is_sound
+from phonemeengine.audio.files import SoundReader, is_sound, once_each
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.files import printable_name
@@ -157,7 +157,8 @@ def read_recordings(
     Parameters
     ----------
     source : a folder with a manifest, or one in which, however deep, sounds lie beside label files of the same name
-        (.TextGrid, .csv, .txt; of takes, the .csv counts), or one sound with its label file.
+        (.TextGrid, .csv, .txt; of takes, the .csv counts), or one sound with its label file. Where a recording is
+        there as x.wav and x.flac, it counts once.
     mapping : what names stand for that nobody knows.
     speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
@@ -246,9 +247,10 @@ def _marks_of(pair: _Pair, mapping: PhonemeMap, tier: str | None) -> tuple[tuple
 def _pairs_beside(source: Path, speaker: str | None, channel: Channel) -> Iterator[_Pair]:
     deep = source.is_dir()
     top = source if deep else source.parent
-    for sound, labels in _labelled_sounds_in(os.walk(top) if deep else islice(os.walk(top), 1)):
-        if deep or sound == source:
-            yield _Pair(sound, labels, speaker or sound.parent.absolute().name, top.absolute().name, channel)
+    found = dict(_labelled_sounds_in(os.walk(top) if deep else islice(os.walk(top), 1)))
+    for sound in once_each(found)[0] if deep else [path for path in found if path == source]:
+        labels = found[sound]
+        yield _Pair(sound, labels, speaker or sound.parent.absolute().name, top.absolute().name, channel)
 
 
 def _labelled_sounds_in(walk: Iterable[tuple[str, list[str], list[str]]]) -> Iterator[tuple[Path, Path]]:
