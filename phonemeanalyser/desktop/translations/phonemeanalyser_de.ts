@@ -4521,6 +4521,11 @@
             <translation>Die Beschriftungen sind als {path} gespeichert</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
+            <source>Saved the labels as {path}, without {columns}, which Audacity's labels do not hold.</source>
+            <translation>Labels als {path} gespeichert, ohne {columns}; das fasst das Format von Audacity nicht.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Saved the spoken text as {path}, with words and phones beside it</source>
             <translation>Der gesprochene Text ist als {path} gespeichert, mit Wörtern und Phonen daneben</translation>
