@@ -6,7 +6,7 @@ A mouth moves also without sound, or in step with a recording; by pinyin, where 
 import argparse
 import re
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_literal, add_overwrite, add_preset, number
@@ -209,13 +209,14 @@ def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: s
     )
     if skipped := files.write_silent(silent, options.file.name if options.file else "text"):
         named = ", ".join(repr(word[:20]) for word in skipped[:SHOWN]) + (" ..." if len(skipped) > SHOWN else "")
-        say_note("the text", f"{named} has no sound that is known, and is left out{_missing()}")
+        say_note("the text", f"{named} has no sound that is known, and is left out{_missing(skipped)}")
 
 
-def _missing() -> str:
-    """Return what to install for words of other scripts in Chinese; empty where it is there."""
+def _missing(skipped: Sequence[str]) -> str:
+    """Return what to install for Latin words that are not spoken in Chinese; empty where there are none, or it is."""
     try:
-        language_of(ENGLISH)
+        if any(word[0].isascii() for word in skipped):
+            language_of(ENGLISH)
     except VoiceError as error:
-        return f"; for words {error}"
+        return f"; {error}"
     return ""

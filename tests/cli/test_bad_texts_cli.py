@@ -176,10 +176,10 @@ def test_a_text_that_turns_out_unspeakable_leaves_no_file(tmp_path: Path, capsys
     assert list(tmp_path.iterdir()) == []
 
 
-def with_loader(folder: Path, code: str) -> "subprocess.CompletedProcess[str]":
+def with_loader(folder: Path, code: str, *said: str) -> "subprocess.CompletedProcess[str]":
     """Speak in another process, in which the package espeakng_loader is this."""
     (folder / "espeakng_loader.py").write_text(code, encoding="utf-8")
-    words = ["speak", "Hallo", "--language", "de", "--labels", str(folder / "o.TextGrid")]
+    words = ["speak", *(said or ("Hallo", "--language", "de", "--labels", str(folder / "o.TextGrid")))]
     places = {"PYTHONPATH": os.pathsep.join([str(folder), str(ROOT / "engine"), str(ROOT)])}
     environment = os.environ | places | {"XDG_CACHE_HOME": str(folder / "cache")}
     command = [sys.executable, "-m", "phonemeanalyser", *words]
@@ -195,6 +195,18 @@ def test_without_a_voice_one_sentence_says_what_to_install(tmp_path: Path) -> No
         "install libespeak-ng1 of your system\n"
     )
     assert not (tmp_path / "o.TextGrid").exists()
+
+
+@pytest.mark.skipif(ctypes.util.find_library("espeak-ng") is not None, reason="the system has a voice")
+def test_without_a_voice_silent_chinese_is_planned_and_its_latin_words_are_told(tmp_path: Path) -> None:
+    missing = "raise ImportError('not installed')"
+    ended = with_loader(tmp_path, missing, "我用OK", "--silent", "--plan", "-")
+    assert ended.returncode == 0
+    assert [line.split(",")[4] for line in ended.stdout.splitlines()[1:]] == ["我", "用"]
+    assert "'OK' has no sound that is known, and is left out; no voice is installed: espeak-ng is" in ended.stderr
+    ended = with_loader(tmp_path, missing, "Tag", "--language", "de", "--silent", "--plan", "-")
+    assert (ended.returncode, ended.stdout) == (1, "")
+    assert ended.stderr.startswith("phonemeanalyser: no voice is installed: espeak-ng is missing; pip install")
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="the cache's place is asked for as Linux has it")

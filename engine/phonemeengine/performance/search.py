@@ -12,6 +12,8 @@ Inventory = Mapping[UnitKind, frozenset[tuple[str, ...]]]
 
 LIPS = ("labiovelar", "labiodental", "bilabial", "front rounded vowel", "rounded vowel")
 """Classes of sounds that lips make: nobody takes such a sound for another one."""
+_TEETH = "dental"
+"""The class of sounds that show the tongue: these, too, are taken for each other alone."""
 PLACES = (
     *LIPS, "dental", "postalveolar", "alveolo-palatal", "retroflex", "alveolar", "palatal", "velar", "uvular",
     "pharyngeal", "glottal", "open vowel", "mid vowel", "close vowel", "apical vowel", "front vowel", "back vowel",
@@ -79,13 +81,14 @@ def likest(name: str, inventory: Inventory, kind: UnitKind) -> str:
     side = -1 if kind is UnitKind.RIGHT_HALF else 0
     classes, openness = _classes_of(name, side), _openness_of(name, side)
 
-    def likeness(other: str) -> tuple[bool, int, int, float, str]:
+    def likeness(other: str) -> tuple[bool, bool, int, int, float, str]:
         theirs = _classes_of(other, side)
         common = classes & theirs
         place = next((k for k, place in enumerate(PLACES) if place in common), len(PLACES))
         same_lips = (classes & {*LIPS}) == (theirs & {*LIPS})
+        same_teeth = (_TEETH in classes) == (_TEETH in theirs)
         farther = abs(_openness_of(other, side) - openness)
-        return same_lips, -place, -farther, len(common) / max(len(classes | theirs), 1), other
+        return same_lips, same_teeth, -place, -farther, len(common) / max(len(classes | theirs), 1), other
 
     known = (names[0] for names in inventory[kind])
     return max((other for other in known if other != SILENCE), key=likeness, default=SILENCE)

@@ -95,6 +95,12 @@ def test_a_vowel_that_nobody_said_looks_like_the_one_that_is_as_open(vowel: str,
     assert likest(vowel, table, UnitKind.LEFT_HALF) == like
 
 
+def test_what_is_no_dental_shows_no_tongue() -> None:
+    table = inventory_of(performance_of("θaɹa sana"))
+    assert likest("ʁ", table, UnitKind.LEFT_HALF) == "ɹ"
+    assert likest("ð", table, UnitKind.LEFT_HALF) == "θ"
+
+
 def test_a_sound_of_the_lips_is_never_taken_for_one_of_the_tongue() -> None:
     table = inventory_of(performance_of("mana ka"))
     assert likest("ŋ", table, UnitKind.LEFT_HALF) == "k"  # m is a nasal too, but its lips are shut
