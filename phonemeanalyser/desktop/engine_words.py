@@ -69,7 +69,6 @@ WORDS = (
     tr_noop("The rules of the thesis as it describes them: weak, but every step shows."),
     tr_noop("The rules of the thesis with the 21 numbers of a PhonemeData file."),
     # how it is heard, and listened
-    tr_noop('pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices'),
     tr_noop("Whisper base and network"),
     tr_noop("not listening"), tr_noop("opening the microphone"),
     tr_noop("there is no microphone; plug one in, or check that the sound system runs"),

@@ -57,6 +57,8 @@ VOWELS = ([*CORNERS[0], Phoneme.E, Phoneme.O], [*CORNERS[1], Viseme.E, Viseme.OH
 """Of each kind. A network that learned some vowels alone would hear them in all others too."""
 GIVEN_TO_SILENCE = 0.5
 """By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
+MEASURED = ("by_look_ahead_ms", "macro_f1")
+"""What a model tells of its training's figures, which are not those of an adapted one."""
 STEP_SIZES = (1.0, 0.5, 0.25)
 """Shares of the way from the model to what it learned, the boldest first."""
 
@@ -122,8 +124,9 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
     stats = [_LabelStats.of(encoded, kind) for kind in range(len(encoded[0].codes))]
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
     tuned_model = _fine_tuned(model, _segments_of(encoded, stats, len(model.heads)), anchors)
+    told = {name: value for name, value in model.about.items() if name not in MEASURED}
     warps = NO_WARP if stats[0].competing[CORNERS[0]].all() else model.warps
-    return tuple(replace(_interpolated(model, tuned_model, share), warps=warps) for share in STEP_SIZES)
+    return tuple(replace(_interpolated(model, tuned_model, share), warps=warps, about=told) for share in STEP_SIZES)
 
 
 def adapt_to_takes(

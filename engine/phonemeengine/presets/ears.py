@@ -47,7 +47,7 @@ def for_files(preset: Preset, ear: Ear | None = None) -> Preset:
 def offered_ear(preset: Preset) -> Ear:
     """Return the best ear for files that a preset has, as far as can be seen without making it."""
     ear = preset.file_ear
-    while ear is not Ear.LIVE and not _is_offered(preset, ear):
+    while ear is not Ear.LIVE and not has_ear(preset, ear):
         ear = _NEXT[ear]
     return ear
 
@@ -96,8 +96,10 @@ def ear_in_words(preset: Preset) -> str:
     return f"twin, {seconds:g} s each way" if model.centred else f"{preset.recogniser}, {1000 * seconds:g} ms ahead"
 
 
-def _is_offered(preset: Preset, ear: Ear) -> bool:
-    """Return whether an ear seems to be there, so that a word is worth it where it is not."""
+def has_ear(preset: Preset, ear: Ear) -> bool:
+    """Return whether files can be recognised so, as far as can be seen without trying; live they always can."""
+    if ear is Ear.LIVE:
+        return True
     if not _has_model(preset):
         return False
     if ear is Ear.TWIN:

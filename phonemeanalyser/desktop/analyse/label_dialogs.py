@@ -62,7 +62,7 @@ class LabelDialogs(QObject):
             before, after = tr("There is no error before this place."), tr("There is no error after this place.")
             session.labels.info.emit(before if back else after)
             return
-        session.seek(found.start)
+        session.seek(found.seen_at)
         session.view.select(TimeSpan(found.start, found.end))
         seen = session.view.seen
         if not (seen.start <= found.start and found.end <= seen.end):

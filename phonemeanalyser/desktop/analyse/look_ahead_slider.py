@@ -84,7 +84,7 @@ class LookAheadSlider(QSlider):
         if waits and preset.model is not None:
             figures = preset.model.by_look_ahead.get(frames)
             lines.append(
-                tr("macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %").format(
+                tr("unheard speakers: macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %").format(
                     macro_f1=figures.macro_f1, percent=100 * figures.mouth_shapes
                 )
                 if figures

@@ -1,11 +1,12 @@
 """Which recogniser names the phonemes, one of the program's own or of another package, and what hears files."""
 
 from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeengine.presets.ears import WITHOUT_ENCODER, offered_ear
+from phonemeengine.presets.ears import has_ear, offered_ear
 from phonemeengine.recognition.spec import recogniser_names
 from phonemeengine.settings import Ear
 
@@ -50,8 +51,8 @@ class RecogniserChoice(QWidget):
                 "<p>The best that files are heard with. <i>live</i>: as a microphone. <i>twin</i>: by a network that "
                 "hears half a second ahead. <i>Whisper</i>: with a speech encoder besides, where all of a file is "
                 "recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.</p>"
-                "<p>{without}.</p>"
-            ).format(without=tr(WITHOUT_ENCODER))
+                "<p>What is grey is not there; <i>File &gt; Speech Encoder…</i> gets Whisper.</p>"
+            )
         )
         self._lay_out()
         self.names.activated.connect(self._choose)
@@ -81,6 +82,10 @@ class RecogniserChoice(QWidget):
         self._show_preset()
 
     def _show_preset(self) -> None:
+        model = self.ears.model()
+        assert isinstance(model, QStandardItemModel)
+        for row, ear in enumerate(EARS):
+            model.item(row).setEnabled(has_ear(self._preset.preset, ear))
         self.ears.setCurrentIndex(list(EARS).index(offered_ear(self._preset.preset)))
         name = self._preset.preset.recogniser
         self.names.setCurrentIndex(

@@ -5,7 +5,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel, FitModel
-from phonemeanalyser.desktop.calibrate.guide_model import GuideModel
+from phonemeanalyser.desktop.calibrate.guide_model import GuideModel, Phase
 from phonemeanalyser.desktop.calibrate.recordings_model import RecordingsModel
 from phonemeanalyser.desktop.calibrate.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes_model import TakeEdit, TakesModel
@@ -65,6 +65,7 @@ class CalibrationModel(QObject):
             model.error.connect(self.error)
         for worker in (self.workbench, self.fit, self.comparison, self.guide, self.room):
             worker.error.connect(self.error)
+        self.guide.changed.connect(self._load_sentences)
         session.opened.connect(self._forget_selection)
         session.heard.connect(self._follow)
         session.transport_changed.connect(self._stop_at_end)
@@ -200,6 +201,11 @@ class CalibrationModel(QObject):
         """Have what was done with the takes in the new history too, which begins with another preset."""
         for what in self.takes.now.changes:
             self._note_edit(what)
+
+    def _load_sentences(self) -> None:
+        """Show how the sentences that were just read are recognised, beside the takes."""
+        if self.guide.phase is Phase.DONE:
+            self.recordings.add(tuple(self.guide.sentences.values()))
 
     def _load_workbench(self) -> None:
         found = (*self.takes.utterances(), *self.recordings.utterances)

@@ -71,6 +71,14 @@ class RecordingsModel(QObject):
         """End all reading."""
         self._reading.close()
 
+    def add(self, utterances: Sequence[LabelledUtterance]) -> None:
+        """Take recordings that were just made and labelled beside those that are there."""
+        have = {utterance.path for utterance in self.utterances}
+        fresh = tuple(u for u in utterances if u.path not in have)
+        if fresh:
+            self.utterances += fresh
+            self.changed.emit()
+
     def _take_up(self, sources: list[Path], found: Read | dict[str, int]) -> None:
         if isinstance(found, dict):
             self.unknown.emit(found, sources)

@@ -1,5 +1,7 @@
 """The variables, ranked by how well they separate the sounds, and the search for better ones."""
 
+import math
+
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import (
@@ -137,7 +139,7 @@ class VariablesPanel(QWidget):
         self.table.setRowCount(len(rows))
         for row, (name, text, separation, words) in enumerate(rows):
             new = row < len(suggested)
-            items = QTableWidgetItem(text), QTableWidgetItem(f"{separation:.0%}")
+            items = QTableWidgetItem(text), QTableWidgetItem("–" if math.isnan(separation) else f"{separation:.0%}")
             items[1].setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             for column, item in enumerate(items):
                 item.setData(NAME, name)

@@ -14,9 +14,13 @@ from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
 from phonemeanalyser.desktop.calibrate.timeline import ConfusionTimeline
 from phonemeanalyser.desktop.calibrate.variables_panel import VariablesPanel
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
+from phonemeengine.presets.ears import ear_in_words, for_files
+from phonemeengine.settings import FRAME_PERIOD, Ear
 
 TABS_WIDTH = 250
 """In less room than this nobody reads a list."""
@@ -86,7 +90,11 @@ class WorkbenchView(QWidget):
             splitter.setChildrenCollapsible(False)
         self.figures.setContentsMargins(8, 3, 8, 3)
         self.figures.setToolTip(
-            tr("Macro F1 is the mean over the ten sounds. More changes a second than the labels have are flicker")
+            tr(
+                "<p>Macro F1 is the mean over those of the ten sounds that the labels hold. More changes a second "
+                "than the labels have are flicker.</p><p>Takes and recordings are recognised by the model for live "
+                "sound, which is what you calibrate; files that you open may have a better one.</p>"
+            )
         )
         whole = QVBoxLayout(self)
         whole.setContentsMargins(0, 0, 0, 0)
@@ -139,15 +147,17 @@ class WorkbenchView(QWidget):
             self.figures.setText(f"<span style='color:{self._theme.faint}'>{tr('nothing is loaded yet')}</span>")
             return
         changes, of_labels = confusion.changes_per_s, confusion.label_changes_per_s
-        calm = of_labels > 0 and changes <= 1.5 * of_labels
+        calm = changes <= 1.5 * of_labels
         colour = self._theme.good if calm else self._theme.bad
         ratio = f" ({changes / of_labels:.1f} ×)" if of_labels > 0 else ""
-        of_what = tr("{minutes:.1f} min in {n} recordings").format(
-            minutes=len(confusion.predicted) / 6000, n=confusion.n_recordings
-        )
+        n_sounds = sum(not math.isnan(confusion.f1_of(phoneme)) for phoneme in SCORED_PHONEMES)
+        of_sounds = "" if n_sounds == len(SCORED_PHONEMES) else f" ({tr('{n} of 10 sounds').format(n=n_sounds)})"
+        live = for_files(self._calibration.preset.in_force, Ear.LIVE)
+        model = tr("Model: {ear}").format(ear=tr_engine(ear_in_words(live)))
+        of_what = f"{_length(len(confusion.predicted) * FRAME_PERIOD, confusion.n_recordings)}   ·   {model}"
         self.figures.setText(
             f"{tr('accuracy')} <b>{_percent(confusion.accuracy)}</b> &nbsp; "
-            f"{tr('macro F1')} <b>{_percent(confusion.macro_f1)}</b> &nbsp; "
+            f"{tr('macro F1')} <b>{_percent(confusion.macro_f1)}</b>{of_sounds} &nbsp; "
             f"{tr('changes a second')} <b style='color:{colour}'>{changes:.1f}</b>, "
             f"{tr('labels')} {of_labels:.1f}{ratio} &nbsp; <span style='color:{self._theme.faint}'>{of_what}</span>"
         )
@@ -182,6 +192,13 @@ class WorkbenchView(QWidget):
         paths = [u.path for u in self._calibration.workbench.answered]
         if path in paths:
             self.timeline.show_frame(paths.index(path), start)
+
+
+def _length(seconds: float, n: int) -> str:
+    """Return how much is loaded, in words."""
+    if seconds >= 60:
+        return tr("{minutes:.1f} min in {n} recordings").format(minutes=seconds / 60, n=n)
+    return tr("{seconds:.1f} s, recordings: {n}").format(seconds=seconds, n=n)
 
 
 def _percent(share: float) -> str:

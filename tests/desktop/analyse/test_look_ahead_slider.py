@@ -69,11 +69,11 @@ def test_how_right_it_is_stands_beside_and_is_not_made_up(desktop: Desktop, wind
     slider = window.filters.look_ahead
     assert slider.words.text().splitlines() == [
         "20 ms ahead: listen to see how late",
-        "macro F1 0.64, right mouth shapes 74 %",
+        "unheard speakers: macro F1 0.64, right mouth shapes 74 %",
     ]
     slider.setFocus()
     QTest.keyClick(slider, Qt.Key.Key_Right)
-    assert "macro F1 0.66" in slider.words.text()
+    assert "unheard speakers: macro F1 0.66" in slider.words.text()
     model = desktop.preset.preset.model
     assert model is not None
     unmeasured = replace(model, about={"by_look_ahead_ms": {"long": "ago"}}, warps=(*model.warps, 1.01))

@@ -16,6 +16,7 @@ from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Ear
 from tests.desktop.hands import CARDS, followed, shown
+from tests.fakes.whisper_model import encoder_head
 from tests.models import centred_model, tone_model
 
 PRESET = Preset(
@@ -75,6 +76,21 @@ def test_an_ear_that_is_not_there_is_told_and_changes_nothing(desktop, qtbot, ea
     assert window.banner.label.text().startswith("the recogniser 'thesis' has no other ear for files")
     assert window.recogniser.ears.currentText() == "live"
     assert not window.isWindowModified()
+
+
+def offered(window) -> list[bool]:
+    items = window.recogniser.ears.model()
+    return [items.item(row).isEnabled() for row in range(items.rowCount())]
+
+
+def test_only_what_is_there_is_offered(desktop, qtbot, tmp_path, whisper):
+    window = shown(desktop, qtbot)
+    assert offered(window) == [True, False, False]  # rules hear files themselves
+    save_preset(PRESET, tmp_path / "both.toml")
+    desktop.preset.load(tmp_path / "both.toml")
+    assert offered(window) == [True, True, False]
+    desktop.preset.edit(replace(PRESET, encoder_head=encoder_head()), "what is known of Whisper")
+    assert offered(window) == [True, True, True]
 
 
 def test_a_preset_whose_model_for_files_is_missing_is_loaded_and_that_is_told(desktop, qtbot, tmp_path):

@@ -130,6 +130,7 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_
     assert folder is not None
     assert spoken.path == folder / "read" / "me" / "english-1.flac"
     assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE]
+    assert spoken in guided.model.workbench.utterances
     takes = [*read_recordings(folder), *read_recordings(spoken.path)]
     assert calibrate(before, takes).preset == outcome.preset
     mine = tmp_path / "mine.toml"

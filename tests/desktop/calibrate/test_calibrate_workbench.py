@@ -18,7 +18,7 @@ from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.features.variables import Kind
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.rules import Condition, Rule
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
 from tests.desktop.hands import LEFT, click, copied, press
@@ -77,7 +77,22 @@ def test_recordings_are_measured_and_counted_as_the_engine_counts_them(loaded: C
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
     assert f"{expected.macro_f1:.1%}" in bench.figures.text()
     assert f"labels {expected.label_changes_per_s:.1f}" in bench.figures.text()
+    assert "Model: thesis" in bench.figures.text()  # of what hears live, whatever files are heard with
     assert loaded.page.takes.recordings.text() == "2 by 2 speakers"
+
+
+def test_where_one_sound_is_loaded_nothing_is_made_up(calibrator: Calibrator):
+    calibrator.booth.desktop.preset.load(DEFAULT_PRESET)  # which keeps calm in silence
+    calibrator.keep(Phoneme.SILENCE)
+    bench, text = bench_of(calibrator), bench_of(calibrator).figures.text()
+    assert "(1 of 10 sounds)" in text
+    assert "s, recordings: 1" in text
+    assert "nan" not in text
+    assert ">0.0</b>" in text
+    assert bench._theme.bad not in text
+    assert "Model: learned, 50 ms ahead" in text
+    shares = {bench.variables.table.item(k, 1).text() for k in range(bench.variables.table.rowCount())}
+    assert shares == {"–"}
 
 
 def test_takes_count_beside_the_recordings_and_the_cross_forgets_these(loaded: Calibrator):

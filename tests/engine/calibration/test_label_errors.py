@@ -26,6 +26,13 @@ def test_only_sure_labels_can_be_missed() -> None:
     ]  # fmt: skip
 
 
+def test_an_error_is_seen_at_the_end_of_the_first_frame_that_is_recognised_so() -> None:
+    codes = frame_labels_of(LABELS).phonemes.copy()
+    codes[5], codes[6:12] = Phoneme.M, Phoneme.P
+    (found,) = label_errors(frame_labels_of(LABELS), codes)
+    assert (found.recognised, round(found.start, 3), round(found.seen_at, 3)) == (Phoneme.P, 0.05, 0.07)
+
+
 def test_what_is_shorter_than_labels_are_exact_is_no_error() -> None:
     codes = frame_labels_of(LABELS).phonemes.copy()
     assert errors(codes) == []

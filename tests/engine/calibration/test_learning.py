@@ -302,7 +302,8 @@ def test_some_vowels_alone_teach_no_vowel_lest_all_others_become_them(model):
     trained = replace(trained, anchors=anchors_of(voices, 1), warps=(0.8, 1.0, 1.2))
     few = [said([Phoneme.A, Phoneme.A], 300, 1.5) for _ in range(4)]
     other = SpeakerExamples("same", ((said([Phoneme.I, Phoneme.U] * 3, 310, 1.5),),))
-    for adapted in adapt(trained, few):
+    for adapted in adapt(replace(trained, about={"name": "all", "by_look_ahead_ms": {"50": [0.7, 0.8]}}), few):
+        assert (adapted.about, adapted.by_look_ahead) == ({"name": "all"}, {})  # figures were those of the other one
         assert adapted.warps == trained.warps
         assert accuracy_of(adapted, [other]) > accuracy_of(trained, [other]) - 0.01
 

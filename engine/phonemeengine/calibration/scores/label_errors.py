@@ -23,12 +23,15 @@ class LabelError:
     start, end : seconds.
     said : what the labels say, in most of its frames.
     recognised : what was recognised, in most of its frames.
+    seen_at : the end of the first frame in which just that was recognised, seconds: a view of all that lies before a
+        time shows it last.
     """
 
     start: float
     end: float
     said: Phoneme
     recognised: Phoneme
+    seen_at: float
 
     def row(self) -> tuple[str, str, str, str]:
         """Return it as a row of a table, as `ERROR_COLUMNS`."""
@@ -52,13 +55,18 @@ def label_errors(said: FrameLabels, recognised: UInt8Array, *, least: float = LE
     wrong = np.concatenate(([False], asked & (said.phonemes[:n] != recognised[:n]), [False]))
     edges = np.flatnonzero(wrong[1:] != wrong[:-1])
     return [
-        LabelError(
-            float(first) * FRAME_PERIOD, float(last) * FRAME_PERIOD,
-            _most(said.phonemes[first:last]), _most(recognised[first:last]),
-        )
+        _error(first, said.phonemes[first:last], recognised[first:last])
         for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
         if (last - first) * FRAME_PERIOD >= least - 1e-9
-    ]  # fmt: skip
+    ]
+
+
+def _error(first: int, said: UInt8Array, recognised: UInt8Array) -> LabelError:
+    """Return an error that begins with a frame, of what was said and recognised in its frames."""
+    mostly, start = _most(recognised), first * FRAME_PERIOD
+    seen = first + int((recognised == mostly).argmax()) + 1
+    end = (first + len(said)) * FRAME_PERIOD
+    return LabelError(start, end, _most(said), mostly, seen * FRAME_PERIOD)
 
 
 def _most(codes: UInt8Array) -> Phoneme:
