@@ -134,9 +134,14 @@
             <translation>&lt;b&gt;{truth}&lt;/b&gt; erkannt als &lt;b&gt;{answer}&lt;/b&gt;: {n} Strecken, {seconds:.2f} s</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>&lt;p&gt;Macro F1 is the mean over those of the ten sounds that the labels hold. More changes a second than the labels have are flicker.&lt;/p&gt;&lt;p&gt;Takes and recordings are recognised by the model for live sound, which is what you calibrate; files that you open may have a better one.&lt;/p&gt;</source>
+            <translation>&lt;p&gt;Makro-F1 ist das Mittel über die der zehn Laute, die in der Beschriftung vorkommen. Mehr Wechsel pro Sekunde, als die Beschriftung hat, sind Flackern.&lt;/p&gt;&lt;p&gt;Aufnahmen erkennt hier das Modell für Live-Klang, das kalibriert wird; geöffnete Dateien haben vielleicht ein besseres.&lt;/p&gt;</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
-            <source>&lt;p&gt;The best that files are heard with. &lt;i&gt;live&lt;/i&gt;: as a microphone. &lt;i&gt;twin&lt;/i&gt;: by a network that hears half a second ahead. &lt;i&gt;Whisper&lt;/i&gt;: with a speech encoder besides, where all of a file is recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.&lt;/p&gt;&lt;p&gt;{without}.&lt;/p&gt;</source>
-            <translation>&lt;p&gt;Das Beste, womit Dateien gehört werden. &lt;i&gt;live&lt;/i&gt;: wie ein Mikrofon. &lt;i&gt;Zwilling&lt;/i&gt;: von einem Netz, das eine halbe Sekunde vorausschaut. &lt;i&gt;Whisper&lt;/i&gt;: zusätzlich mit einem Sprach-Encoder, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, Exportieren oder Ausrichten an ihrem Text; beim Abspielen hilft der Zwilling.&lt;/p&gt;&lt;p&gt;{without}.&lt;/p&gt;</translation>
+            <source>&lt;p&gt;The best that files are heard with. &lt;i&gt;live&lt;/i&gt;: as a microphone. &lt;i&gt;twin&lt;/i&gt;: by a network that hears half a second ahead. &lt;i&gt;Whisper&lt;/i&gt;: with a speech encoder besides, where all of a file is recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.&lt;/p&gt;&lt;p&gt;What is grey is not there; &lt;i&gt;File &amp;gt; Speech Encoder…&lt;/i&gt; gets Whisper.&lt;/p&gt;</source>
+            <translation>&lt;p&gt;Das Beste, womit Dateien erkannt werden. &lt;i&gt;live&lt;/i&gt;: wie ein Mikrofon. &lt;i&gt;Zwilling&lt;/i&gt;: von einem Netz, das eine halbe Sekunde vorausblickt. &lt;i&gt;Whisper&lt;/i&gt;: dazu mit einem Sprach-Encoder, wo eine ganze Datei auf einmal erkannt wird: gespeichert, exportiert oder am Text ausgerichtet; beim Abspielen dient der Zwilling.&lt;/p&gt;&lt;p&gt;Graues ist nicht vorhanden; &lt;i&gt;Datei &amp;gt; Sprach-Encoder…&lt;/i&gt; holt Whisper.&lt;/p&gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
@@ -2930,16 +2935,6 @@
             <translation>Makro-F1</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
-            <source>Macro F1 is the mean over the ten sounds. More changes a second than the labels have are flicker</source>
-            <translation>Makro-F1 ist das Mittel über die zehn Laute. Mehr Wechsel pro Sekunde, als die Beschriftung hat, sind Flackern</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
-            <source>macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %</source>
-            <translation>Makro-F1 {macro_f1:.2f}, richtige Mundformen {percent:.0f} %</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
             <source>macro F1, ten sounds</source>
             <translation>Makro-F1, zehn Laute</translation>
@@ -3108,6 +3103,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
             <source>mix</source>
             <translation>Mix</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>Model: {ear}</source>
+            <translation>Modell: {ear}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
@@ -3808,11 +3808,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>pink noise</source>
             <translation>rosa Rauschen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices</source>
-            <translation>Mit pip install "phonemeanalyser[whisper]" hört Dateien einer, der sehr viele Stimmen kennt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
@@ -5956,6 +5951,11 @@
             <translation>Rückgängig machen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <source>unheard speakers: macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %</source>
+            <translation>ungehörte Sprecher: Makro-F1 {macro_f1:.2f}, richtige Mundformen {percent:.0f} %</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>unit</source>
             <translation>Einheit</translation>
@@ -6666,6 +6666,11 @@
             <translation>{n} Beschriftungen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>{n} of 10 sounds</source>
+            <translation>{n} von 10 Lauten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
             <source>{n} points</source>
             <translation>{n} Punkte</translation>
@@ -6789,6 +6794,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>{seconds:.1f} s could not be heard</source>
             <translation>{seconds:.1f} s waren nicht zu hören</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <source>{seconds:.1f} s, recordings: {n}</source>
+            <translation>{seconds:.1f} s, Aufnahmen: {n}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
