@@ -4,7 +4,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, add_preset, add_script
+from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, add_preset, add_script, file_place
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
 from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
 from phonemeengine import (
@@ -44,7 +44,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     words = "takes, or labelled recordings; with --line or --text, sounds of somebody who reads"
     parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help=words)
-    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PRESET", help="the new preset, .toml")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PRESET", help="the new preset, .toml")
     add_preset(parser, words="preset to begin with (default: learned)")
     parser.add_argument(
         "--held-back", type=Path, nargs="+", default=[], metavar="FILE",

@@ -170,6 +170,13 @@ def place(text: str) -> Path:
     return place_of(text)
 
 
+def file_place(text: str) -> Path:
+    """Read a path of a command that prints nothing of what it writes."""
+    if text == "-":
+        raise argparse.ArgumentTypeError("this command does not write to standard output; name a file or folder")
+    return Path(text)
+
+
 def number(text: str) -> float:
     """Read a finite number."""
     try:

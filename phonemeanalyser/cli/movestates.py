@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_overwrite, number_in
+from phonemeanalyser.cli.arguments import add_overwrite, file_place, number_in
 from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine import (
     MeshError,
@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     export = kinds.add_parser("export", help="make movestates of a mesh and its targets")
     export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
     export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
-    export.add_argument("-o", "--out", type=Path, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
+    export.add_argument("-o", "--out", type=file_place, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
     add_overwrite(export)
     export.set_defaults(act=_export)
     info = kinds.add_parser("info", help="say what a file holds")
@@ -48,7 +48,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     info.set_defaults(act=_info)
     convert = kinds.add_parser("convert", help="write movestates in another format")
     convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
-    convert.add_argument("out", type=Path, metavar="OUT", help=".3dm, .3dma or .glb")
+    convert.add_argument("out", type=file_place, metavar="OUT", help=".3dm, .3dma or .glb")
     convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
     distance = number_in(0, math.inf, "units of the mesh")
     convert.add_argument("--tolerance", type=distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")

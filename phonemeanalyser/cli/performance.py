@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_clip, add_overwrite, number, number_in, whole_in
+from phonemeanalyser.cli.arguments import add_clip, add_overwrite, file_place, number, number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import print_whole
@@ -33,7 +33,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     kinds = parser.add_subparsers(required=True, metavar="WHAT")
     build = kinds.add_parser("build", help="make a table of a folder of recordings")
     build.add_argument("folder", type=Path, metavar="FOLDER")
-    build.add_argument("-o", "--out", type=Path, required=True, metavar="T.sqlite", help="the table")
+    build.add_argument("-o", "--out", type=file_place, required=True, metavar="T.sqlite", help="the table")
     build.add_argument("--name", metavar="NAME", help="what the table is called (default: as the folder)")
     add_overwrite(build)
     build.set_defaults(act=_build)

@@ -1,15 +1,15 @@
 """``phonemeanalyser record``: a microphone into a file."""
 
 import argparse
-from pathlib import Path
 
+from phonemeanalyser.cli.arguments import file_place
 from phonemeanalyser.cli.listen import add_input, input_of, record
 from phonemeengine import load_preset
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is recorded, and where."""
-    parser.add_argument("out", type=Path, metavar="OUT", help="a new .wav or .flac file")
+    parser.add_argument("out", type=file_place, metavar="OUT", help="a new .wav or .flac file")
     add_input(parser)
     parser.add_argument("--phonemes", action="store_true", help="write the phonemes beside it, as OUT.csv")
     parser.add_argument(

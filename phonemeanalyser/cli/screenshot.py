@@ -5,14 +5,14 @@ import math
 import os
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_preset, add_theme, number_in, size_in
+from phonemeanalyser.cli.arguments import add_channel, add_preset, add_theme, file_place, number_in, size_in
 from phonemeanalyser.cli.display import load_desktop
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is to be seen."""
     parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
-    parser.add_argument("-o", "--out", type=Path, required=True, metavar="PNG")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PNG")
     seconds = number_in(0, math.inf, "s")
     parser.add_argument("--at", type=seconds, metavar="SECONDS", help="analysed up to here (default: the end)")
     parser.add_argument("--size", type=size_in((640, 480), (7680, 4320)), default=(1280, 800), metavar="WxH")

@@ -8,7 +8,7 @@ from shutil import rmtree
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, whole_in
+from phonemeanalyser.cli.arguments import add_channel, file_place, whole_in
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.calibration.learning.model_card import model_card, validations_of
@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "goes on where it was."
     )
     parser.add_argument("corpora", type=Path, nargs="+", metavar="CORPUS", help="folder with manifest.csv")
-    parser.add_argument("-o", "--out", type=Path, required=True, metavar="MODEL", help="the model's file, .npz")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="MODEL", help="the model's file, .npz")
     for name, least, usual, words in (
         ("seed", 0, 1, "of all chance"),
         ("epochs", 1, TrainingConfig.n_epochs, "times that all is gone through"),

@@ -136,6 +136,28 @@ def test_what_is_spelt_wrong_is_refused_with_what_may_be_meant(
     assert said.removeprefix("phonemeanalyser").lstrip(": ").startswith(sentence)
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["ship", "learned", "-o", "-"],
+        ["adapt", "x", "-o", "-"],
+        ["train", "x", "-o", "-"],
+        ["screenshot", "x.wav", "-o", "-"],
+        ["movestates", "convert", "head", "-"],
+        ["performance", "build", "x", "-o", "-"],
+        ["record", "-"],
+    ],
+)
+def test_what_cannot_be_printed_makes_no_file_of_the_name_of_standard_output(
+    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(SystemExit):
+        main(words)
+    assert "this command does not write to standard output" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_analyse_may_be_spelt_as_americans_do(sound: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["analyze", str(sound)]) == 0
     american = capsys.readouterr().out

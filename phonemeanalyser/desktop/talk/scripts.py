@@ -10,7 +10,8 @@ from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, EngineError
-from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.files import atomic_write, is_own, printable_name, reason_of
+from phonemeengine.labels import textgrid
 from phonemeengine.labels.text_io import write_text
 from phonemeengine.labels.timed_words import TimedWord, read_timed_words, speakers_in
 from phonemeengine.labels.utterance import Utterance
@@ -116,8 +117,12 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
 
     Raises
     ------
-    EngineError : it cannot be spoken, or not be written.
+    EngineError : it cannot be spoken, or not be written, or a TextGrid is there that is not of the sound's file.
     """
+    labels = path.with_suffix(LABELS)
+    if labels.is_file() and not (path.is_file() and is_own(labels, textgrid.owns)):
+        words = tr("{labels}: it is beside the sound and would be replaced; choose another name for the sound")
+        raise AudioError(words.format(labels=printable_name(labels)))
     try:
         with atomic_write(path) as file:
             said = spoken_text(sentences, language=language, sound=file, path=path, measured=False).utterance
@@ -129,7 +134,7 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
                 path=printable_name(path), reason_of=reason_of(error)
             )
         ) from error
-    write_text(format_utterance(said), path.with_suffix(LABELS))
+    write_text(format_utterance(said), labels)
 
 
 def words_beside(sound: Path, duration: float) -> FoundWords:

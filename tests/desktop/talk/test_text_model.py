@@ -506,7 +506,27 @@ def test_a_spoken_text_is_saved_as_a_sound_with_its_words_and_opened_again(desk,
     assert desk.texts.editable
 
 
-@pytest.mark.parametrize(("language", "place"), [("xx", "spoken.wav"), ("en-us", "gone/spoken.wav")])
+def test_labels_of_others_beside_a_spoken_sound_stay(desk, tmp_path):
+    diary = tmp_path / "spoken.TextGrid"
+    diary.write_text("a diary")
+    desk.texts.set_text("Hello. You there.")
+    desk.texts.set_language("en-us")
+    desk.texts.save_speech(tmp_path / "spoken.wav")
+    desk.wait()
+    assert desk.failed == [
+        "spoken.TextGrid: it is beside the sound and would be replaced; choose another name for the sound"
+    ]
+    assert diary.read_text() == "a diary"
+    diary.unlink()
+    for _ in range(2):
+        desk.texts.save_speech(tmp_path / "spoken.wav")
+        desk.wait()
+    assert len(desk.failed) == 1
+
+
+@pytest.mark.parametrize(
+    ("language", "place"), [("xx", "spoken.wav"), ("en-us", "gone/spoken.wav"), ("en-us", "a.mp3")]
+)
 def test_a_text_that_cannot_be_saved_leaves_nothing_behind(desk, tmp_path, language, place):
     desk.texts.set_text("Hello.")
     desk.texts.set_language(language)
