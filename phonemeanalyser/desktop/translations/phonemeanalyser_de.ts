@@ -6491,6 +6491,11 @@
             <translation>{kind} von {low:.0f}–{high:.0f} Hz im Spektrum ({source}), trennt zu {separation:.0%}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/scripts.py" />
+            <source>{labels}: it is beside the sound and would be replaced; choose another name for the sound</source>
+            <translation>{labels}: Die Datei liegt neben dem Klang und würde ersetzt; anderen Namen für den Klang wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/face_model.py" />
             <source>{mesh}: this mesh has no movestates; choose its .3dm file together with it</source>
             <translation>{mesh}: Dieses Netz hat keine Movestates; seine .3dm-Datei mit ihm zusammen wählen</translation>
