@@ -11,6 +11,8 @@ SYSTEM = "system"
 WRITTEN_IN = "en"
 CONTEXT = "PhonemeAnalyser"
 """Under which Qt finds all texts of the window."""
+IN_USE = "language"
+"""The property of Qt's application that says which language is in use."""
 TRANSLATIONS = Path(__file__).parent / "translations"
 
 
@@ -49,8 +51,15 @@ def language_of(choice: str, system: QLocale | None = None) -> str:
     return next((name[:2] for name in asked if name[:2] in LANGUAGES), WRITTEN_IN)
 
 
+def language_in_use() -> str:
+    """Return the language in which the window is, one of `LANGUAGES`."""
+    app = QCoreApplication.instance()
+    return str((app.property(IN_USE) if app is not None else None) or WRITTEN_IN)
+
+
 def use_language(app: QCoreApplication, language: str) -> None:
     """Have all texts that are made from now on be in a language, those of Qt's own dialogs, too."""
+    app.setProperty(IN_USE, language)
     for translator in app.findChildren(QTranslator):
         app.removeTranslator(translator)
         translator.setParent(None)

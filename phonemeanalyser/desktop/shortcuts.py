@@ -26,6 +26,7 @@ CALIBRATE = [
     (tr_noop("Delete the take"), tr_noop("Delete")),
 ]
 GUIDE = [
+    (tr_noop("Start"), tr_noop("Return")),
     (tr_noop("Say the sound before once more"), tr_noop("Backspace")),
     (tr_noop("Say this sound once more"), "R"),
     (tr_noop("Go on without it"), tr_noop("Right")),

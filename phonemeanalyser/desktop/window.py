@@ -166,6 +166,7 @@ class MainWindow(QMainWindow):
         page.takes.empty_asked.connect(dialogs.ask_empty_deleted)
         page.takes.import_asked.connect(dialogs.ask_recordings)
         page.guide.save_asked.connect(self.dialogs.save_as)
+        page.guide.accepted.connect(self._offer_to_save)
         page.workbench.compare.file_asked.connect(partial(self._ask_preset_to_compare, dialogs))
         page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
         page.takes.wave.menu.save_asked.connect(self.dialogs.ask_save_picture)
@@ -173,6 +174,13 @@ class MainWindow(QMainWindow):
         focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
+
+    def _offer_to_save(self) -> None:
+        """Say that a calibrated preset is in use and in no file yet."""
+        if self._preset.has_unsaved_changes:
+            self.banner.offer(
+                tr("The calibrated preset is in use, and not saved yet."), tr("Save As…"), self.dialogs.save_as
+            )
 
     def _make_talk_page(self) -> TalkPage:
         page, dialogs = TalkPage(self._talking, self.theme), self.talking_dialogs

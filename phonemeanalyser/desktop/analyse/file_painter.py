@@ -9,10 +9,18 @@ from PySide6.QtGui import QBrush, QColor, QImage, QPaintEngine, QPainter, QPen, 
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.analyse.file_layout import LANE, LEFT, TIME_HEIGHT, FileLayout
-from phonemeanalyser.desktop.analyse.file_rows import course_of, lane_pixels, wave_pixels, wide_runs
+from phonemeanalyser.desktop.analyse.file_rows import (
+    course_of,
+    lane_pixels,
+    usual_course_of,
+    usual_of,
+    wave_pixels,
+    wide_runs,
+)
 from phonemeanalyser.desktop.analyse.sonagram import LETTER, NARROWEST_LETTER
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, letters_on, set_size
+from phonemeanalyser.desktop.session.formant_track import MOST_SECONDS
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -20,7 +28,7 @@ from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeanalyser.desktop.widgets.timeline import Lane
 from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
+from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.whole_sound import FrameState, SoundTracks
 
 SPACINGS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
@@ -36,6 +44,8 @@ OUTDATED = 0.43
 """How much of its colour is left of what was found with other settings."""
 LEAST_BOX = 4
 """Pixels of a label from which on its border is strong: of narrower ones, nothing else would be seen."""
+DOTS_APART = 3
+"""Pixels between two dots of a formant at least."""
 LETTERS_APART = 11
 """Pixels between two frequencies that are written."""
 
@@ -225,7 +235,7 @@ class FilePainter:
 
     def _paint_wave(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         seen = self._view.seen
-        peaks = tracks.peaks.between(seen.start * SAMPLE_RATE, seen.end * SAMPLE_RATE, self._layout.width)
+        peaks = self._session.waveform.outline_in(seen, tracks.peaks, self._layout.width)
         loudest = max(0.05, float(np.nanmax([np.abs(peaks.low), np.abs(peaks.high), np.zeros(self._layout.width)])))
         colour, base = (QColor(name).rgb() for name in (self._theme.signal, self._theme.base))
         height = max(3, round(row.height()))
@@ -252,11 +262,15 @@ class FilePainter:
             draw_text(painter, QRectF(0, y, LEFT - 7, 14), f"{value:.3g}", self._theme.faint, 10, AT_RIGHT)
 
     def _line_in(
-        self, row: QRectF, values: Float32Array, first: int, scale: tuple[float, float]
+        self, row: QRectF, values: Float32Array, first: int, scale: tuple[float, float], *, usual: bool = False
     ) -> tuple[QPolygonF, ...]:
-        """Return the course of values of the frames from one on, between two values at the row's edges."""
+        """Return the course of values of the frames from one on, between two values at the row's edges.
+
+        Far from near, it is that of their extremes, or of the `usual` values.
+        """
         seen, (low, high) = self._view.seen, scale
-        times, heights = course_of(values, first, seen, self._layout.width)
+        course = usual_course_of if usual else course_of
+        times, heights = course(values, first, seen, self._layout.width)
         x = LEFT + (times - seen.start) / max(seen.seconds, 1e-9) * self._layout.width
         return broken_line(x, row.bottom() - (heights - low) / max(high - low, 1e-12) * row.height())
 
@@ -278,12 +292,24 @@ class FilePainter:
             painter.setPen(Qt.PenStyle.NoPen)
             painter.setBrush(QColor(FORMANT_COLOUR))
             begin, end = max(0, first - known.first), min(len(known.frequencies), last - known.first)
-            for k in range(begin, end):
-                x = self._layout.x_of((known.first + k + 0.5) * FRAME_PERIOD)
-                for frequency in known.frequencies[k].tolist():
+            per_dot = max(1, math.ceil(DOTS_APART / self._layout.width * self._view.seen.seconds / FRAME_PERIOD))
+            frequencies = usual_of(known.frequencies[begin:end], per_dot, begin + known.first)
+            for k, formants in enumerate(frequencies.tolist(), (begin + known.first) // per_dot):
+                x = self._layout.x_of((k + 0.5) * per_dot * FRAME_PERIOD)
+                for frequency in formants:
                     if not math.isnan(frequency):
                         painter.drawEllipse(QPointF(x, self._y_of(frequency, row)), 1.6, 1.6)
+        if "formants" in self._layout.shows and self._view.seen.seconds > MOST_SECONDS:
+            self._paint_hint(painter, row, tr("Formants: zoom in to {n:.0f} s or less").format(n=MOST_SECONDS))
         painter.restore()
+
+    def _paint_hint(self, painter: QPainter, row: QRectF, words: str) -> None:
+        """Say at the lower left of the sonagram why something is not drawn."""
+        set_size(painter, 11)
+        width = painter.fontMetrics().horizontalAdvance(words) + 14
+        box = QRectF(row.left() + 4, row.bottom() - 22, width, 18)
+        painter.fillRect(box, QColor(self._theme.base))
+        draw_text(painter, box, words, self._theme.text, 11, CENTRED)
 
     def _paint_line(
         self, painter: QPainter, row: QRectF, first: int, values: Float32Array, scale: tuple[float, float],
@@ -292,7 +318,7 @@ class FilePainter:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for pen in (QPen(QColor(0, 0, 0, 150), 3), QPen(QColor(colour), 1.6)):  # seen on every colour
             painter.setPen(pen)
-            for line in self._line_in(row, values, first, scale):
+            for line in self._line_in(row, values, first, scale, usual=True):
                 painter.drawPolyline(line)
 
     def _y_of(self, frequency: float, row: QRectF) -> float:

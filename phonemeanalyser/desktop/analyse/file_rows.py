@@ -84,3 +84,35 @@ def course_of(values: Float32Array, first: int, seen: TimeSpan, n_columns: int) 
     low, high = np.fmin.reduceat(values, starts), np.fmax.reduceat(values, starts)
     middle: Float64Array = np.repeat(seen.start + (columns[starts] + 0.5) / n_columns * seen.seconds, 2)
     return middle, np.stack((low, high), axis=1).ravel().astype(np.float64)
+
+
+def usual_course_of(
+    values: Float32Array, first: int, seen: TimeSpan, n_columns: int
+) -> tuple[Float64Array, Float64Array]:
+    """Return the course of a variable as one line, however many frames lie under a column: see `usual_of`.
+
+    Times in seconds, and values; NaN where it is broken. Parameters are those of `course_of`.
+    """
+    per_point = max(1, int(np.ceil(seen.seconds / FRAME_PERIOD / n_columns)))
+    usual = usual_of(values[:, np.newaxis], per_point, first)[:, 0]
+    times = (first // per_point + np.arange(len(usual)) + 0.5) * per_point * FRAME_PERIOD
+    return times, usual.astype(np.float64)
+
+
+def usual_of(values: Float32Array, n: int, first: int) -> Float32Array:
+    """Return the median of every `n` frames, shape (n_groups, n_values); NaN where most of them have no value.
+
+    Groups begin at multiples of `n`, so that they stay the same while the view scrolls.
+
+    Parameters
+    ----------
+    values : of the frames from `first` on, shape (n_frames, n_values).
+    """
+    if n == 1 or not len(values):
+        return values
+    before, after = first % n, -(first + len(values)) % n
+    groups = np.pad(values, ((before, after), (0, 0)), constant_values=np.nan).reshape(-1, n, values.shape[1])
+    known = np.isfinite(groups).sum(axis=1)
+    groups = np.sort(groups, axis=1)  # NaN comes last
+    middle = np.take_along_axis(groups, np.maximum(known - 1, 0)[:, np.newaxis] // 2, axis=1)[:, 0]
+    return np.where(2 * known >= n, middle, np.float32(np.nan)).astype(np.float32)

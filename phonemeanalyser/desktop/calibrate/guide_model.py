@@ -11,7 +11,7 @@ from enum import StrEnum
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes_model import UNNAMED, TakesModel
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.language import language_in_use, tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -42,6 +42,10 @@ BEFORE_SENTENCE, AFTER_SENTENCE = 0.6, 0.8
 """What is kept from before the sentence, and the quiet that ends it, seconds."""
 LONGEST_SENTENCE = 15.0
 """Seconds after which nobody waits for its end."""
+COUNTDOWN = 2.0
+"""Seconds from *Start* until something is recorded: the click of the button is not part of the room."""
+SENTENCES_OF = {"en": "English", "de": "German"}
+"""The language of the sentences in a window of each language, unless the user chooses another."""
 SOUNDS_PER_S = 10
 """Of a sentence that is read; the ring fills so fast."""
 
@@ -106,6 +110,8 @@ class Phase(StrEnum):
     """What the guide is doing."""
 
     OFF = "off"
+    READY = "ready"
+    COUNTING = "counting"
     WAITING = "waiting"
     HEARING = "hearing"
     CHECKING = "checking"
@@ -144,6 +150,7 @@ class GuideModel(QObject):
         self.room: RoomNoise | None = None
         self.outcome: CalibrationResult | None = None
         self.language, self.by_sounds = LANGUAGES[0], False
+        self._language_chosen = False
         self.steps = steps_of(self.language, by_sounds=self.by_sounds)
         self.sentences: dict[int, LabelledUtterance] = {}
         self._session = session
@@ -151,6 +158,7 @@ class GuideModel(QObject):
         self._preset = preset
         self._takes = takes
         self._awaited: list[int] = []
+        self._unwanted = False
         self._pause = 0.0
         self._voice_at: float | None = None
         self._work = TaskQueue(self._refuse)
@@ -175,7 +183,17 @@ class GuideModel(QObject):
     @property
     def reading(self) -> bool:
         """Whether a sentence is asked for."""
-        return self.step.sentence is not None and self.phase not in {Phase.OFF, Phase.LEARNING, Phase.DONE}
+        return self.step.sentence is not None and self.asking
+
+    @property
+    def asking(self) -> bool:
+        """Whether a sound or a sentence is asked for, or was just said."""
+        return self.phase in {Phase.WAITING, Phase.HEARING, Phase.CHECKING, Phase.SHOWING}
+
+    @property
+    def seconds_left(self) -> float:
+        """Seconds of the countdown that are left."""
+        return max(0.0, COUNTDOWN - self._capture.seconds) if self.phase is Phase.COUNTING else 0.0
 
     @property
     def spoken(self) -> LabelledUtterance | None:
@@ -201,6 +219,8 @@ class GuideModel(QObject):
         """How much of the sound that is asked for was heard, 0..1; of the learning, how much is done."""
         if self.phase is Phase.LEARNING:
             return self._work.progress
+        if self.phase is Phase.COUNTING:
+            return 1.0 - self.seconds_left / COUNTDOWN
         if self.phase is Phase.SHOWING:
             return 0.0 if self.advice else 1.0
         if self.phase is not Phase.HEARING or self._voice_at is None:
@@ -210,9 +230,19 @@ class GuideModel(QObject):
     # -- what the user wants ------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Begin with the silence."""
+        """Tell what will be asked for, with the microphone heard, and wait for `start`."""
         self.numbers, self.room, self.outcome, self.sentences, self._awaited = {}, None, None, {}, []
-        self._go_to(0)
+        if not self._language_chosen:
+            self.language = SENTENCES_OF.get(language_in_use(), LANGUAGES[0])
+            self.steps = steps_of(self.language, by_sounds=self.by_sounds)
+        self.index, self.advice = 0, ""
+        self._show(Phase.READY)
+
+    def start(self) -> None:
+        """Count down, and begin with the silence."""
+        if self.phase is Phase.READY:
+            self._hear()
+            self._show(Phase.COUNTING)
 
     def back(self) -> None:
         """Say what came before once more; its take makes room for the new one."""
@@ -228,6 +258,7 @@ class GuideModel(QObject):
     def choose(self, language: str, *, by_sounds: bool) -> None:
         """Have sentences of a language read, or single sounds said; from the first of them on, after the room."""
         same_way = by_sounds == self.by_sounds
+        self._language_chosen |= language != self.language
         self.language, self.by_sounds = language, by_sounds
         self.steps = steps_of(language, by_sounds=by_sounds)
         if not same_way:
@@ -246,7 +277,13 @@ class GuideModel(QObject):
         self._go_to(min(self.index, len(self.steps) - 1))
 
     def cancel(self) -> None:
-        """End it; what was recorded stays."""
+        """End it; the takes of one that is not finished are deleted, which undo brings back."""
+        if self.asking and self.numbers:
+            self._takes.delete(set(self.numbers.values()))
+        self._unwanted = self.asking
+        self._end()
+
+    def _end(self) -> None:
         self._forget_work()
         self._capture.end()
         self._preset.try_out(None)
@@ -262,7 +299,7 @@ class GuideModel(QObject):
                 self._preset.edit(replace(outcome.preset, name=self._preset.preset.name), tr("calibration"))
             except EngineError as error:
                 self.error.emit(str(error))
-        self.cancel()
+        self._end()
 
     def close(self) -> None:
         """End all work."""
@@ -278,6 +315,8 @@ class GuideModel(QObject):
         elif self.phase is Phase.HEARING and self._voice_at is not None:
             if self._has_ended(self._voice_at):
                 self._check()
+        elif self.phase is Phase.COUNTING and self.seconds_left == 0.0:
+            self._go_to(0)
         elif self.phase is Phase.SHOWING and self._capture.seconds >= self._pause:
             self._go_to(self.index if self.advice else self.index + 1, advice=self.advice)
 
@@ -288,14 +327,18 @@ class GuideModel(QObject):
             self._show(Phase.LEARNING)
             self._learn()
             return
-        if not self._session.microphone.active:
-            self._session.play()
-        self._capture.begin()
+        self._hear()
         if self.step.phoneme is Phoneme.SILENCE:
             self._voice_at = 0.0
             self._show(Phase.HEARING)
         else:
             self._show(Phase.WAITING)
+
+    def _hear(self) -> None:
+        """Keep what is heard from now on."""
+        if not self._session.microphone.active:
+            self._session.play()
+        self._capture.begin()
 
     def _look_for_voice(self) -> None:
         sound, rate = self._capture.heard()
@@ -409,6 +452,8 @@ class GuideModel(QObject):
     def _note_take(self, number: int) -> None:
         if self._awaited:
             self.numbers[self._awaited.pop(0)] = number
+            if self._unwanted and not self.running:
+                self._takes.delete({number})
 
     def _note_refusal(self, _sentence: str) -> None:
         if self.phase is Phase.LEARNING and not self._takes.busy:

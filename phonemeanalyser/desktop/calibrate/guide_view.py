@@ -3,7 +3,7 @@
 import math
 from typing import Any
 
-from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtCore import QRectF, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
@@ -18,6 +18,14 @@ from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.sentences import LANGUAGES
 
 UNCLEAR = tr_noop("So small a gain on so little speech may be chance. Listen to both, then choose.")
+LINES_AHEAD = tr_noop(
+    "Keep quiet for two seconds, then read two lines aloud. Nothing is recorded before you press start."
+)
+SOUNDS_AHEAD = tr_noop(
+    "Keep quiet for two seconds, then say nine sounds and read a line aloud. "
+    "Nothing is recorded before you press start."
+)
+"""What will be asked for."""
 RING = 15
 """Width of the ring in pixels."""
 SIZES = (12, 64)
@@ -56,15 +64,15 @@ class CountdownRing(QWidget):
 
     def _words(self) -> str:
         guide = self._guide
-        if guide.phase is Phase.LEARNING:
-            return tr("learning")
-        if guide.phase is Phase.DONE:
-            return tr("done")
-        if guide.phase is Phase.CHECKING:
-            return "…"
-        if guide.phase is Phase.SHOWING:
-            return tr("again") if guide.advice else "✓"
-        return tr(guide.step.say)
+        words = {
+            Phase.READY: tr("ready?"),
+            Phase.COUNTING: str(max(1, math.ceil(guide.seconds_left))),
+            Phase.CHECKING: "…",
+            Phase.SHOWING: tr("again") if guide.advice else "✓",
+            Phase.LEARNING: tr("learning"),
+            Phase.DONE: tr("done"),
+        }
+        return words.get(guide.phase) or tr(guide.step.say)
 
 
 class StepsLine(QWidget):
@@ -105,9 +113,11 @@ class GuideView(QWidget):
     Signals
     -------
     save_asked : the new preset is in use, and is to be saved under a name of its own.
+    accepted : the new preset is in use, and not saved.
     """
 
     save_asked = Signal()
+    accepted = Signal()
 
     def __init__(self, calibration: CalibrationModel, head: QWidget, theme: Theme) -> None:
         super().__init__()
@@ -121,6 +131,7 @@ class GuideView(QWidget):
         self.head = head
         self.language, self.sounds = QComboBox(), QToolButton()
         self.hear_old, self.hear_new, self.save = QToolButton(), QToolButton(), QToolButton()
+        self.start = QToolButton()
         self.back, self.again, self.skip = QToolButton(), QToolButton(), QToolButton()
         self.cancel, self.refuse, self.accept = QToolButton(), QToolButton(), QToolButton()
         self._lay_out()
@@ -149,10 +160,11 @@ class GuideView(QWidget):
         column.addLayout(self._outcome_row(), 3)
         for widget in (self.advice, self.meter, self.room):
             column.addWidget(widget)
-        self.accept.setStyleSheet(
-            f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
-            " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
-        )
+        for button in (self.accept, self.start):
+            button.setStyleSheet(
+                f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
+                " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
+            )
         row = QHBoxLayout()
         row.addStretch(1)
         row.addWidget(self.language)
@@ -165,6 +177,7 @@ class GuideView(QWidget):
             self.refuse,
             self.save,
             self.accept,
+            self.start,
         ):
             button.setMinimumHeight(28)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -204,7 +217,13 @@ class GuideView(QWidget):
             (self.back, tr("◀ back"), tr("Say what came before once more (Backspace)"), guide.back),
             (self.again, tr("again"), tr("Say this once more (R)"), guide.again),
             (self.skip, tr("skip ▶"), tr("Go on without this (Right)"), guide.skip),
-            (self.cancel, tr("cancel"), tr("End the guide; what was recorded stays (Escape)"), guide.cancel),
+            (self.start, tr("start"), tr("Count down from two, then keep quiet (Return)"), guide.start),
+            (
+                self.cancel,
+                tr("cancel"),
+                tr("End the guide, and delete its takes; Ctrl+Z brings them back (Escape)"),
+                guide.cancel,
+            ),
             (
                 self.refuse,
                 tr("keep the old preset"),
@@ -221,7 +240,7 @@ class GuideView(QWidget):
                 self.accept,
                 tr("use the new preset"),
                 tr("Change the preset; Ctrl+Z takes it back (Return)"),
-                guide.accept,
+                self._accept,
             ),
             (
                 self.hear_old,
@@ -244,10 +263,12 @@ class GuideView(QWidget):
             ("Backspace", (self.back,)),
             ("R", (self.again,)),
             ("Right", (self.skip,)),
-            ("Return", (self.accept,)),
+            ("Return", (self.start, self.accept)),
             ("Escape", (self.cancel, self.refuse)),
         ):
-            QShortcut(QKeySequence(key), self).activated.connect(lambda buttons=buttons: _click(*buttons))
+            shortcut = QShortcut(QKeySequence(key), self)
+            shortcut.setAutoRepeat(False)
+            shortcut.activated.connect(lambda buttons=buttons: _click(*buttons))
         guide.changed.connect(self._show)
 
     def _hear_old(self) -> None:
@@ -262,13 +283,17 @@ class GuideView(QWidget):
         self.hear_old.setChecked(not new)
         self.hear_new.setChecked(new)
 
+    def _accept(self) -> None:
+        self._calibration.guide.accept()
+        self.accepted.emit()
+
     def _save(self) -> None:
         self._calibration.guide.accept()
         self.save_asked.emit()
 
     def _show(self) -> None:
         guide, done = self._calibration.guide, self._calibration.guide.phase is Phase.DONE
-        asking = guide.phase in {Phase.WAITING, Phase.HEARING, Phase.CHECKING, Phase.SHOWING}
+        asking, ready = guide.asking, guide.phase is Phase.READY
         self.title.setText(f"<h2>{self._title()}</h2>")
         self.hint.setText(f"<span style='font-size: {24 if guide.reading else 16}px'>{self._hint()}</span>")
         self.advice.setText(self._advice())
@@ -281,11 +306,16 @@ class GuideView(QWidget):
         self.room.setText(
             said + "   ·   " + tr("voice by {speaker}").format(speaker=self._calibration.takes.speaker or tr("me"))
         )
-        for widget in (self.skip, self.again, self.meter, self.room):
+        for widget in (self.skip, self.again):
             widget.setVisible(asking)
+        for widget in (self.meter, self.room):
+            widget.setVisible(asking or ready)
+        self.start.setVisible(ready)
+        with QSignalBlocker(self.language):
+            self.language.setCurrentIndex(LANGUAGES.index(guide.language))
         self.back.setVisible(asking or done)
-        self.language.setVisible(asking)
-        self.sounds.setVisible(asking)
+        self.language.setVisible(asking or ready)
+        self.sounds.setVisible(asking or ready)
         self.sounds.setChecked(guide.by_sounds)
         gains = done and guide.outcome is not None and guide.outcome.gains
         self.cancel.setVisible(not done)
@@ -312,6 +342,8 @@ class GuideView(QWidget):
             if guide.outcome is None or not guide.outcome.gains:
                 return tr("Nothing better was found")
             return tr("It knows your voice better now") if guide.outcome.is_clear else tr("No clear change")
+        if guide.phase in {Phase.READY, Phase.COUNTING}:
+            return tr("Ready?")
         if guide.step.sentence is None:
             return (
                 tr("Sound {index} of {n}").format(index=guide.index + 1, n=len(guide.steps) - 1)
@@ -328,6 +360,8 @@ class GuideView(QWidget):
             return self._found()
         if not self._calibration.session.microphone.listening:
             return f"{tr_engine(self._calibration.session.microphone.words)} …"
+        if guide.phase is Phase.READY:
+            return tr(SOUNDS_AHEAD if guide.by_sounds else LINES_AHEAD)
         return tr(guide.step.hint)
 
     def _found(self) -> str:
@@ -341,7 +375,8 @@ class GuideView(QWidget):
             else ""
         )
         unclear = tr(UNCLEAR) + "<br>" if guide.outcome.gains and not guide.outcome.is_clear else ""
-        return unclear + tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure
+        unsaved = f"<br><b>{tr('The new preset is not saved yet.')}</b>" if guide.outcome.gains else ""
+        return unclear + tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure + unsaved
 
     def _advice(self) -> str:
         outcome = self._calibration.guide.outcome

@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeanalyser.desktop.session.second_preset import SecondPreset
 from phonemeanalyser.desktop.session.sonagram_tiles import SonagramTiles
 from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
+from phonemeanalyser.desktop.session.waveform_track import WaveformTrack
 from phonemeanalyser.desktop.session.whole_file import WholeFile
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
@@ -93,7 +94,7 @@ class Session(QObject):
         self.microphone = microphone or Microphone()
         self.writer = PhonemeWriter()
         self.view, self.whole = TimeView(), WholeFile()
-        self.sonagram, self.formants = SonagramTiles(), FormantTrack()
+        self.sonagram, self.formants, self.waveform = SonagramTiles(), FormantTrack(), WaveformTrack()
         self.labels = LabelTiers(preset.undo_stack)
         self.second = SecondPreset(preset, self.whole)
         self.source = SoundSource.FILE
@@ -117,7 +118,7 @@ class Session(QObject):
         self.writer.error.connect(self.error)
         self.labels.error.connect(self.error)
         self.second.error.connect(self._tell_once)
-        for model in (self.whole, self.sonagram, self.formants):
+        for model in (self.whole, self.sonagram, self.formants, self.waveform):
             model.error.connect(self._tell_once)
         self.view.moved.connect(self._look)
         self.sonagram_is_filtered = False
@@ -170,7 +171,9 @@ class Session(QObject):
     @property
     def busy(self) -> bool:
         """Whether more of the file in hand is being found or measured."""
-        return any(model.busy for model in (self.whole, self.second.whole, self.sonagram, self.formants))
+        return any(
+            model.busy for model in (self.whole, self.second.whole, self.sonagram, self.formants, self.waveform)
+        )
 
     @property
     def input_silent(self) -> bool:
@@ -330,7 +333,7 @@ class Session(QObject):
     def _leave_past(self) -> None:
         if self._past is not None:
             self._past = None
-            for model in (self.whole, self.second.whole, self.sonagram, self.formants):
+            for model in (self.whole, self.second.whole, self.sonagram, self.formants, self.waveform):
                 model.leave()
             self.view.open(0.0)
             self.looked_back.emit()
@@ -339,7 +342,7 @@ class Session(QObject):
         """Have a sound seen on its own time."""
         path, channel = sound.path, sound.channel
         self.view.open(sound.duration)
-        for track in (self.sonagram, self.formants):
+        for track in (self.sonagram, self.formants, self.waveform):
             track.open(lambda: SoundReader(path, channel), sound.duration)
         self.whole.open(sound, preset)
         self.second.follow()
@@ -367,7 +370,7 @@ class Session(QObject):
         """Let the source in use go: some cards serve one stream at a time."""
         self.microphone.stop()
         self._leave_past()
-        for model in (self.whole, self.second.whole, self.sonagram, self.formants):
+        for model in (self.whole, self.second.whole, self.sonagram, self.formants, self.waveform):
             model.leave()
         self.view.open(0.0)
         self._tone_reader = None
@@ -517,7 +520,7 @@ class Session(QObject):
         self._detach()
         self.microphone.close()
         self.writer.close()
-        for model in (self.whole, self.second, self.sonagram, self.formants):
+        for model in (self.whole, self.second, self.sonagram, self.formants, self.waveform):
             model.close()
 
     def write_phonemes(self, target: Path) -> None:

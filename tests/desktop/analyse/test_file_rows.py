@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.analyse.file_rows import columns_of, course_of, lane_pixels, wave_pixels, wide_runs
+from phonemeanalyser.desktop.analyse.file_rows import (
+    columns_of,
+    course_of,
+    lane_pixels,
+    usual_course_of,
+    usual_of,
+    wave_pixels,
+    wide_runs,
+)
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.dsp.waveform_peaks import Peaks
 from phonemeengine.phonemes import Phoneme
@@ -67,3 +75,23 @@ def test_a_course_seen_from_near_goes_through_every_frame() -> None:
     times, heights = course_of(np.array([1, 2, 3], np.float32), 10, TimeSpan(0.1, 0.13), 100)
     assert times.tolist() == pytest.approx([0.105, 0.115, 0.125])
     assert heights.tolist() == [1, 2, 3]
+
+
+def test_far_from_near_a_course_goes_through_what_is_usual_and_has_gaps() -> None:
+    """Pitch of 120 Hz with a jump of an octave in every tenth frame: its extremes would be a solid block."""
+    pitch = np.full(72_000, 120.0, np.float32)
+    pitch[::10] = 240.0
+    pitch[36_000:54_000] = np.nan
+    times, values = usual_course_of(pitch, 0, TimeSpan(0.0, 720.0), 500)
+    assert len(times) <= 500
+    assert np.all(np.diff(times) > 0)
+    voiced = (times < 360) | (times > 540)
+    np.testing.assert_array_equal(values[voiced], 120.0)
+    assert np.isnan(values[~voiced]).all()
+
+
+def test_groups_of_frames_stay_the_same_while_the_view_scrolls_and_near_by_each_frame_is_one() -> None:
+    values = np.arange(40, dtype=np.float32)[:, np.newaxis]
+    np.testing.assert_array_equal(usual_of(values, 4, 0)[2:5], usual_of(values[8:20], 4, 8))
+    np.testing.assert_array_equal(usual_of(values[6:], 1, 6), values[6:])
+    assert np.isnan(usual_of(values[7:], 4, 7)[0, 0])  # one frame of four is none

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS, Phase
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.scores.corpus import read_recordings
-from phonemeengine.calibration.sentences import SENTENCES
+from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES
 from phonemeengine.calibration.takes.onset import onset_in
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
@@ -36,6 +36,7 @@ def guided(open_booth: Open, mic: HandDrivenMicrophone) -> Calibrator:
     """Somebody who has been heard being quiet, and is asked for the first sound."""
     calibrator = Calibrator(open_booth(mic), mic)
     press(calibrator.booth.window, Qt.Key.Key_G)
+    press(calibrator.booth.window, Qt.Key.Key_Return)
     calibrator.until(lambda: calibrator.model.guide.index == 1, silently=False)
     return calibrator
 
@@ -95,9 +96,12 @@ def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_
     assert "of the room is called silence" in by_sounds.page.guide.hint.text()
     assert by_sounds.page.guide.head.isHidden()  # nothing was read that it could say
     assert preset.preset == before
+    assert "The new preset is not saved yet" in by_sounds.page.guide.hint.text()
     click(by_sounds.page.guide.accept)
     assert preset.preset.thresholds == guide.outcome.preset.thresholds != before.thresholds
     assert not guide.running
+    assert by_sounds.booth.banner == "The calibrated preset is in use, and not saved yet."
+    assert by_sounds.booth.window.banner.action.text() == "Save As…"
     press(by_sounds.booth.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert preset.preset == before
 
@@ -290,6 +294,8 @@ def test_a_room_that_is_not_quiet_is_measured_again(open_booth: Open, mic: HandD
     click(calibrator.page.takes.guide)
     calibrator.until(lambda: calibrator.booth.studio.model.listening, silently=False)
     guide = calibrator.model.guide
+    click(calibrator.page.guide.start)
+    calibrator.until(lambda: guide.phase is Phase.HEARING, silently=False)
     give(calibrator, np.concatenate((silence(0.5), tone(440, 0.4, 0.3), silence(1.6))))
     calibrator.until(lambda: guide.phase is Phase.SHOWING, silently=False)
     assert "quiet" in guide.advice
@@ -318,15 +324,54 @@ def test_back_lets_a_take_make_room_for_a_new_one(by_sounds: Calibrator):
     assert by_sounds.takes[-1].number == 3
 
 
-def test_skipped_sounds_are_left_out_and_cancel_keeps_what_was_recorded(by_sounds: Calibrator):
+def test_nothing_is_recorded_before_the_user_is_ready_and_the_countdown_is_over(open_booth: Open, mic):
+    calibrator = Calibrator(open_booth(mic), mic)
+    guide, view = calibrator.model.guide, calibrator.page.guide
+    press(calibrator.booth.window, Qt.Key.Key_G)
+    calibrator.until(lambda: calibrator.booth.studio.model.listening, silently=False)
+    give(calibrator, silence(3.0))
+    assert guide.phase is Phase.READY
+    assert "Nothing is recorded before you press start" in view.hint.text()
+    click(view.start)
+    assert guide.phase is Phase.COUNTING
+    give(calibrator, tone(440, 1.0, 0.3))  # the rest of a word, or a key, which is not the room
+    calibrator.until(lambda: guide.phase is Phase.HEARING, silently=False)
+    calibrator.until(lambda: guide.index == 1, silently=False)
+    assert guide.room is not None
+    assert guide.room.level < 0.001
+
+
+def test_a_german_window_offers_german_lines_until_another_language_is_chosen(open_booth: Open, mic):
+    calibrator = Calibrator(open_booth(mic), mic)
+    calibrator.booth.desktop.set_language("de")
+    guide = calibrator.model.guide
+    calibrator.model.begin_guide()
+    calibrator.booth.window.show_page(1)
+    assert guide.steps[1].sentence.language == "German"
+    assert calibrator.page.guide.language.currentIndex() == LANGUAGES.index("German")
+    guide.choose("Italian", by_sounds=False)
+    guide.cancel()
+    guide.begin()
+    assert guide.steps[1].sentence.language == "Italian"
+
+
+def test_cancel_leaves_no_take_of_the_room_behind_and_undo_brings_it_back(guided: Calibrator):
+    guided.settle()
+    assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE]
+    click(guided.page.guide.cancel)
+    guided.settle()
+    assert guided.takes == ()
+    press(guided.booth.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    guided.settle()
+    assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE]
+
+
+def test_skipped_sounds_are_left_out(by_sounds: Calibrator):
     guide = by_sounds.model.guide
     press(by_sounds.booth.window, Qt.Key.Key_Right)
     assert guide.index == 2
     answer(by_sounds, 2)
-    click(by_sounds.page.guide.cancel)
     by_sounds.settle()
-    assert not guide.running
-    assert by_sounds.page.workbench.isVisible()
     assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.E]
 
 

@@ -1,0 +1,60 @@
+"""The waveform of what is seen, where the analysis of the whole file has not come yet."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.session.waveform_track import MOST_SECONDS, WaveformTrack
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.dsp.waveform_peaks import WaveformPeaks
+from phonemeengine.settings import SAMPLE_RATE
+from tests.desktop.hands import wav
+from tests.sounds import tone
+
+SOUND = tone(100.0, 60.0, 0.5) * np.linspace(0.1, 1.0, 60 * SAMPLE_RATE, dtype=np.float32)
+
+
+@pytest.fixture
+def track(qtbot, tmp_path: Path):
+    path = wav(tmp_path, SOUND)
+    track = WaveformTrack()
+    track.open(lambda: SoundReader(path), 60.0)
+    yield track
+    track.close()
+
+
+def read(n: int) -> WaveformPeaks:
+    """The outline as far as the analysis has read the sound."""
+    peaks = WaveformPeaks()
+    peaks.push(SOUND[:n])
+    return peaks
+
+
+def test_where_one_looks_the_waveform_is_there_before_the_analysis_has_come_so_far(track, qtbot):
+    seen = TimeSpan(40.0, 50.0)
+    with qtbot.waitSignal(track.changed):
+        assert np.isnan(track.outline_in(seen, read(0), 100).high).all()
+    whole = read(len(SOUND)).between(40.0 * SAMPLE_RATE, 50.0 * SAMPLE_RATE, 100)
+    found = track.outline_in(seen, read(5 * SAMPLE_RATE), 100)
+    np.testing.assert_allclose(found.high, whole.high, atol=0.01)
+    np.testing.assert_allclose(found.low, whole.low, atol=0.01)
+    assert not track.busy
+
+
+def test_what_is_known_is_not_read_again_and_what_is_beside_is_there_at_once(track, qtbot):
+    track.outline_in(TimeSpan(0.0, 10.0), read(len(SOUND)), 100)
+    assert not track.busy
+    with qtbot.waitSignal(track.changed):
+        track.outline_in(TimeSpan(20.0, 30.0), read(0), 100)
+    assert not np.isnan(track.outline_in(TimeSpan(25.0, 35.0), read(0), 100).high).any()
+    assert not track.busy
+
+
+def test_of_a_longer_view_only_what_was_read_is_shown_and_of_no_file_nothing(track):
+    track.outline_in(TimeSpan(0.0, MOST_SECONDS + 1), read(0), 100)
+    assert not track.busy
+    track.leave()
+    track.outline_in(TimeSpan(0.0, 10.0), read(0), 100)
+    assert not track.busy
