@@ -95,7 +95,9 @@ def usual_course_of(
     """
     per_point = max(1, int(np.ceil(seen.seconds / FRAME_PERIOD / n_columns)))
     usual = usual_of(values[:, np.newaxis], per_point, first)[:, 0]
-    times = (first // per_point + np.arange(len(usual)) + 0.5) * per_point * FRAME_PERIOD
+    times: Float64Array = (
+        (first // per_point + np.arange(len(usual), dtype=np.float64) + 0.5) * per_point * FRAME_PERIOD
+    )
     return times, usual.astype(np.float64)
 
 

@@ -306,10 +306,10 @@ class GuideView(QWidget):
         self.room.setText(
             said + "   ·   " + tr("voice by {speaker}").format(speaker=self._calibration.takes.speaker or tr("me"))
         )
-        for widget in (self.skip, self.again):
-            widget.setVisible(asking)
-        for widget in (self.meter, self.room):
-            widget.setVisible(asking or ready)
+        for button in (self.skip, self.again):
+            button.setVisible(asking)
+        for shown in (self.meter, self.room):
+            shown.setVisible(asking or ready)
         self.start.setVisible(ready)
         with QSignalBlocker(self.language):
             self.language.setCurrentIndex(LANGUAGES.index(guide.language))
