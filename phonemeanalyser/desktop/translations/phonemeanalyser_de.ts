@@ -1149,6 +1149,11 @@
             <translation>Korpus-Beschriftungen (*.csv)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>Count down from two, then keep quiet (Return)</source>
+            <translation>Von zwei herunterzählen, dann still sein (Eingabe)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Croatian</source>
             <translation>Kroatisch</translation>
@@ -1400,8 +1405,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
-            <source>End the guide; what was recorded stays (Escape)</source>
-            <translation>Die Führung beenden; was aufgenommen ist, bleibt (Esc)</translation>
+            <source>End the guide, and delete its takes; Ctrl+Z brings them back (Escape)</source>
+            <translation>Die Anleitung beenden und ihre Takes löschen; Strg+Z holt sie zurück (Esc)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
@@ -1718,6 +1723,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
             <source>formants</source>
             <translation>Formanten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/file_painter.py" />
+            <source>Formants: zoom in to {n:.0f} s or less</source>
+            <translation>Formanten: auf {n:.0f} s oder weniger zoomen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -2388,6 +2398,16 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
             <source>keep quiet</source>
             <translation>still sein</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>Keep quiet for two seconds, then read two lines aloud. Nothing is recorded before you press start.</source>
+            <translation>Zwei Sekunden still sein, dann zwei Zeilen vorlesen. Vor „Start“ wird nichts aufgenommen.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>Keep quiet for two seconds, then say nine sounds and read a line aloud. Nothing is recorded before you press start.</source>
+            <translation>Zwei Sekunden still sein, dann neun Laute sprechen und eine Zeile vorlesen. Vor „Start“ wird nichts aufgenommen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
@@ -4051,6 +4071,16 @@
             <translation>Dies natürlich vorlesen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>Ready?</source>
+            <translation>Bereit?</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>ready?</source>
+            <translation>bereit?</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
             <source>receiver of the OSC messages</source>
             <translation>Empfänger der OSC-Nachrichten</translation>
@@ -4389,6 +4419,11 @@
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Save as TOML…</source>
             <translation>Als TOML speichern…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <source>Save As…</source>
+            <translation>Speichern unter…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
@@ -5091,6 +5126,11 @@
             <translation>Gesprochenen Text als Klang…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Start</source>
+            <translation>Start</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>start</source>
             <translation>Anfang</translation>
@@ -5271,6 +5311,11 @@
             <translation>Thailändisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <source>The calibrated preset is in use, and not saved yet.</source>
+            <translation>Das kalibrierte Preset ist in Gebrauch, aber noch nicht gespeichert.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/latency_test.py" />
             <source>the card does not tell which part of it is the microphone's</source>
             <translation>die Karte verrät nicht, welcher Teil davon auf das Mikrofon fällt</translation>
@@ -5449,6 +5494,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The nearest of nine mean spectra wins, as in uLipSync; best made from takes of one voice.</source>
             <translation>Das nächste von neun mittleren Spektren gewinnt, wie bei uLipSync; am besten aus Takes einer Stimme.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <source>The new preset is not saved yet.</source>
+            <translation>Das neue Preset ist noch nicht gespeichert.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
