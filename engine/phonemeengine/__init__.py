@@ -140,7 +140,7 @@ _PAGE = {
     # A mouth that says a text
     "speech.pinyin.track": "PinyinTrack pinyin_track",
     "speech.silent": "SilentSpeech SilentText",
-    "speech.pinyin.timing": "has_pinyin",
+    "speech.pinyin.timing": "SaidPart has_pinyin",
     "speech.pinyin.table": "PinyinTable load_pinyin_table",
     "speech.pinyin.driver": "PinyinMouth",
     "speech.pinyin.spring": "Spring",

@@ -149,7 +149,7 @@ from phonemeengine.speech.pinyin.driver import PinyinMouth
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import has_pinyin
+from phonemeengine.speech.pinyin.timing import SaidPart, has_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.silent import SilentSpeech, SilentText
@@ -309,6 +309,7 @@ __all__ = [
     "RecordingError",
     "Rule",
     "RuleComparison",
+    "SaidPart",
     "Scores",
     "ScriptWord",
     "Segment",
