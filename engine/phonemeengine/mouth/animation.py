@@ -115,7 +115,8 @@ def animation_blocks(performer: Performer, speech: Transcript, rate: float) -> I
     performer.expect_speech(spoken)
     movestates = performer.table.movestates
     eyelids = [k for k, name in enumerate(movestates) if name in EYELIDS]
-    n_frames = math.floor(max(speech.duration, _end_of(performer, spoken)) * rate + 1e-6) + 1
+    n_frames = math.floor(speech.duration * rate + 1e-6) + 1
+    n_frames = max(n_frames, math.ceil(_end_of(performer, spoken) * rate - 1e-6) + 1)
     faces = _faces(performer, speech, np.arange(n_frames) / rate)
     for first in range(0, n_frames, BLOCK):
         n = min(BLOCK, n_frames - first)
@@ -128,9 +129,11 @@ def animation_blocks(performer: Performer, speech: Transcript, rate: float) -> I
 
 
 def _end_of(performer: Performer, spoken: Sequence[tuple[float, float]]) -> float:
-    """Return when what is expressed after the last sound has come back, seconds."""
-    expression = performer.idle.expression
-    return 0.0 if expression is None or not spoken else spoken[-1][1] + expression.times.release + AFTERWARDS
+    """Return when the mouth is at rest, and what is expressed after the last sound has come back, seconds."""
+    expression, rests = performer.idle.expression, max(performer.rests_from, 0.0)
+    if expression is None or not spoken:
+        return rests
+    return max(rests, spoken[-1][1] + expression.times.release + AFTERWARDS)
 
 
 def check_rate(rate: float) -> None:

@@ -29,9 +29,12 @@ OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E"
 """The 15 visemes of Oculus Lipsync, in its order."""
 
 VRM = ("A", "I", "U", "E", "O")
-"""The mouths of a VRM avatar, as VMC programs name them."""
+"""The mouths of an avatar of VRM 0, as VMC programs name them."""
 
-NAMES: dict[str, tuple[str, ...]] = {"arkit": ARKIT, "oculus": OCULUS, "vrm": VRM}
+VRM1 = ("aa", "ih", "ou", "ee", "oh")
+"""The same mouths of VRM 1."""
+
+NAMES: dict[str, tuple[str, ...]] = {"arkit": ARKIT, "oculus": OCULUS, "vrm": VRM, "vrm1": VRM1}
 """The sets that a mouth table may name instead of a list of its own."""
 
 EYELIDS = ("eyeBlinkLeft", "eyeBlinkRight")

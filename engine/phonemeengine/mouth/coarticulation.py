@@ -38,11 +38,13 @@ class PlannedMovement(NamedTuple):
     begin : when it begins, seconds.
     time_share : how long it takes, as a share of the time that the table has for it.
     cue : the sound.
+    end : when it is over, seconds.
     """
 
     begin: float
     time_share: float
     cue: Cue
+    end: float
 
 
 def planned_movements(
@@ -73,7 +75,7 @@ def planned_movements(
         wanted = cue.start - lead
         begin = max(wanted, begun + APART, _held_until(before, table, rate))
         hurried = max(1.0 - (begin - wanted) / time, QUICKEST) if time else 1.0
-        planned.append(PlannedMovement(begin, hurried, cue))
+        planned.append(PlannedMovement(begin, hurried, cue, begin + hurried * time))
         begun = begin
     return planned
 

@@ -174,7 +174,7 @@ class Performer:
         self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
         self._runs: list[TimedFrame] = []  # the first frame of each run of a sound, from the one that is shown on
         self._movements: deque[tuple[float, PlannedMovement]] = deque()  # each with when it begins, once it is known
-        self._closes_at = math.inf
+        self._closes_at, self._rests_from = math.inf, -math.inf
         self._track: MouthTrack | None = None
         self._track_start = 0.0
         self._express(None)
@@ -217,8 +217,11 @@ class Performer:
         """Take all that is said in a whole sound; see `planned_movements`."""
         with self._lock:
             silent = Segment(-math.inf, 0.0, Phoneme.SILENCE, 0.0)
-            cues = joined_runs((silent, *(run for run in runs if run.end > run.start)), self.table)
+            said = [run for run in runs if run.end > run.start]
+            after = [Segment(run.end, math.inf, Phoneme.SILENCE, 0.0) for run in said[-1:]]
+            cues = joined_runs((silent, *said, *after), self.table)
             planned = planned_movements(cues, self.table, -math.inf, anticipation, rate=self._rate)
+            self._rests_from = max((movement.end for movement in planned[-1:]), default=-math.inf)
             self._movements.extend((movement.begin, movement) for movement in planned)
 
     def play(self, track: MouthTrack | None, start: float = 0.0) -> None:
@@ -308,6 +311,11 @@ class Performer:
             if asked:
                 return [(*max(asked.items(), key=lambda entry: entry[1]), "")]
             return [(frame.phoneme, frame.intensity, frame.phone) for frame in heard]
+
+    @property
+    def rests_from(self) -> float:
+        """When the mouth has come to rest after all that it follows, seconds; minus infinity without that."""
+        return self._rests_from
 
     @property
     def inhibition(self) -> float:

@@ -17,7 +17,7 @@ from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 USUAL_ADDRESS = "127.0.0.1:39539"
 """Where VMC programs listen on this computer."""
 AS_THE_HEAD = "head"
-TABLES = (AS_THE_HEAD, "arkit", "vrm", "oculus")
+TABLES = (AS_THE_HEAD, "arkit", "vrm", "vrm1", "oculus")
 """What is sent: what moves the head, or one of the sets of movestates that receivers know."""
 CLOSE_TIMEOUT = 2.0
 """Seconds after which the end of the program waits no longer for the network."""

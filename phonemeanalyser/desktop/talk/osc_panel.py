@@ -10,7 +10,8 @@ from phonemeanalyser.desktop.theme import Theme
 NAMES = {
     AS_THE_HEAD: tr_noop("as the head"),
     "arkit": "ARKit 52",
-    "vrm": "VRM A I U E O",
+    "vrm": "VRM 0: A I U E O",
+    "vrm1": "VRM 1: aa ih ou ee oh",
     "oculus": "Oculus 15",
 }
 

@@ -48,7 +48,8 @@ def test_what_was_exported_comes_back(tmp_path: Path) -> None:
     export(DEMO, path, "curves-json", load_preset("thesis"))
     curves = read_curves(path)
     assert (curves.sound, curves.rate, curves.table) == ("demo.flac", 60, "ARKit 52")
-    assert len(curves.weights) == len(curves.head) == pytest.approx(60 * curves.duration, abs=2)
+    assert len(curves.weights) == len(curves.head)
+    assert 0 <= len(curves.weights) / 60 - curves.duration < 0.3  # until the mouth is at rest
     assert curves.weights.max() > 0.3
     assert [cue.end for cue in curves.cues[:-1]] == [cue.start for cue in curves.cues[1:]]
 

@@ -25,7 +25,7 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
-from tests.engine.mouth.speaking import DURATION, speech
+from tests.engine.mouth.speaking import DURATION, phones_said, speech
 
 GOLDEN = Path(__file__).resolve().parents[2] / "data" / "exports"
 TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
@@ -238,7 +238,7 @@ def test_live_link_has_61_columns_and_a_row_a_frame() -> None:
     assert 0 < np.abs(pitch).max() < np.radians(10)
 
 
-def test_a_picture_is_shown_at_the_very_end_of_the_sound() -> None:
+def test_a_picture_is_shown_at_the_very_end_of_the_sound_and_of_a_mouth_at_rest_after_it() -> None:
     for length, rate, n in ((0.29, 100.0, 30), (0.295, 100.0, 30), (1.0, 24.0, 25)):
         said = Transcript(
             "short.wav",
@@ -247,7 +247,10 @@ def test_a_picture_is_shown_at_the_very_end_of_the_sound() -> None:
             np.ones(29, np.float32),
             np.zeros(29, np.float32),
         )
-        assert len(rows_of(written("oculus-csv", said, rate=rate))) == n
+        rows = rows_of(written("oculus-csv", said, rate=rate))
+        assert float(rows[n - 1]["aa"]) > 0.3
+        assert float(rows[-1]["aa"]) == 0.0
+        assert n < len(rows) < n + 0.3 * rate
 
 
 def test_lips_are_shut_when_m_and_p_are_heard_and_open_for_a() -> None:
@@ -444,3 +447,28 @@ def test_a_long_face_is_written_in_parts_as_it_is_in_one(form: str, monkeypatch:
     monkeypatch.setattr("phonemeengine.mouth.animation.BLOCK", 7)
     monkeypatch.setattr("phonemeengine.mouth.exports.number_lines.ROWS", 3)
     assert b"".join(Exporter(form).chunks_of(speech())) == whole
+
+
+# -- few pictures a second --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("rate", [8, 12, 24])
+@pytest.mark.parametrize(
+    ("name", "shapes"), [("moho-dat", {"p": "MBP", "f": "FV"}), ("papagayo-pgo", {"p": "MBP", "f": "FV"})]
+)
+def test_what_meets_for_less_than_a_frame_wins_one(name: str, shapes: dict[str, str], rate: int) -> None:
+    """Wherever a p or an f of 40 ms lies between two frames, and with neighbours that are short as well."""
+    for phone, shape in shapes.items():
+        for k in range(12):
+            said = phones_said(("a", 0.1 + k / 100), (phone, 0.04), ("ə", 0.05), ("l", 0.05), ("a", 0.1))
+            lines = [line.split() for line in written(name, said, rate=rate).splitlines()]
+            frames = [int(line[0]) for line in lines if len(line) == 2 and line[1] == shape]
+            at = (0.32 - 0.04 + k / 100 + 0.1) * rate + (name == "moho-dat")
+            assert frames, (phone, k)
+            assert frames == pytest.approx([at] * len(frames), abs=1.6), (phone, k)
+
+
+def test_two_closures_within_a_frame_have_one_each() -> None:
+    said = phones_said(("a", 0.2), ("p", 0.04), ("f", 0.04), ("a", 0.2))
+    lines = [line.split()[1] for line in written("moho-dat", said, rate=8).splitlines()[1:]]
+    assert [shape for shape in lines if shape in {"MBP", "FV"}] == ["MBP", "FV"]
