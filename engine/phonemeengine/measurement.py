@@ -174,7 +174,7 @@ def save_stretch(
         otherwise than WAV.
     """
     check_wav_name(Path(target))
-    with SoundReader(path, channel) as reader:
+    with SoundReader(path, channel, as_it_is=True) as reader:
         first, last = round(max(0.0, start) * SAMPLE_RATE), min(round(end * SAMPLE_RATE), reader.n_samples)
         if not end > start or last <= first:
             raise _nothing_there(start, end)

@@ -153,5 +153,5 @@ def _read(sources: list[Path], mapping: PhonemeMap, channel: Channel) -> list[La
 
 
 def _sound_of(path: Path, channel: Channel) -> Float32Array:
-    with SoundReader(path, channel) as reader:
+    with SoundReader(path, channel, as_it_is=True) as reader:
         return reader.read_mono(MOST_ROOM * SAMPLE_RATE)

@@ -1,9 +1,11 @@
 """Sound files, read from disk as a stream at 44.1 kHz."""
 
+import functools
 import io
 import math
 import os
 import sys
+import threading
 from collections.abc import Iterable, Iterator
 from contextlib import ExitStack
 from pathlib import Path
@@ -17,6 +19,7 @@ from phonemeengine.audio.file_access import FileSlice, open_checked
 from phonemeengine.audio.headers import ADVICE, Extent, after_id3, extent_of
 from phonemeengine.audio.intake import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.audio.libsndfile import Decoder, DecodingError
+from phonemeengine.audio.mixing import PLAIN, Mix, measured_mix
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
 from phonemeengine.files import printable_name
@@ -50,6 +53,14 @@ class SoundReader(Closing):
     """Reads a sound file as a stream at 44.1 kHz; never holds the whole file.
 
     A file of one or two channels keeps them. One of more is reduced to a single channel: the mean of all, or one.
+    `blocks` and `read_mono` give what is recognised: silent channels are left out, channels that cancel each other
+    are turned over, and a very quiet sound is amplified. That is measured before the first of it is given; see `mix`.
+
+    Parameters
+    ----------
+    path : the file.
+    channel : see `choose`.
+    as_it_is : give all as it is in the file, such as a room whose loudness counts.
 
     Attributes
     ----------
@@ -67,8 +78,11 @@ class SoundReader(Closing):
         channel.
     """
 
-    def __init__(self, path: str | os.PathLike[str], channel: Channel = Channel.MIX) -> None:
+    def __init__(
+        self, path: str | os.PathLike[str], channel: Channel = Channel.MIX, *, as_it_is: bool = False
+    ) -> None:
         self.path = Path(path)
+        self._mix: Mix | None = PLAIN if as_it_is else None
         self._name = printable_name(self.path)
         self._raw = open_checked(self.path, self._name)
         with ExitStack() as unless_read:
@@ -97,11 +111,37 @@ class SoundReader(Closing):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Remarks for the user, a sentence each; mostly none."""
+        """Remarks for the user, a sentence each; mostly none. Asking for them measures the sound, see `mix`."""
+        assert self.mix is not None
+        return self.known_notes
+
+    @property
+    def known_notes(self) -> tuple[str, ...]:
+        """Those that are known by now."""
+        known = self._mix or self._known.mix
+        measured = () if known is None else known.notes
         cut_off = [self.cut_off] if self.cut_off else []
         n_tracks = self._file.n_tracks if isinstance(self._file, ContainerDecoder) else 1
         tracks = [f"it has {n_tracks} sound tracks, of which the main one is used"] if n_tracks > 1 else []
-        return (*cut_off, *tracks, *_notes(self.n_file_channels, self.n_samples, self.channel))
+        return (*cut_off, *tracks, *_notes(self, is_plain=known is None or not known.weights), *measured)
+
+    @property
+    def mix(self) -> Mix:
+        """How its channels are mixed and amplified to be recognised.
+
+        It is measured when it is first asked for: an ordinary sound takes no time, and one that is very quiet or in
+        which a channel is silent is read once to its end.
+
+        Raises
+        ------
+        AudioError : the file is damaged.
+        """
+        if self._mix is None:
+            with self._known.lock:
+                if self._known.mix is None:
+                    self._known.mix = measured_mix(self._file_blocks(), self.file_rate, self.channel)
+                self._mix = self._known.mix
+        return self._mix
 
     @property
     def cut_off(self) -> str:
@@ -127,6 +167,8 @@ class SoundReader(Closing):
             has, choice = ("only one channel", "") if n == 1 else (f"{n} channels", f"one of 1 to {n}, or ")
             raise AudioError(f"{self._name}: it has {has} and so no channel {channel.number}; choose {choice}the mix")
         self.channel = channel
+        about = os.fstat(self._raw.fileno())
+        self._known = _known_mix(str(self.path.absolute()), about.st_size, about.st_mtime_ns, channel)
 
     def read(self, n: int) -> Float32Array:
         """Return the next samples, fewer than `n` only at the end of the sound and none after it.
@@ -170,11 +212,22 @@ class SoundReader(Closing):
     def blocks(self, n: int) -> Iterator[Float32Array]:
         """Return what is analysed, from the position to the end: float32 blocks of shape (m,), m <= n."""
         while len(block := self.read(n)):
-            yield mono_of(block, self.channel)
+            yield self.mono(block)
 
     def read_mono(self, n: int = sys.maxsize) -> Float32Array:
         """Return the next samples of what is analysed, or all that are left; shape (m,), m <= n."""
-        return mono_of(self.read(n), self.channel)
+        return self.mono(self.read(n))
+
+    def mono(self, block: Float32Array) -> Float32Array:
+        """Return what is recognised, shape (n,), of a block that `read` gave.
+
+        Raises
+        ------
+        AudioError : the file is damaged, which its measuring found out.
+        """
+        mix = self.mix
+        is_mixed = self.n_channels == 2 and mix.weights
+        return mix.amplified(mix.channels_mixed(block) if is_mixed else mono_of(block, self.channel))
 
     def close(self) -> None:
         """Let go of the file."""
@@ -251,10 +304,38 @@ class SoundReader(Closing):
     def _reduced(self, block: Float32Array) -> Float32Array:
         if self.n_file_channels <= 2:
             return block
-        return mono_of(block, self.channel)[:, np.newaxis]
+        mix = self.mix
+        mono = mix.channels_mixed(block) if mix.weights else mono_of(block, self.channel)
+        return mono[:, np.newaxis]
+
+    def _file_blocks(self) -> Iterator[Float32Array]:
+        """Return the sound as it is in the file, from its beginning, shape (n, n_file_channels); up to damage."""
+        decoder = _decoder(self._raw, self._extent, self._name)
+        left, most = self._n_frames, max(1, min(self.file_rate // 2, READ_VALUES // self.n_file_channels))
+        try:
+            while left > 0 and len(block := decoder.read(min(most, left), dtype="float32", always_2d=True)):
+                left -= len(block)
+                yield np.nan_to_num(block, nan=0.0, posinf=0.0, neginf=0.0)
+        except DecodingError:  # whoever reads on is told
+            return
+        finally:
+            decoder.close()
 
     def _seconds(self, n_frames: int) -> str:
         return f"{(self._frame + n_frames) / self.file_rate:.3f} s"
+
+
+class _KnownMix:
+    """How a file is mixed, as soon as one of its readers has measured it; the others wait for that."""
+
+    def __init__(self) -> None:
+        self.lock = threading.Lock()
+        self.mix: Mix | None = None
+
+
+@functools.lru_cache(maxsize=64)
+def _known_mix(_path: str, _size: int, _changed: int, _channel: Channel) -> _KnownMix:
+    return _KnownMix()
 
 
 def is_sound(path: Path) -> bool:
@@ -368,10 +449,11 @@ def _is_mp3(file: Decoder | ContainerDecoder) -> bool:
     return str(file.subtype).startswith("MPEG_LAYER")
 
 
-def _notes(n_file_channels: int, n_samples: int, channel: Channel) -> Iterator[str]:
-    if n_file_channels > 2 and channel is Channel.MIX:
+def _notes(reader: SoundReader, *, is_plain: bool) -> Iterator[str]:
+    n_file_channels, n_samples, channel = reader.n_file_channels, reader.n_samples, reader.channel
+    if n_file_channels > 2 and channel is Channel.MIX and is_plain:
         yield f"{n_file_channels} channels are mixed to one"
-    elif n_file_channels > 2:
+    elif n_file_channels > 2 and channel is not Channel.MIX:
         yield f"only channel {channel.number} of {n_file_channels} is used"
     if n_samples < WINDOW:
         yield f"shorter than one window ({1000 * WINDOW / SAMPLE_RATE:.0f} ms), so silence surrounds it"

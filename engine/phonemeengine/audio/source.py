@@ -22,6 +22,10 @@ class Reader(Protocol):
         """Return the next samples, shape (m, n_channels), fewer than `n` only at the end."""
         ...
 
+    def mono(self, block: Float32Array) -> Float32Array:
+        """Return what is recognised, shape (m,), of a block that `read` gave."""
+        ...
+
     def seek(self, sample: int) -> None:
         """Go to a sample."""
         ...

@@ -126,7 +126,12 @@ class Listener(Closing):
             return NOT_LISTENING
         if source is None:
             return Status(listening=False, words=self._refusal)
-        return status_of(source, heard=ear is not None, silent=time.monotonic() - self._heard_at)
+        return status_of(
+            source,
+            heard=ear is not None,
+            silent=time.monotonic() - self._heard_at,
+            cancels=ear is not None and ear.cancels,
+        )
 
     @property
     def rate(self) -> int:

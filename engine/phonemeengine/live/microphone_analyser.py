@@ -3,12 +3,19 @@
 import time
 from dataclasses import dataclass
 
+import numpy as np
+
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.input import Input
+from phonemeengine.audio.mixing import cancels
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
 
+FADING = 0.99999
+"""How much of what was measured of the channels stays with each sample: some two seconds of it."""
+AUDIBLE = 1.0
+"""Least sum of squares, of samples within ±1, by which channels are judged."""
 STEADINESS = 0.98
 """How much of what was measured before stays in a latency with each block."""
 
@@ -58,6 +65,7 @@ class MicrophoneAnalyser:
         self.start = start
         self._n_heard = 0
         self._spent = self._look_ahead = 0.0
+        self._products: Float64Array = np.zeros((1, 1))
         self._columns = slice(channel - 1, channel) if channel else slice(None)
         self.analyser = Analyser(
             preset, rate=source.rate, live=True, pitch=pitch, start=start, phonemes_only=phonemes_only
@@ -74,6 +82,12 @@ class MicrophoneAnalyser:
         if not self._spent:
             return Latency()
         return Latency(self.source.delay + self.analyser.delay, look_ahead=self._look_ahead, analysis=self._spent)
+
+    @property
+    def cancels(self) -> bool:
+        """Whether the channels that are mixed cancelled each other in the last seconds."""
+        products = self._products
+        return len(products) > 1 and bool(products.trace() > AUDIBLE) and cancels(products)
 
     @property
     def seconds(self) -> float:
@@ -97,6 +111,8 @@ class MicrophoneAnalyser:
         """Analyse what is heard, shape (n, n_channels)."""
         began = time.monotonic()
         self._n_heard += len(block)
+        if block.shape[1] > 1:
+            self._products = FADING ** len(block) * self._products + block.T @ block
         analysis = self.analyser.push(block)
         self._look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD  # asked here: it may be made now
         spent = time.monotonic() - began

@@ -15,7 +15,6 @@ import numpy as np
 
 from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.audio.slowed_output import SlowedOutput
 from phonemeengine.audio.source import Reader
@@ -309,7 +308,7 @@ class Player:
             self._queue(self._analyser.finish())
             return
         self._read_ahead.append(block)
-        self._queue(self._analyser.push(mono_of(block, self.reader.channel)))
+        self._queue(self._analyser.push(self.reader.mono(block)))
 
     @property
     def _n_read_ahead(self) -> int:
@@ -340,7 +339,7 @@ class Player:
         self._read_ahead.clear()
         self._all_read = False
         if frame > start:
-            self._queue(self._analyser.push(mono_of(self.reader.read((frame - start) * HOP), self.reader.channel)))
+            self._queue(self._analyser.push(self.reader.mono(self.reader.read((frame - start) * HOP))))
         self._at_end = False
 
     def _queue(self, analysis: Analysis) -> None:

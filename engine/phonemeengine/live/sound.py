@@ -34,6 +34,7 @@ class RecentSamples:
         self.duration = reader.duration
         self._reader = reader
         self._read: deque[tuple[int, Float32Array]] = deque(maxlen=KEPT)
+        self.mono = reader.mono
         self.seek = reader.seek
         self.close = reader.close
 

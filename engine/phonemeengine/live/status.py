@@ -19,10 +19,16 @@ class Status:
 NOT_LISTENING = Status(listening=False, words="not listening")
 
 
-def status_of(source: Input, *, heard: bool, silent: float) -> Status:
-    """Return the status of an open microphone, which was heard `silent` seconds ago, or never yet."""
+def status_of(source: Input, *, heard: bool, silent: float, cancels: bool = False) -> Status:
+    """Return the status of an open microphone, which was heard `silent` seconds ago, or never yet.
+
+    `cancels` says that the channels that are mixed cancel each other.
+    """
     if not heard:
         return Status(listening=False, words=f"waiting for the first sound from {source.name}")
+    if silent < QUIET and cancels:
+        words = f"{source.name}; its channels cancel each other out when mixed, so choose one of them"
+        return Status(listening=True, words=words)
     if silent < QUIET:
         return Status(listening=True, words=source.name)
     return Status(

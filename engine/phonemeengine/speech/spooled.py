@@ -95,6 +95,10 @@ class SpooledSpeech(Closing):
             self._changed.notify_all()
         return block
 
+    def mono(self, block: Float32Array) -> Float32Array:
+        """Return the one channel of a block, shape (n,)."""
+        return block[:, 0]
+
     def seek(self, sample: int) -> None:
         """Go to a sample; beyond what is spoken so far means its end."""
         with self._changed:

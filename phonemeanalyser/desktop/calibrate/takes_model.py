@@ -197,7 +197,7 @@ class TakesModel(QObject):
 
         def act(project: TakeProject) -> Take:
             before = min(start, AROUND)
-            with SoundReader(path, channel) as reader:
+            with SoundReader(path, channel, as_it_is=True) as reader:
                 reader.seek(round((start - before) * SAMPLE_RATE))
                 samples = reader.read(round((before + end - start + AROUND) * SAMPLE_RATE))
             if channel is not Channel.MIX:

@@ -11,7 +11,6 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.source import Reader
 from phonemeengine.labels.files import write_labels
 from phonemeengine.presets.ears import ear_in_words, for_files
@@ -96,4 +95,4 @@ def _blocks(reader: Reader, progress: Progress) -> Iterator[Float32Array]:
     while len(block := reader.read(AT_ONCE)):
         n += len(block)
         report_progress(progress, n / reader.n_samples)
-        yield mono_of(block, reader.channel)
+        yield reader.mono(block)

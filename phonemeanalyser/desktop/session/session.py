@@ -200,7 +200,7 @@ class Session(QObject):
             return tr("no sound")
         n = self._file.n_file_channels
         channels = {1: "mono", 2: "stereo"}.get(n, tr("{n} channels").format(n=n))
-        return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.notes])
+        return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.known_notes])
 
     @property
     def output_name(self) -> str:

@@ -126,6 +126,10 @@ class ToneReader:
             done += self._fill(block[done:, 0])
         return block
 
+    def mono(self, block: Float32Array) -> Float32Array:
+        """Return the one channel of a block, shape (n,)."""
+        return block[:, 0]
+
     def seek(self, sample: int) -> None:
         """Go to a sample, beyond the ends meaning the ends; a change under way is over."""
         self.position = min(max(sample, 0), self.n_samples)

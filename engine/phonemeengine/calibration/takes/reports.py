@@ -13,7 +13,7 @@ from phonemeengine.phonemes import Phoneme
 
 def read_mono(path: Path) -> Float32Array:
     """Read a whole sound, of one channel, shape (n,)."""
-    with SoundReader(path) as reader:
+    with SoundReader(path, as_it_is=True) as reader:
         return mono_of(reader.read(reader.n_samples), reader.channel)
 
 

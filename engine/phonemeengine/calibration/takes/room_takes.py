@@ -48,7 +48,7 @@ def _stretches(take: LabelledUtterance, without: frozenset[Phoneme] = BRIEF) -> 
     wanted = [label for label in take.labels if label.certainty == CORE and label.phoneme not in without]
     if not wanted:
         return
-    with SoundReader(take.path) as reader:
+    with SoundReader(take.path, as_it_is=True) as reader:
         sound = reader.read_mono()
     for label in wanted:
         yield sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
