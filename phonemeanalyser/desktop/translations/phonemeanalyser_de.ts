@@ -6501,6 +6501,26 @@
             <translation>Die ganze Datei zeigen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{about}, its channels cancel each other out when mixed; channel {number} is turned over</source>
+            <translation>{about}, Kanäle löschen sich beim Mischen aus; Kanal {number} umgepolt</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{about}, only channel {number} of {n} sounds and is used</source>
+            <translation>{about}, nur Kanal {number} von {n} enthält Ton und wird verwendet</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{about}, only the channels {numbers} of {n} sound and are mixed</source>
+            <translation>{about}, nur die Kanäle {numbers} von {n} enthalten Ton und werden gemischt</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{about}, the recording peaks at {peak} dBFS; amplified by {gain} dB for recognition</source>
+            <translation>{about}, Spitzenpegel {peak} dBFS; zur Erkennung um {gain} dB verstärkt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
             <source>{cause} at {seconds} s of {sound}</source>
             <translation>{cause} bei {seconds} s von {sound}</translation>
@@ -6654,6 +6674,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{name}: this kind of file needs the package av, which is not installed; install it with: {command}</source>
             <translation>{name}: Für diese Dateien fehlt das Paket av; installieren mit: {command}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name}; its channels cancel each other out when mixed, so choose one of them</source>
+            <translation>{name}; Kanäle löschen sich beim Mischen aus, einen davon wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
