@@ -110,3 +110,11 @@ def test_the_cards_go_at_escape_and_fit_into_a_small_window(window):
     assert inside.contains(window.welcome.geometry())
     QTest.keyClick(window.welcome, Qt.Key.Key_Escape)
     assert not window.welcome.isVisible()
+
+
+def test_the_cards_go_with_the_page_and_with_the_first_thing_that_is_done(desktop, window):
+    for act in (lambda: window.show_page(1), lambda: desktop.session.seek(0.5)):
+        window.show_page(0)
+        window.welcome.show_cards()
+        act()
+        assert not window.welcome.isVisible()

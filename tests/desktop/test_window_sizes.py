@@ -189,6 +189,20 @@ def test_a_narrow_window_has_the_filters_behind_the_thresholds_until_the_user_mo
     assert window.analysis.thresholds.parentWidget().width() <= thresholds.width()
 
 
+def test_docks_give_way_when_the_window_becomes_narrow_and_come_back_as_wide_as_they_were(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    filters, thresholds = (window.findChild(QDockWidget, name) for name in ("Filters", "Thresholds"))
+    width = filters.width()
+    window.resize(1016, 700)
+    qtbot.waitUntil(lambda: filters in window.tabifiedDockWidgets(thresholds))
+    window.show_page(1)
+    window.resize(1280, 800)
+    window.show_page(0)
+    assert filters not in window.tabifiedDockWidgets(thresholds)
+    qtbot.waitUntil(lambda: filters.width() == width)
+    assert window.dockWidgetArea(filters) is Qt.DockWidgetArea.LeftDockWidgetArea
+
+
 @pytest.mark.parametrize(("width", "moved"), [(1280, True), (1016, False)])
 def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_narrow_one_is_kept(
     desktop, qapp, settings, qtbot, width, moved

@@ -139,7 +139,8 @@ class GuideView(QWidget):
         self._show()
 
     def refresh(self) -> None:
-        """Show how far it is."""
+        """Show how far it is, and whether the microphone is heard."""
+        self._show_hint()
         self.ring.update()
         self.meter.update()
 
@@ -295,7 +296,7 @@ class GuideView(QWidget):
         guide, done = self._calibration.guide, self._calibration.guide.phase is Phase.DONE
         asking, ready = guide.asking, guide.phase is Phase.READY
         self.title.setText(f"<h2>{self._title()}</h2>")
-        self.hint.setText(f"<span style='font-size: {24 if guide.reading else 16}px'>{self._hint()}</span>")
+        self._show_hint()
         self.advice.setText(self._advice())
         room = guide.room
         said = (
@@ -309,7 +310,7 @@ class GuideView(QWidget):
         for button in (self.skip, self.again):
             button.setVisible(asking)
         for shown in (self.meter, self.room):
-            shown.setVisible(asking or ready)
+            shown.setVisible(asking or ready or guide.phase is Phase.COUNTING)
         self.start.setVisible(ready)
         with QSignalBlocker(self.language):
             self.language.setCurrentIndex(LANGUAGES.index(guide.language))
@@ -333,6 +334,12 @@ class GuideView(QWidget):
             self.figures.show_scores((guide.outcome.before, guide.outcome.after))
         self.steps.update()
         self.ring.update()
+
+    def _show_hint(self) -> None:
+        size = 24 if self._calibration.guide.reading else 16
+        text = f"<span style='font-size: {size}px'>{self._hint()}</span>"
+        if text != self.hint.text():
+            self.hint.setText(text)
 
     def _title(self) -> str:
         guide = self._calibration.guide

@@ -9,7 +9,13 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme
-from phonemeanalyser.desktop.widgets.level_meter import LIGHT_WIDTH, LOWEST_DB, LevelMeterView, words_of
+from phonemeanalyser.desktop.widgets.level_meter import (
+    LIGHT_WIDTH,
+    LOWEST_DB,
+    LevelMeterView,
+    marks_that_fit,
+    words_of,
+)
 from phonemeengine.audio.level import Level
 
 WIDTH = 500
@@ -88,3 +94,9 @@ def test_the_words_of_the_light_fit_into_it(qapp: QApplication, qtbot: QtBot) ->
     font.setPixelSize(10)
     meter.setFont(font)
     assert max(meter.fontMetrics().horizontalAdvance(words_of(ago)) for ago in (None, 0.0, 59.4)) < LIGHT_WIDTH - 4
+
+
+@pytest.mark.parametrize(("width", "written"), [(100, {0, -24, -48}), (500, {0, -12, -24, -36, -48})])
+def test_marks_that_would_run_into_one_another_are_not_written(width: float, written: set[int]) -> None:
+    """Of a narrow meter, "-12" and "0 dB" would read "-120 dB"."""
+    assert marks_that_fit(lambda text: 6 * len(text), width) == written
