@@ -353,7 +353,7 @@ class ExportDialog(QDialog):
             QMessageBox.Icon.Question, tr("Replace files?"), words.format(n=len(there), name=targets[there[0]].name),
             parent=self,
         )  # fmt: skip
-        self.question.setInformativeText(tr("They may be yours, or were made with other settings."))
+        self.question.setInformativeText(tr("Perhaps edited by hand, or made with other settings."))
         roles = QMessageBox.ButtonRole
         self.replace = self.question.addButton(tr("Replace"), roles.DestructiveRole)
         self.keep = self.question.addButton(tr("Keep, Make Only the Others"), roles.AcceptRole)
