@@ -44,7 +44,9 @@ def test_what_is_done_is_not_touched_again(sounds: Path, tmp_path: Path) -> None
     after = {name: (out / name).stat().st_mtime_ns for name in outputs_in(out)}
     assert after.keys() - before.keys() == {"d.csv"}
     assert before.items() <= after.items()
-    assert main([*words, "--preset", "thesis"]) == 0
+    assert main([*words, "--preset", "thesis"]) == 1
+    assert {name: (out / name).stat().st_mtime_ns for name in outputs_in(out) if name in after} == after
+    assert main([*words, "--preset", "thesis", "--overwrite"]) == 0
     last = {name: (out / name).stat().st_mtime_ns for name in outputs_in(out)}
     assert not last.items() & before.items()
 
@@ -56,7 +58,9 @@ def test_another_text_is_another_order(sounds: Path, tmp_path: Path) -> None:
     assert main(words) == 0
     before = {name: (out / name).stat().st_mtime_ns for name in outputs_in(out)}
     (sounds / "a.txt").write_text("one three")
-    assert main(words) == 0
+    assert main(words) == 1
+    assert {name: (out / name).stat().st_mtime_ns for name in before} == before
+    assert main([*words, "--overwrite"]) == 0
     after = {name: (out / name).stat().st_mtime_ns for name in outputs_in(out)}
     assert {name for name in after if after[name] != before[name]} == {"a.csv"}
 
@@ -83,7 +87,7 @@ def test_what_was_wrong_stands_in_a_table_and_on_a_page(
     assert "b.wav" in capsys.readouterr().err
     (sounds / "b.wav").write_bytes((sounds / "a.wav").read_bytes())
     (sounds / "a.txt").unlink()
-    assert main(words[:6]) == 0
+    assert main([*words[:6], "--overwrite"]) == 0
     assert not (out / TABLE).exists()
     assert not (out / PAGE).exists()
 

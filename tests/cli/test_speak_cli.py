@@ -66,7 +66,7 @@ def test_what_is_left_out_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[
         (["Hallo", "--language", "de", "--voice", "xx"], "no voice 'xx'"),
         (["Hallo", "--language", "de", "--rate", "99"], "rate of a voice"),
         (["Hallo", "--program", "nothing"], "where the sound goes"),
-        (["Hallo", "--language", "de", "--export", "x.json"], "go together"),
+        (["Hallo", "--language", "de", "--format", "anno"], "name it with --export"),
     ],
 )
 def test_what_cannot_be_spoken_is_refused_in_a_sentence_and_nothing_is_written(
