@@ -3770,6 +3770,11 @@
             <translation>je Fenster</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>Perhaps edited by hand, or made with other settings.</source>
+            <translation>Vielleicht von Hand geändert oder mit anderen Einstellungen erstellt.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Persian</source>
             <translation>Persisch</translation>
@@ -5794,11 +5799,6 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/mapping_dialog.py" />
             <source>These names stand for no sound that is known here. Say what each one is; what stays unidentified counts neither as right nor as wrong.</source>
             <translation>Diese Namen stehen für keinen hier bekannten Laut. Bitte sagen, was jeder ist; was unbekannt bleibt, zählt weder als richtig noch als falsch.</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>They may be yours, or were made with other settings.</source>
-            <translation>Vielleicht sind es eigene, oder sie entstanden mit anderen Einstellungen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
