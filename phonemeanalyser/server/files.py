@@ -211,7 +211,7 @@ def refusal_of(said: str, memory: float) -> RefusedError:
     last = said.rpartition("\n")[2]
     if last.startswith("phonemeanalyser"):
         return RefusedError(last.removeprefix("phonemeanalyser: "))
-    if "MemoryError" in last or "MemoryError" in said[-2000:]:
+    if "MemoryError" in said[-2000:]:
         return RefusedError(f"the file needs more than {memory:g} MB of memory; send a shorter one", 413)
     _log.error("a file could not be exported: %s", said[-2000:])
     return RefusedError(FAILED, 500)
