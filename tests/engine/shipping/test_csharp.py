@@ -52,7 +52,8 @@ def in_mono(program: Path, library: Path, *words: str) -> "subprocess.CompletedP
     """Run a program that finds the ear's library."""
     environment = {**os.environ, "LD_LIBRARY_PATH": str(library.parent)}
     command = ["mono", str(program), *words]
-    return subprocess.run(command, input=SOUND.tobytes(), capture_output=True, env=environment, check=False)
+    sound, where = SOUND.tobytes(), program.parent  # where Mono writes what it knows of a crash
+    return subprocess.run(command, input=sound, capture_output=True, env=environment, cwd=where, check=False)
 
 
 def test_it_hears_and_moves_as_the_engine_does(folder: Path, tmp_path: Path) -> None:
