@@ -259,6 +259,7 @@ class Performer:
             self._coming.clear()
             self._loudnesses.clear()
             self._movements.clear()
+            self._inhibition.hear(now, speaks=False)  # unless the sound goes on
             current = self._runs[0]  # the mouth may be ahead of it
             self._runs = [current._replace(time=min(current.time, now))]
 

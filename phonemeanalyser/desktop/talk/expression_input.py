@@ -50,14 +50,14 @@ class ExpressionInput(QObject):
             return tr("off") if not self.on else tr("opening …")
         names = self.stream.names
         if not names:
-            return tr("listening")
+            return tr("the sender has stopped") if self.stream.stopped else tr("listening")
         if len(names) == 1:
             return tr("heard {name}").format(name=names[0])
         return tr("heard {name} and {n} more").format(name=names[0], n=len(names) - 1)
 
     @property
     def hears(self) -> bool:
-        """Whether another program has sent an expression."""
+        """Whether another program sends an expression."""
         return self.stream is not None and bool(self.stream.names)
 
     def set_on(self, on: bool) -> None:

@@ -7,6 +7,7 @@ from pythonosc.udp_client import SimpleUDPClient
 
 from phonemeengine import Expression, IdleMotion, MouthError, OscAddress, OscExpression, Performer, load_table
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.osc_expression import FADE, KEPT
 from tests.fakes.players import wait_for
 
 SMILE, BROW = ARKIT.index("mouthSmileLeft"), ARKIT.index("browInnerUp")
@@ -58,3 +59,21 @@ def test_a_port_that_is_taken_is_refused_in_one_sentence(sent):
     stream, _ = sent
     with pytest.raises(MouthError, match="choose another port"):
         OscExpression(OscAddress("127.0.0.1", stream.port))
+
+
+def test_a_face_goes_back_to_rest_when_its_sender_stops() -> None:
+    clock = [0.0]
+    with OscExpression(OscAddress("127.0.0.1", 0), clock=lambda: clock[0]) as stream:
+        client = SimpleUDPClient("127.0.0.1", stream.port)
+        client.send_message("/expression", ["smile", 1.0])
+        shows(stream, SMILE, 0.75)
+        clock[0] = KEPT
+        assert (float(stream.weights(0.0)[SMILE]), stream.names) == (0.75, ("smile",))
+        clock[0] = KEPT + FADE / 2
+        assert float(stream.weights(0.0)[SMILE]) == pytest.approx(0.375)
+        clock[0] = KEPT + FADE
+        assert (float(stream.weights(0.0).max()), stream.names, stream.stopped) == (0.0, (), True)
+        client.send_message("/expression", ["browInnerUp", 0.5])
+        shows(stream, BROW, 0.5)
+        assert (float(stream.weights(0.0)[SMILE]), stream.names, stream.stopped) == (0.0, ("browInnerUp",), False)
+        client.close()

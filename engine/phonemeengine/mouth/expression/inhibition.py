@@ -69,6 +69,9 @@ class Inhibition:
 
     def at(self, time: float) -> float:
         """Return how far expressions are held back, 0..1."""
+        if self._speaks and time - self._silent_since >= self._times.pause:
+            self._coming.append((self._silent_since + self._times.pause, 0.0))
+            self._speaks = False
         while self._coming and self._coming[0][0] <= time:
             begin, goal = self._coming.popleft()
             self._from, self._to, self._since = self._value(begin), goal, begin

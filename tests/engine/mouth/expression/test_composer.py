@@ -204,3 +204,14 @@ def test_an_expression_of_nothing_is_refused():
         Expression(())
     with pytest.raises(MouthError, match=r"0\.\.1"):
         smiling(speech_priority=1.2)
+
+
+@pytest.mark.parametrize("stop", [Performer.close_mouth, Performer.forget_coming])
+def test_nothing_is_held_back_after_speech_was_stopped(stop):
+    performer = Performer(load_table("arkit"), IdleMotion(blinks=False, head=False, expression=smiling()))
+    performer.hear([TimedFrame(k / 100, Phoneme.A, 1.0) for k in range(300)], 0.0)
+    performer.at(1.0)
+    assert performer.inhibition == pytest.approx(1.0)
+    stop(performer, 1.0)
+    performer.at(3.0)
+    assert performer.inhibition == 0.0
