@@ -5611,6 +5611,11 @@
             <translation>dasselbe ohne die Seite, als npm-Paket</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression_input.py" />
+            <source>the sender has stopped</source>
+            <translation>Sender hat aufgehört</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The silence lasted {seconds} s and should last {least} s or more; keep quiet for longer.</source>
             <translation>Die Stille dauerte {seconds} s und sollte mindestens {least} s dauern; länger still sein.</translation>
