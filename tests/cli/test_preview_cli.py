@@ -153,7 +153,7 @@ def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
             "a .gif shows at most 50 frames per second, got 60; choose fewer, or an .mp4",
         ),
         (("-o", "a", "--fps", "0"), "the frame rate must lie in 1..240 frames per second, got 0; choose another"),
-        (("-o", "a", "--fps", "nan"), "the frame rate must lie in 1..240 frames per second, got nan; choose another"),
+        (("-o", "a", "--fps", "0.5"), "the frame rate must lie in 1..240 frames per second, got 0.5; choose another"),
         (("-o", "full"), "full: this folder is not empty; name another one for the pictures"),
         (("-o", "full/mine/a"), "full/mine/a: cannot be written ("),
         (("-o", "full/mine/a.mp4"), "full/mine/a.mp4: cannot be written ("),

@@ -167,7 +167,7 @@ def test_labels_that_do_not_fit_their_sound_are_refused(
 ) -> None:
     write_recording(tmp_path)
     lines = [f'{a}\n{b}\n"{name}"\n' for a, b, name in phones]
-    empty = format_tiers({"phones": []}, 2.0, short=True).removesuffix('1\n0\n2\n""\n')
+    empty = format_tiers({"phones": []}, 1.0, short=True).removesuffix('1\n0\n1\n""\n')
     (tmp_path / "mami.TextGrid").write_text(f"{empty}{len(phones)}\n" + "".join(lines), encoding="utf-8")
     with pytest.raises(CorpusError, match=sentence):
         _read(tmp_path)
