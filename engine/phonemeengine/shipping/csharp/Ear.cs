@@ -2,7 +2,8 @@
 // Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: the functions of ear.h.
 //
 // A model may be listened with by any number of ears, each on a thread of its own. An ear, and a mouth, belongs to one
-// thread at a time. Push and Weights allocate nothing, so the thread of the sound may call them.
+// thread at a time. Push and Weights allocate nothing, so the thread of the sound may call them. What was disposed of,
+// or whose model was, throws an ObjectDisposedException.
 
 using System;
 using System.Collections.Generic;
@@ -65,13 +66,14 @@ namespace PhonemeEar
     /// <summary>A preset, and what it knows.</summary>
     public sealed class EarModel : IDisposable
     {
-        internal IntPtr Handle { get; private set; }
+        private IntPtr handle;
+
+        internal IntPtr Handle => Native.Open(handle, nameof(EarModel));
 
         /// <summary>Open the bytes of an .ear file; they are not needed afterwards.</summary>
         public EarModel(byte[] preset)
         {
-            Native.Check(Native.ear_model_open(preset, (UIntPtr)preset.Length, IntPtr.Zero, UIntPtr.Zero, out var handle));
-            Handle = handle;
+            Native.Check(Native.ear_model_open(preset, (UIntPtr)preset.Length, IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
         public string Name => Native.Text(Native.ear_model_name(Handle));
@@ -112,47 +114,55 @@ namespace PhonemeEar
 
         public void Dispose()
         {
-            Native.ear_model_close(Handle);
-            Handle = IntPtr.Zero;
+            Native.ear_model_close(handle);
+            handle = IntPtr.Zero;
         }
     }
 
-    /// <summary>Listens to one sound, mono, +-1, at any rate of 1..768 kHz. Close it before its model.</summary>
+    /// <summary>Listens to one sound, mono, +-1, at any rate of 1..768 kHz.</summary>
     public sealed class Ear : IDisposable
     {
         private IntPtr handle;
+        private readonly EarModel model;
         private readonly int rate;
+
+        private IntPtr Handle => Native.Open(handle, model, nameof(Ear));
 
         public Ear(EarModel model, int rate)
         {
+            this.model = model;
             this.rate = rate;
             Native.Check(Native.ear_open(model.Handle, (uint)Math.Max(0, rate), IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
         /// <summary>From the middle of a frame to when it is known, on the average, seconds.</summary>
-        public double Latency => Native.ear_latency(handle);
+        public double Latency => Native.ear_latency(Handle);
 
         /// <summary>At least as many frames as come of n samples at once, and as Finish gives.</summary>
-        public int MostFrames(int n) => Math.Max(32, (int)((long)n * 100 / rate) + 2);
+        public int MostFrames(int n)
+        {
+            Native.Open(handle, model, nameof(Ear));
+            return Math.Max(32, (int)((long)n * 100 / rate) + 2);
+        }
 
         /// <summary>Take the first n samples, put the frames that became known into `frames`, and return their number.</summary>
         public int Push(float[] samples, int n, Frame[] frames)
         {
             if (n > samples.Length)
                 throw new EarException($"{n} samples were promised, and there are {samples.Length}; hand in fewer");
-            Native.Check(Native.ear_push(handle, samples, (UIntPtr)n, frames, (UIntPtr)frames.Length, out var count));
+            Native.Check(Native.ear_push(Handle, samples, (UIntPtr)n, frames, (UIntPtr)frames.Length, out var count));
             return (int)count;
         }
 
         /// <summary>The sound is over: give its last frames, at most 32. Then the ear is as new.</summary>
         public int Finish(Frame[] frames)
         {
-            Native.Check(Native.ear_finish(handle, frames, (UIntPtr)frames.Length, out var count));
+            Native.Check(Native.ear_finish(Handle, frames, (UIntPtr)frames.Length, out var count));
             return (int)count;
         }
 
         /// <summary>Forget the sound, and begin another one.</summary>
-        public void Reset() => Native.ear_reset(handle);
+        public void Reset() => Native.ear_reset(Handle);
 
         public void Dispose()
         {
@@ -161,29 +171,42 @@ namespace PhonemeEar
         }
     }
 
-    /// <summary>Moves smoothly from shape to shape; equal seeds make equal mouths. Close it before its model.</summary>
+    /// <summary>Moves smoothly from shape to shape; equal seeds make equal mouths.</summary>
     public sealed class Mouth : IDisposable
     {
         private IntPtr handle;
+        private readonly EarModel model;
+        private readonly IReadOnlyList<string> movestates;
 
-        public IReadOnlyList<string> Movestates { get; }
+        private IntPtr Handle => Native.Open(handle, model, nameof(Mouth));
+
+        /// <summary>The blend shapes that it moves, in the order of all weights.</summary>
+        public IReadOnlyList<string> Movestates
+        {
+            get
+            {
+                Native.Open(handle, model, nameof(Mouth));
+                return movestates;
+            }
+        }
 
         public Mouth(EarModel model, int table, int seed = 1)
         {
-            Movestates = model.Movestates(table);
+            this.model = model;
+            movestates = model.Movestates(table);
             Native.Check(Native.ear_mouth_open(model.Handle, table, (uint)seed, IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
         /// <summary>Take what is heard from a time on, seconds of a clock of yours, which never goes back.</summary>
         public void Hear(double time, in Frame frame) =>
-            Native.ear_mouth_hear(handle, time, (int)frame.Phoneme, (int)frame.Viseme, frame.Intensity);
+            Native.ear_mouth_hear(Handle, time, (int)frame.Phoneme, (int)frame.Viseme, frame.Intensity);
 
         /// <summary>Put the weights of its movestates at a time, 0..1, into `weights`; times never go back.</summary>
         public void Weights(double time, float[] weights)
         {
             if (weights.Length < Movestates.Count)
                 throw new EarException($"a mouth of {Movestates.Count} movestates needs as much room, got {weights.Length}");
-            Native.ear_mouth_weights(handle, time, weights);
+            Native.ear_mouth_weights(Handle, time, weights);
         }
 
         public void Dispose()
@@ -201,6 +224,17 @@ namespace PhonemeEar
         {
             if (code != 0)
                 throw new EarException(Text(ear_error_text(code)));
+        }
+
+        /// <summary>Return a handle, unless its memory was given back, which the library would read nevertheless.</summary>
+        internal static IntPtr Open(IntPtr handle, string name) =>
+            handle != IntPtr.Zero ? handle : throw new ObjectDisposedException(name);
+
+        /// <summary>Return the handle of what reads the memory of a model, unless either was given back.</summary>
+        internal static IntPtr Open(IntPtr handle, EarModel model, string name)
+        {
+            Open(model.Handle, nameof(EarModel));
+            return Open(handle, name);
         }
 
         internal static string Text(IntPtr start)
