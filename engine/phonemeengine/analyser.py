@@ -61,6 +61,7 @@ class Analysis(ShortRepr):
     confidences : float32, shape (n_frames,): how sure the phonemes are: the share of such answers that are
         right, 0..1; NaN where that is not known, see `sure_of`.
     settings : with which all of this was found.
+    viseme_scores : float32, shape (n_frames, 15): how likely each `Viseme` is; None where the recogniser hears none.
     """
 
     start: int
@@ -71,6 +72,7 @@ class Analysis(ShortRepr):
     intensities: Float32Array
     confidences: Float32Array
     settings: AnalysisSettings
+    viseme_scores: Float32Array | None = None
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -117,6 +119,7 @@ class Analysis(ShortRepr):
             visemes=self.visemes[first:last],
             intensities=self.intensities[first:last],
             confidences=self.confidences[first:last],
+            viseme_scores=None if self.viseme_scores is None else self.viseme_scores[first:last],
         )
 
 
@@ -293,7 +296,8 @@ class Analyser:
         start, self._next = self._next, self._next + len(recognised)
         visemes = self._visemes.follow(phonemes, recognition.visemes)
         sure = sure_of(self._preset, phonemes, scores_in(measured.features), deficits if by_rules else None)
-        return Analysis(start, measured, recognised, phonemes, visemes, intensities, sure, settings)
+        seen = recognition.visemes
+        return Analysis(start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen)
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
         if self._leaves_features_out(preset):
@@ -364,6 +368,7 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
 
 def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
     """Return consecutive blocks as one; there must be at least one."""
+    of_visemes = [a.viseme_scores for a in analyses if a.viseme_scores is not None]
     return Analysis(
         analyses[0].start,
         concatenate([a.frames for a in analyses]),
@@ -373,6 +378,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         intensities=np.concatenate([a.intensities for a in analyses]),
         confidences=np.concatenate([a.confidences for a in analyses]),
         settings=analyses[-1].settings,
+        viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(analyses) else None,
     )
 
 

@@ -204,7 +204,8 @@ def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtt
         raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
     lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
     tags = frozenset(language.tag for language in languages())
-    return WordsToScore(texts, options.language, lexicon, tags, options.literal)
+    literal = options.literal or options.script is None  # a manifest tells what is said, and is no script
+    return WordsToScore(texts, options.language, lexicon, tags, literal)
 
 
 def _tag_of(language: str, known: Collection[str]) -> str:

@@ -29,7 +29,7 @@ from tools.bench.figures import ROOT, Absolute, Figure, shown
 from tools.bench.memory import resident_megabytes
 
 CORPUS = ROOT / "tests" / "data" / "corpus"
-TEXTS = argparse.Namespace(texts=True, script=None, language=None, lexicon=None)
+TEXTS = argparse.Namespace(texts=True, script=None, language=None, lexicon=None, literal=False)
 """The manifest's, each in its own language."""
 PEOPLE = "human"
 """The labels of people were made by an aligner, those of synthesizers tell when they spoke."""

@@ -5,13 +5,14 @@ change, is settled up to the end of a word, and the next stretch begins there.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
-from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of
+from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.sounds import least_frames_of
+from phonemeengine.alignment.text_fit import TextFit, fit_of
 from phonemeengine.alignment.viterbi import (
     SILENT,
     STRANGE,
@@ -20,9 +21,9 @@ from phonemeengine.alignment.viterbi import (
     WayStep,
     cheapest_way,
 )
+from phonemeengine.arrays import BoolArray
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
-from phonemeengine.phonemes import Phoneme
 from phonemeengine.text.pronunciation import ScriptWord
 
 STRETCH, UNSETTLED = 1000, 220
@@ -37,38 +38,10 @@ PRICES_OF_ACCEPTED = Prices(silence=3.0, skip=60.0, skip_sound=9.0, strange=105.
 """The same thrice, for a text of which somebody knows that it is said."""
 UNHURRIED = 0.6
 """Sounds last their usual least duration where all of them fill no more than this share of the whole sound."""
+AROUND = 8
+"""Frames before and after the speech that count as part of the sound; more silence says nothing of its hurry."""
 MOST_HURRY = 5
 """Frames by which sounds may be shorter than usual."""
-FEW_SPOKEN = 20
-"""Frames; fits of less speech are judged as if it were so much."""
-WORST_FIT, WORST_LOOSE_FIT = 1.2, 0.9
-"""Another text was said where its way costs more for each spoken frame, both without and with what does not fit."""
-
-
-@dataclass(frozen=True)
-class TextFit:
-    """How badly a text fits a sound.
-
-    Attributes
-    ----------
-    cost : of its way, natural logarithms.
-    strict_cost : the same where nothing may be left out or added; infinite where there is no such way, or nobody
-        looked for it, since the sound is long, or fits.
-    n_spoken : frames in which somebody speaks.
-    """
-
-    cost: float = 0.0
-    strict_cost: float = 0.0
-    n_spoken: int = 0
-
-    @property
-    def is_wrong(self) -> bool:
-        """Whether another text was said."""
-        n = max(self.n_spoken, FEW_SPOKEN)
-        return self.strict_cost > WORST_FIT * n and self.cost > WORST_LOOSE_FIT * n
-
-    def __add__(self, other: "TextFit") -> "TextFit":
-        return TextFit(self.cost + other.cost, self.strict_cost + other.strict_cost, self.n_spoken + other.n_spoken)
 
 
 class Aligner:
@@ -124,16 +97,17 @@ class Aligner:
         end = int(np.searchsorted(self._n_sounds, self._n_sounds[self._n_words] + MOST_SOUNDS))
         passage = Passage(self._words[self._n_words : end])
         whole = last and end > len(self._words)
-        shortfalls, least = shortfalls_of(heard), LeastFrames(passage.least_frames(self._hurry))
+        spoken, first = spoken_in(heard), not self._n_words
+        hurry = max(self._hurry, _hurry_of(passage.words, _n_about(spoken))) if whole else self._hurry
+        shortfalls, least = shortfalls_of(heard), LeastFrames(passage.least_frames(hurry))
         way = cheapest_way(shortfalls, passage.lattice, self._prices, least, whole=whole)
         assert way is not None  # all of it may be strange
         steps = way.steps if last else settled_steps(way.steps, len(heard) - UNSETTLED, passage)
         n = steps[-1].last if steps else 0
-        n_spoken = int(np.count_nonzero(heard.probabilities[:n, Phoneme.SILENCE] < 0.5))
-        fit = TextFit(way.cost * n / len(heard), np.inf, n_spoken)
-        if fit.is_wrong and whole and not self._n_frames:
+        fit = fit_of(steps, passage, shortfalls, spoken)
+        if fit.is_wrong and whole and first:
             strict = cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least)
-            fit = fit if strict is None else replace(fit, strict_cost=strict.cost)
+            fit = fit if strict is None else min(fit, fit_of(strict.steps, passage, shortfalls, spoken))
         self._fit += fit
         self._found += passage.words_in(steps, shortfalls, self._n_frames)
         self._skipped += passage.skipped_in(steps)
@@ -156,6 +130,12 @@ def _hurry_of(words: Sequence[ScriptWord], n_frames: int) -> int:
     usual = np.array([least_frames_of(ipa) for word in words for ipa in word.pronunciations[0].phones])
     lengths = (int(np.maximum(usual - hurry, 1).sum()) for hurry in range(MOST_HURRY))
     return next((hurry for hurry, n in enumerate(lengths) if n <= UNHURRIED * n_frames), MOST_HURRY)
+
+
+def _n_about(spoken: BoolArray) -> int:
+    """Return how many frames there are from a little before the first one with speech to a little after the last."""
+    frames = np.flatnonzero(spoken)
+    return min(len(spoken), int(frames[-1] - frames[0]) + 1 + 2 * AROUND) if len(frames) else 0
 
 
 def _shortest(word: ScriptWord) -> int:

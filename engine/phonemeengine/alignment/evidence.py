@@ -8,9 +8,10 @@ import numpy as np
 from phonemeengine.alignment.manners import levels_of, log_likelihoods, measured_of
 from phonemeengine.alignment.sounds import KINDS
 from phonemeengine.analyser import Analysis
-from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.scores import scores_in
+from phonemeengine.visemes import Viseme
 
 SHARES: dict[Phoneme, float] = {
     Phoneme.SILENCE: 0.14,
@@ -33,8 +34,28 @@ LEAST_LIKELY = 1e-4
 """How likely every phoneme is at least: recognisers are surer than they are right."""
 MANNER_WEIGHT = 0.5
 """The power of the likelihood of loudness and sharpness beside the recogniser's probability."""
+SPOKEN = 0.5
+"""There is speech where silence is less likely than this."""
+NOTHING, LONG = -85.0, 25
+"""The level below which there is silence, dB, whatever the recogniser says, where it lasts for so many frames: the
+closures of stops are shorter."""
 SURENESS = 0.8
 """How likely the answer of a recogniser without scores is taken to be."""
+
+
+VISEME_WEIGHT = 1.0
+"""The power of the likelihood of what is seen of an unidentified sound, beside the best of them."""
+LEAST_SEEN = 0.03
+"""How likely every viseme of an unidentified sound is at least."""
+VISEME_SHARES: dict[Viseme, float] = {
+    Viseme.DD: 0.24,
+    Viseme.FF: 0.11,
+    Viseme.TH: 0.05,
+    Viseme.KK: 0.18,
+    Viseme.NN: 0.29,
+    Viseme.RR: 0.13,
+}
+"""How many of the unidentified sounds show each viseme."""
 
 
 @dataclass(frozen=True)
@@ -45,17 +66,20 @@ class Evidence:
     ----------
     probabilities : of each phoneme, float32, shape (n_frames, n_phonemes).
     levels : of the sound and of its differences, dB, float32, shape (n_frames, 2).
+    visemes : how likely each viseme is, float32, shape (n_frames, 15); None where nobody hears them.
     """
 
     probabilities: Float32Array
     levels: Float32Array
+    visemes: Float32Array | None = None
 
     def __len__(self) -> int:
         return len(self.levels)
 
     def part(self, frames: slice) -> "Evidence":
         """Return some of the frames."""
-        return Evidence(self.probabilities[frames], self.levels[frames])
+        visemes = None if self.visemes is None else self.visemes[frames]
+        return Evidence(self.probabilities[frames], self.levels[frames], visemes)
 
 
 def evidence_of(analysis: Analysis) -> Evidence:
@@ -64,20 +88,61 @@ def evidence_of(analysis: Analysis) -> Evidence:
     if scores is None:
         scores = np.full((len(analysis), len(Phoneme)), (1 - SURENESS) / (len(Phoneme) - 1), np.float32)
         scores[np.arange(len(analysis)), analysis.recognised] = SURENESS
-    return Evidence(np.array(scores, np.float32), levels_of(analysis.frames.windows))
+    levels = levels_of(analysis.frames.windows)
+    return Evidence(np.array(scores, np.float32), levels, analysis.viseme_scores)
+
+
+def spoken_in(evidence: Evidence) -> BoolArray:
+    """Return in which frames there is speech, shape (n_frames,)."""
+    found: BoolArray = _believed(evidence)[:, Phoneme.SILENCE] < SPOKEN
+    return found
+
+
+def _believed(evidence: Evidence) -> Float32Array:
+    """Return the probabilities, where long digital silence is silence, shape (n_frames, n_phonemes)."""
+    nothing = evidence.levels[:, 0] < NOTHING
+    if not nothing.any():
+        return evidence.probabilities
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], nothing, [False]]).astype(np.int8)))
+    believed = evidence.probabilities.copy()
+    for first, last in edges.reshape(-1, 2).tolist():
+        if last - first >= LONG:
+            believed[first:last] = np.eye(len(Phoneme), dtype=np.float32)[Phoneme.SILENCE]
+    return believed
 
 
 def joined(parts: Sequence[Evidence]) -> Evidence:
     """Return consecutive evidence as one; there must be some."""
-    return Evidence(np.concatenate([p.probabilities for p in parts]), np.concatenate([p.levels for p in parts]))
+    visemes = [part.visemes for part in parts if part.visemes is not None]
+    return Evidence(
+        np.concatenate([part.probabilities for part in parts]),
+        np.concatenate([part.levels for part in parts]),
+        np.concatenate(visemes) if len(visemes) == len(parts) else None,
+    )
 
 
 def shortfalls_of(evidence: Evidence) -> Float64Array:
     """Return by how much each kind of sound falls short of the best one, natural logarithms, shape (n, n_kinds)."""
     shares = np.array([SHARES[phoneme] for phoneme in Phoneme])
-    likely = np.log(evidence.probabilities + LEAST_LIKELY, dtype=np.float64) - SHARE_WEIGHT * np.log(shares)
-    speaks = 1 - evidence.probabilities[:, Phoneme.SILENCE]
+    probabilities = _believed(evidence)
+    likely = np.log(probabilities + LEAST_LIKELY, dtype=np.float64) - SHARE_WEIGHT * np.log(shares)
+    speaks = 1 - probabilities[:, Phoneme.SILENCE]
     suits = MANNER_WEIGHT * log_likelihoods(measured_of(evidence.levels, speaks))
     scores = likely[:, [kind.phoneme for kind in KINDS]] + suits[:, [kind.manner for kind in KINDS]]
+    if evidence.visemes is not None:
+        scores += _seen(evidence.visemes)
     found: Float64Array = scores - scores.max(axis=1, keepdims=True)
+    return found
+
+
+def _seen(visemes: Float32Array) -> Float64Array:
+    """Return how well what is seen suits each kind of sound, 0 for the best and for those that it does not tell."""
+    shares = np.array([*VISEME_SHARES.values()])
+    likely = visemes[:, [*VISEME_SHARES]].astype(np.float64)
+    likely = likely / np.maximum(likely.sum(axis=1, keepdims=True), LEAST_LIKELY) + LEAST_SEEN
+    suits = VISEME_WEIGHT * (np.log(likely) - SHARE_WEIGHT * np.log(shares))
+    suits -= suits.max(axis=1, keepdims=True)
+    found = np.zeros((len(visemes), len(KINDS)))
+    for number, viseme in enumerate(VISEME_SHARES):
+        found[:, [k for k, kind in enumerate(KINDS) if kind.viseme is viseme]] = suits[:, [number]]
     return found

@@ -4,16 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate, takewhile
 
-import numpy as np
-
-from phonemeengine.alignment.aligner import PRICES, TextFit, settled_steps, united, within
-from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of
+from phonemeengine.alignment.aligner import PRICES, settled_steps, united, within
+from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
+from phonemeengine.alignment.text_fit import TextFit, fit_of
 from phonemeengine.alignment.viterbi import LeastFrames, WayStep, cheapest_way
 from phonemeengine.errors import TextError
 from phonemeengine.files import printable
 from phonemeengine.labels.utterance import Word
-from phonemeengine.phonemes import Phoneme
 from phonemeengine.text.pronunciation import ScriptWord
 
 LONGEST, UNSETTLED = 200, 100
@@ -109,8 +107,7 @@ class GrowingAligner:
         coming = united([*passage.words_in(rest, shortfalls, self._n_settled)])
         found = GrownWords(tuple(settled), tuple(coming), tuple(passage.skipped_in(steps)))
         n = steps[-1].last if steps else 0
-        n_spoken = int((heard.probabilities[:n, Phoneme.SILENCE] < 0.5).sum())
-        self._fit += TextFit(way.cost * n / len(heard), np.inf, n_spoken)
+        self._fit += fit_of(steps, passage, shortfalls, spoken_in(heard))
         del self._words[: passage.n_words_in(steps)]
         self._forget(n)
         return found

@@ -28,6 +28,8 @@ LOUD = 90
 """Percentile of the loudness of speech that is loud."""
 ENOUGH_SPEECH = 10
 """Frames of speech by which its loudness is known."""
+ABOVE_SILENCE = 25.0
+"""Where there is less speech, it is taken to be so much louder than what else there is, dB."""
 
 
 class Manner(IntEnum):
@@ -139,7 +141,9 @@ def measured_of(levels: Float32Array, speaks: Float32Array) -> Float64Array:
     speaks : how likely it is that somebody speaks, 0..1, shape (n_frames,).
     """
     spoken = levels[speaks > 0.5, 0]
-    loud = np.percentile(spoken if len(spoken) >= ENOUGH_SPEECH else levels[:, 0], LOUD)
+    loud = np.percentile(spoken, LOUD) if len(spoken) else -np.inf
+    if len(spoken) < ENOUGH_SPEECH:
+        loud = max(loud, np.median(levels[:, 0]) + ABOVE_SILENCE)
     loudness = np.clip(levels[:, 0] - loud, DEEPEST, HIGHEST)
     sharpness = np.clip(levels[:, 1] - levels[:, 0], DULLEST, SHARPEST)
     return np.stack([loudness, sharpness], axis=1).astype(np.float64)

@@ -1,10 +1,11 @@
-"""What can be told apart of the sounds of speech: a phoneme of the recogniser, made in one manner."""
+"""What can be told apart of the sounds of speech: a phoneme of the recogniser, made in one manner, and its viseme."""
 
 from dataclasses import dataclass
 
 from phonemeengine.alignment.manners import Manner, manner_of
 from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.phonemes import VOWELS, Phoneme
+from phonemeengine.visemes import Viseme, viseme_of
 
 LEAST_FRAMES: dict[Manner, int] = {
     Manner.SILENCE: 4,
@@ -24,10 +25,11 @@ LEAST_SHORT = 4
 
 @dataclass(frozen=True)
 class SoundKind:
-    """What is listened for: a phoneme, and how it is made."""
+    """What is listened for: a phoneme, how it is made, and what is seen of it, where that tells more."""
 
     phoneme: Phoneme
     manner: Manner
+    viseme: Viseme | None = None
 
 
 KINDS: tuple[SoundKind, ...] = (
@@ -37,6 +39,18 @@ KINDS: tuple[SoundKind, ...] = (
         SoundKind(Phoneme.UNIDENTIFIED, manner)
         for manner in (Manner.STOP, Manner.NASAL, Manner.APPROXIMANT, Manner.FRICATIVE)
     ),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.STOP, Viseme.DD),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.STOP, Viseme.KK),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.NASAL, Viseme.NN),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.NASAL, Viseme.KK),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.DD),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.NN),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.RR),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.FF),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.TH),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.FRICATIVE, Viseme.FF),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.FRICATIVE, Viseme.TH),
+    SoundKind(Phoneme.UNIDENTIFIED, Manner.FRICATIVE, Viseme.KK),
     SoundKind(Phoneme.P, Manner.STOP),
     SoundKind(Phoneme.M, Manner.NASAL),
     SoundKind(Phoneme.SZ, Manner.SIBILANT),
@@ -45,14 +59,15 @@ KINDS: tuple[SoundKind, ...] = (
 """All of them; silence is the first."""
 
 _NUMBERS = {kind: k for k, kind in enumerate(KINDS)}
-_BY_PHONEME = {kind.phoneme: k for k, kind in enumerate(KINDS)}
+_BY_PHONEME = {kind.phoneme: k for k, kind in enumerate(KINDS) if kind.viseme is None}
 """For sounds that are made otherwise than those of their phoneme usually are."""
 
 
 def kind_of(ipa: str) -> int:
     """Return the number of the kind of a sound, by its symbol in the phonetic alphabet."""
     phoneme, manner = ipa_phoneme(ipa), manner_of(ipa)
-    return _NUMBERS.get(SoundKind(phoneme, manner)) or _BY_PHONEME[phoneme]
+    kinds = (SoundKind(phoneme, manner, viseme_of(ipa, phoneme)), SoundKind(phoneme, manner))
+    return next((_NUMBERS[kind] for kind in kinds if kind in _NUMBERS), _BY_PHONEME[phoneme])
 
 
 def least_frames_of(ipa: str) -> int:

@@ -113,3 +113,44 @@ def test_pauses_and_asides_that_are_longer_than_a_stretch_are_passed():
 def test_how_the_sound_is_cut_changes_nothing():
     sound, script = heard(".sima.lupo.fetu" * 12), words("sima lupo fetu") * 12
     assert len({aligned(sound, script, block)[0] for block in (1, 77, 5000)}) == 1
+
+
+def unsure_silence(n_frames: int) -> Evidence:
+    """Silence that the recogniser takes for a vowel as likely as not, as it does where it never heard such a room."""
+    quiet = heard("." * (n_frames // 8))
+    quiet.probabilities[:] = 0.03
+    quiet.probabilities[:, [Phoneme.SILENCE, Phoneme.E]] = 0.5, 0.25
+    return quiet
+
+
+@pytest.mark.parametrize("seconds", [3, 15, 40])
+def test_silence_before_the_speech_neither_takes_words_nor_makes_another_text(seconds: int):
+    before = unsure_silence(100 * seconds)
+    utterance, aligner = aligned(joined([before, heard(".sima.lupo.")]), words("sima lupo"))
+    n = len(before)
+    assert spans(utterance) == [("sima", n + 8, n + 40), ("lupo", n + 48, n + 80)]
+    assert not aligner.fit.is_wrong
+    _, wrong = aligned(joined([before, heard(".sima.lupo.")]), words("fetu zapi"))
+    assert wrong.fit.is_wrong
+
+
+def test_a_word_in_a_hurry_is_found_after_silence():
+    before = heard("." * 300)
+    utterance, _ = aligned(joined([before, heard("simalupo", 4), heard(".")]), words("sima lupo"))
+    n = len(before)
+    assert spans(utterance) == [("sima", n, n + 16), ("lupo", n + 16, n + 32)]
+
+
+def test_a_text_of_which_a_few_sounds_are_heard_otherwise_is_accepted():
+    """Whoever speaks with an accent, or into a bad microphone, says the text nevertheless."""
+    utterance, aligner = aligned(heard(".sima.lupo.fetu.zapi."), words("sema lupa fetu tapi"))
+    assert not aligner.fit.is_wrong
+    assert [w.text for w in utterance.words] == ["sema", "lupa", "fetu", "tapi"]
+
+
+def test_an_accepted_text_is_aligned_though_another_one_is_said():
+    sound, script = heard(".simasima.lupolupo."), words("fetu zapi kelo")
+    aligner = Aligner(script, len(sound), accepted=True)
+    aligner.push(sound)
+    found = aligner.finish(len(sound) * FRAME_PERIOD)
+    assert [w.text for w in found.words if w.text != UNKNOWN_WORD] == ["fetu", "zapi", "kelo"]

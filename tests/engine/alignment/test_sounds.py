@@ -1,14 +1,18 @@
 """Every sound of the phonetic alphabet has a kind that is listened for, and sounds as its manner does."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from phonemeengine.alignment.evidence import SHARES, Evidence, shortfalls_of
+from phonemeengine.alignment.evidence import SHARES, Evidence, shortfalls_of, spoken_in
 from phonemeengine.alignment.manners import MANNERS, Manner, levels_of, log_likelihoods, measured_of
 from phonemeengine.alignment.sounds import KINDS, kind_of, least_frames_of
 from phonemeengine.labels.phone_sets import IPA, ipa_phoneme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, WINDOW
+from phonemeengine.visemes import Viseme
+from tests.engine.alignment.speaking import heard
 from tests.sounds import noise, silence, tone
 
 EVERY_SOUND = [name for _, certainty, names in IPA if certainty != "affricate" for name in names.split()]
@@ -59,3 +63,29 @@ def test_what_suits_best_falls_short_of_nothing():
     best = [KINDS[k].phoneme for k in short.argmax(axis=1)]
     assert best == [Phoneme.SILENCE, Phoneme.A, Phoneme.SZ]
     assert (short.max(axis=1) == 0).all()
+
+
+def test_what_is_seen_tells_unidentified_sounds_apart():
+    """The recogniser calls n, k and f alike; the visemes that it hears tell which one it is."""
+    evidence = heard("nkf")
+    visemes = np.full((len(evidence), len(Viseme)), 0.01, np.float32)
+    for k, viseme in enumerate((Viseme.NN, Viseme.KK, Viseme.FF)):
+        visemes[8 * k : 8 * k + 8, viseme] = 0.86
+    seen = shortfalls_of(replace(evidence, visemes=visemes))
+    heard_alone = shortfalls_of(evidence)
+    for k, (ipa, other) in enumerate((("n", "ŋ"), ("k", "t"), ("f", "θ"))):
+        frames = slice(8 * k, 8 * k + 8)
+        assert seen[frames, kind_of(ipa)] == pytest.approx(heard_alone[frames, kind_of(ipa)], abs=0.01)
+        assert (seen[frames, kind_of(other)] < heard_alone[frames, kind_of(other)] - 1).all()
+
+
+def test_where_there_is_no_sound_for_long_there_is_silence_whatever_the_recogniser_says():
+    """A closure of a stop may be as quiet, but is short."""
+    evidence = heard("sima" + 2 * "p" + 4 * "p" + "sima")
+    evidence.levels[32:80] = -90.0
+    evidence.levels[48:50] = -30.0
+    spoken = spoken_in(evidence)
+    assert spoken[:50].all()
+    assert not spoken[50:80].any()
+    assert spoken[80:].all()
+    assert shortfalls_of(evidence)[50:80].argmax(axis=1).tolist() == [0] * 30
