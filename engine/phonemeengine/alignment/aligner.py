@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from phonemeengine.alignment.edges import edges_of
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.sounds import least_frames_of
@@ -109,7 +110,8 @@ class Aligner:
             strict = cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least)
             fit = fit if strict is None else min(fit, fit_of(strict.steps, passage, shortfalls, spoken))
         self._fit += fit
-        self._found += passage.words_in(steps, shortfalls, self._n_frames)
+        edges = edges_of(steps, passage, shortfalls, heard)
+        self._found += passage.words_in(steps, shortfalls, self._n_frames, edges)
         self._skipped += passage.skipped_in(steps)
         self._n_words += passage.n_words_in(steps)
         self._n_frames += n

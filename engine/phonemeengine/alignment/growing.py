@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from itertools import accumulate, takewhile
 
 from phonemeengine.alignment.aligner import PRICES, settled_steps, united, within
+from phonemeengine.alignment.edges import edges_of
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.text_fit import TextFit, fit_of
@@ -103,8 +104,10 @@ class GrowingAligner:
         way = cheapest_way(shortfalls, passage.lattice, PRICES, least, whole=whole)
         assert way is not None  # all of it may be strange
         steps, rest = self._parted(way.steps, len(heard), passage, last=last)
-        settled = united([*passage.words_in(steps, shortfalls, self._n_settled)])
-        coming = united([*passage.words_in(rest, shortfalls, self._n_settled)])
+        settled, coming = (
+            united([*passage.words_in(part, shortfalls, self._n_settled, edges_of(part, passage, shortfalls, heard))])
+            for part in (steps, rest)
+        )
         found = GrownWords(tuple(settled), tuple(coming), tuple(passage.skipped_in(steps)))
         n = steps[-1].last if steps else 0
         self._fit += fit_of(steps, passage, shortfalls, spoken_in(heard))

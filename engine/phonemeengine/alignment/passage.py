@@ -1,9 +1,10 @@
 """A passage of a text, laid out to be aligned, and its words where a way through it found them."""
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import groupby, pairwise
+from types import MappingProxyType
 
 import numpy as np
 
@@ -86,7 +87,24 @@ class Passage:
         """Return whether a word ends with a step, or it lies between words."""
         return step.kind != SOUND or int(self.lattice.after[step.sound]) <= self.lattice.n_words
 
-    def words_in(self, steps: Sequence[WayStep], shortfalls: Float64Array, first: int) -> Iterator[Word]:
+    def column_of(self, step: WayStep) -> int | None:
+        """Return where the scores of what a step says stand; None where the text does not hold it."""
+        if step.kind == SILENT:
+            return 0
+        return int(self.lattice.columns[step.sound]) if step.kind == SOUND else None
+
+    def closes(self, quiet: WayStep, steps: Sequence[WayStep]) -> bool:
+        """Return whether a pause in a way is the closure of the stop that follows it."""
+        following = next((step for step in steps if step.first == quiet.last and step.kind == SOUND), None)
+        return following is not None and self._is_closure(quiet, following)
+
+    def words_in(
+        self,
+        steps: Sequence[WayStep],
+        shortfalls: Float64Array,
+        first: int,
+        edges: Mapping[int, float] = MappingProxyType({}),
+    ) -> Iterator[Word]:
         """Return the words that a way says, and what it says besides.
 
         Parameters
@@ -94,6 +112,7 @@ class Passage:
         steps : of the way.
         shortfalls : by which it was found.
         first : number of its first frame in the sound.
+        edges : where the edges between steps are, in frames, by the number of the frame after them, if not there.
         """
         heard = (step for step in self._with_closures(steps) if step.kind in {SOUND, STRANGE})
         for number, said in groupby(heard, lambda step: -1 if step.kind == STRANGE else self._word_at(step)):
@@ -101,7 +120,7 @@ class Passage:
                 for step in said:
                     yield from _strange_words(step, shortfalls, first)
             else:
-                yield self._word(number, list(said), shortfalls, first)
+                yield self._word(number, list(said), shortfalls, first, edges)
 
     def _word_at(self, step: WayStep) -> int:
         return step.sound if step.kind == SKIPPED else int(self.lattice.words[step.sound])
@@ -118,19 +137,23 @@ class Passage:
         is_stop = manner_of(self._sounds[step.sound].ipa) is Manner.STOP
         return is_stop and quiet.last - quiet.first <= LONGEST_CLOSURE
 
-    def _word(self, number: int, said: Iterable[WayStep], shortfalls: Float64Array, first: int) -> Word:
+    def _word(
+        self, number: int, said: Iterable[WayStep], shortfalls: Float64Array, first: int, edges: Mapping[int, float]
+    ) -> Word:
         syllables = []
         for _, steps in groupby(said, lambda step: self._sounds[step.sound].syllable):
             part = list(steps)
-            phones = tuple(self._phone(step, shortfalls, first) for step in part)
+            phones = tuple(self._phone(step, shortfalls, first, edges) for step in part)
             sound = self._sounds[part[0].sound]
             syllables.append(Syllable(phones, sound.stress, sound.written))
         return Word(self.words[number].text, tuple(syllables))
 
-    def _phone(self, step: WayStep, shortfalls: Float64Array, first: int) -> Phone:
+    def _phone(self, step: WayStep, shortfalls: Float64Array, first: int, edges: Mapping[int, float]) -> Phone:
         ipa = self._sounds[step.sound].ipa
         kind = int(self.lattice.columns[step.sound])
-        return _phone_at(step.first, step.last, ipa, ipa_phoneme(ipa), shortfalls[:, kind], first)
+        phone = _phone_at(step.first, step.last, ipa, ipa_phoneme(ipa), shortfalls[:, kind], first)
+        start, end = (first + edges.get(edge, float(edge)) for edge in (step.first, step.last))
+        return replace(phone, start=start * FRAME_PERIOD, end=end * FRAME_PERIOD)
 
 
 def _strange_words(step: WayStep, shortfalls: Float64Array, first: int) -> Iterator[Word]:
