@@ -17,14 +17,12 @@ from phonemeanalyser.cli.arguments import (
     add_sounds,
 )
 from phonemeanalyser.cli.jobs import (
-    batch_options,
     file_preset,
+    finish_jobs,
     is_single,
     jobs_of,
-    n_failed,
     open_sound,
     share_paths,
-    work_through,
 )
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, made_of, spoken_texts
@@ -101,7 +99,7 @@ def run(options: argparse.Namespace) -> int:
     if texts is not NO_TEXTS and table.features:
         options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
     work = AnalysisWork(table, preset, options.channel, texts, options.overwrite)
-    return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
+    return finish_jobs(jobs, work, options)
 
 
 def _compare(options: argparse.Namespace) -> int:
@@ -111,7 +109,7 @@ def _compare(options: argparse.Namespace) -> int:
     first, second = (file_preset(path, options.ear) for path in (options.preset, options.against))
     work = DifferenceWork(first, second, options.channel, options.overwrite)
     jobs = jobs_of(options.inputs, options.out, ".csv")
-    return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
+    return finish_jobs(jobs, work, options)
 
 
 @dataclass(frozen=True)

@@ -23,14 +23,12 @@ from phonemeanalyser.cli.arguments import (
 from phonemeanalyser.cli.driving import Driving, add_driver, driving, driving_key, driving_options
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import (
-    batch_options,
     file_preset,
+    finish_jobs,
     is_single,
     jobs_of,
-    n_failed,
     open_sound,
     share_paths,
-    work_through,
 )
 from phonemeanalyser.cli.output_files import print_bytes, print_whole
 from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
@@ -97,7 +95,7 @@ def run(options: argparse.Namespace) -> int:
         work = ExportWork(
             options.kind, written, preset, options.channel, texts, driving_options(options), options.longest
         )
-        return 1 if n_failed(work_through(jobs, work, batch_options(options))) else 0
+        return finish_jobs(jobs, work, options)
 
 
 @dataclass(frozen=True)

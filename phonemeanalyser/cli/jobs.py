@@ -134,6 +134,18 @@ def work_through(
     return outcomes
 
 
+def finish_jobs(
+    jobs: Sequence[Job], work: Work, options: argparse.Namespace, processes: int | None = None
+) -> int:  # fmt: skip
+    """Do what a command line with the arguments of `add_batch` asks with every file; return the exit code.
+
+    Parameters
+    ----------
+    processes : at a time, unless the user says how many.
+    """
+    return 1 if n_failed(work_through(jobs, work, batch_options(options, processes))) else 0
+
+
 def n_failed(outcomes: Iterable[Outcome]) -> int:
     """Return how many files could not be worked on."""
     return sum(outcome.state is JobState.FAILED for outcome in outcomes)

@@ -23,14 +23,12 @@ from phonemeanalyser.cli.clips import clip_options
 from phonemeanalyser.cli.driving import DRIVERS, Driving, add_driver, driving, driving_key, driving_options
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import (
-    batch_options,
     file_preset,
+    finish_jobs,
     is_batch,
     jobs_of,
-    n_failed,
     open_sound,
     share_paths,
-    work_through,
 )
 from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path
 from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
@@ -112,7 +110,7 @@ def run(options: argparse.Namespace) -> int:
         moved = driving_options(options)
         work = PreviewWork(by_rules, preset, options.channel, texts, moved, faces, clip_options(options), f".{kind}")
         cores = n_cores() if is_batch(options.inputs) else 1
-        return 1 if n_failed(work_through(jobs, work, batch_options(options, cores))) else 0
+        return finish_jobs(jobs, work, options, cores)
 
 
 def _single(options: argparse.Namespace) -> list[Job]:

@@ -8,6 +8,7 @@ import pytest
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.audio.devices import InputChoice
+from phonemeengine.audio.stream import STALLED
 from phonemeengine.live import listener as live
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.microphones import REFUSAL, Clock, HandDrivenMicrophone, Hear, frames_in, offline
@@ -84,7 +85,7 @@ def test_a_microphone_from_which_nothing_comes_is_never_said_to_be_heard(hear: H
     )
 
 
-@pytest.mark.parametrize(("how", "value"), [("lost", True), ("quiet", 2.1)])
+@pytest.mark.parametrize(("how", "value"), [("lost", True), ("quiet", STALLED + 0.1)])
 def test_a_microphone_that_goes_is_let_go_and_the_frames_number_on_by_the_clock(
     hear: Hear, clock: Clock, how: str, value: float
 ) -> None:
