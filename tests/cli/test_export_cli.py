@@ -58,8 +58,8 @@ def test_a_face_is_animated(sound: Path, tmp_path: Path) -> None:
     gltf = GLTF2().load(str(tmp_path / "talking.glb"))
     assert gltf is not None
     sampler = gltf.animations[0].samplers[0]
-    n_frames = int(soundfile.info(sound).duration * 25) + 1
-    assert gltf.accessors[sampler.input].count == n_frames
+    n_frames = gltf.accessors[sampler.input].count
+    assert 0 <= n_frames - int(soundfile.info(sound).duration * 25) - 1 < 0.3 * 25  # until the mouth is at rest
     assert gltf.accessors[sampler.output].count == n_frames * 52
     assert gltf.meshes[0].extras["targetNames"] == list(ARKIT)
 
