@@ -202,7 +202,8 @@ class GuideView(QWidget):
 
     def _connect(self) -> None:
         guide = self._calibration.guide
-        self.language.addItems([tr(name) for name in LANGUAGES])
+        for name in LANGUAGES:
+            self.language.addItem(tr(name), name)
         self.language.setToolTip(tr("The language of the sentences that are read"))
         self.language.setAccessibleName(tr("language of the sentences"))
         self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
@@ -313,7 +314,7 @@ class GuideView(QWidget):
             shown.setVisible(asking or ready or guide.phase is Phase.COUNTING)
         self.start.setVisible(ready)
         with QSignalBlocker(self.language):
-            self.language.setCurrentIndex(LANGUAGES.index(guide.language))
+            self.language.setCurrentIndex(self.language.findData(guide.language))
         self.back.setVisible(asking or done)
         self.language.setVisible(asking or ready)
         self.sounds.setVisible(asking or ready)

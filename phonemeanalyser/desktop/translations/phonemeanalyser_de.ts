@@ -2402,12 +2402,12 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
             <source>Keep quiet for two seconds, then read two lines aloud. Nothing is recorded before you press start.</source>
-            <translation>Zwei Sekunden still sein, dann zwei Zeilen vorlesen. Vor „Start“ wird nichts aufgenommen.</translation>
+            <translation>Zwei Sekunden still sein, dann zwei Zeilen vorlesen. Vor „los“ wird nichts aufgenommen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
             <source>Keep quiet for two seconds, then say nine sounds and read a line aloud. Nothing is recorded before you press start.</source>
-            <translation>Zwei Sekunden still sein, dann neun Laute sprechen und eine Zeile vorlesen. Vor „Start“ wird nichts aufgenommen.</translation>
+            <translation>Zwei Sekunden still sein, dann neun Laute sprechen und eine Zeile vorlesen. Vor „los“ wird nichts aufgenommen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
@@ -5133,12 +5133,12 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Start</source>
-            <translation>Start</translation>
+            <translation>Beginnen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
             <source>start</source>
-            <translation>Anfang</translation>
+            <translation>los</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
