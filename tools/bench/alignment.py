@@ -33,8 +33,12 @@ TEXTS = argparse.Namespace(texts=True, script=None, language=None, lexicon=None,
 """The manifest's, each in its own language."""
 PEOPLE = "human"
 """The labels of people were made by an aligner, those of synthesizers tell when they spoke."""
-MEDIAN, WITHIN, FAR = 0.015, 0.05, 0.05
-"""The median error of a boundary, s; how far from it few may be, s; and how few."""
+MEDIAN, MEAN, WITHIN, FAR = 0.015, 0.02, 0.05, 0.05
+"""The median and the mean error of a boundary, s; how far from it few may be, s; and how few."""
+PAUSE = 0.03
+"""Seconds of silence that are a pause."""
+MISSED = 0.03
+"""Of the lines that are said as they are written, those of which a word is told to be left out."""
 REFUSED = 0.02
 A_SECOND = 100
 """Frames of a line whose text is judged."""
@@ -59,15 +63,22 @@ class Line:
 def figures() -> list[Figure]:
     """Measure on the corpus of the tests, with the default preset."""
     lines = _lines()
-    errors = np.abs(np.concatenate([_errors(line) for line in lines if PEOPLE not in line.utterance.corpus]))
-    median, far = float(np.median(errors)), float(np.mean(errors > WITHIN))
+    measured = [_errors(line) for line in lines if PEOPLE not in line.utterance.corpus]
+    errors = np.abs(np.concatenate([boundaries for boundaries, _ in measured]))
+    ends = float(np.median(np.abs(np.concatenate([before_pauses for _, before_pauses in measured]))))
+    median, mean, far = float(np.median(errors)), float(np.mean(errors)), float(np.mean(errors > WITHIN))
     long = [line for line in lines if len(line.heard) >= A_SECOND]
-    refused = float(np.mean([_aligned(line, line.words)[0].fit.is_wrong for line in long]))
+    right = [_aligned(line, line.words) for line in long]
+    refused = float(np.mean([aligner.fit.is_wrong for aligner, _ in right]))
+    missed = float(np.mean([bool(found.skipped) for aligner, found in right if not aligner.fit.is_wrong]))
     accepted = float(np.mean([not _aligned(*pair)[0].fit.is_wrong for pair in _wrong_pairs(long)]))
     return [
         Figure("word boundaries, median", f"{1000 * median:.1f} ms", f"{1000 * MEDIAN:g} ms", median / MEDIAN, 1),
+        Figure("word boundaries, mean", f"{1000 * mean:.1f} ms", f"{1000 * MEAN:g} ms", mean / MEAN, 1),
+        Figure("ends before pauses, median", f"{1000 * ends:.1f} ms", f"{1000 * MEDIAN:g} ms", ends / MEDIAN, 1),
         _share(f"word boundaries off by more than {1000 * WITHIN:g} ms", far, FAR),
         _share("right texts refused", refused, REFUSED),
+        _share("lines with a word falsely told to be left out", missed, MISSED),
         _share("wrong texts accepted", accepted, REFUSED),
         *_hour(lines),
     ]
@@ -98,16 +109,24 @@ def _aligned(line: Line, words: Sequence[ScriptWord]) -> tuple[Aligner, Utteranc
     return aligner, aligner.finish(len(line.heard) * FRAME_PERIOD)
 
 
-def _errors(line: Line) -> Float64Array:
-    """Return how late the boundaries of words are found, s, where the synthesizer said what the voice would."""
+def _errors(line: Line) -> tuple[Float64Array, Float64Array]:
+    """Return how late the boundaries of words are found, s, where the synthesizer said what the voice would.
+
+    Those of words that end before a pause are told by themselves, too.
+    """
     found = [(phone, w) for w, word in enumerate(_aligned(line, line.words)[1].words) for phone in word.phones]
     labels = [label for label in line.utterance.labels if label.phoneme is not Phoneme.SILENCE]
     numbers = [-1, *(w for _, w in found), -1]
     starts, ends = ([a != b for a, b in pairs] for pairs in (pairwise(numbers[:-1]), pairwise(numbers[1:])))
-    errors = []
+    errors: list[float] = []
+    before_pauses: list[float] = []
+    silences = [label for label in line.utterance.labels if label.phoneme is Phoneme.SILENCE]
+    pauses = {round(label.start, 3) for label in silences if label.end - label.start > PAUSE}
     for k, label in _matched([phone for phone, _ in found], labels):
         errors += [found[k][0].start - label.start] * starts[k] + [found[k][0].end - label.end] * ends[k]
-    return np.array(errors, np.float64)
+        if ends[k] and round(label.end, 3) in pauses:
+            before_pauses.append(found[k][0].end - label.end)
+    return np.array(errors, np.float64), np.array(before_pauses, np.float64)
 
 
 def _matched(phones: Sequence[Phone], labels: Sequence[Label]) -> list[tuple[int, Label]]:
