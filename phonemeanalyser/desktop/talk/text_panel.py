@@ -127,7 +127,7 @@ class TextPanel(QWidget):
         row = QHBoxLayout()
         row.setSpacing(6)
         for widget in (
-            self.script, self.speaker, self.language, self.voice, self.lexicon, self.literal, self.align, self.anyway,
+            self.script, self.speaker, self.language, self.voice, self.lexicon, self.literal, self.align,
             self.say,
         ):  # fmt: skip
             row.addWidget(widget)
@@ -137,6 +137,7 @@ class TextPanel(QWidget):
         column.setSpacing(4)
         column.addWidget(self.field)
         column.addLayout(row)
+        column.addWidget(self.anyway, 0, Qt.AlignmentFlag.AlignLeft)
         column.addWidget(self.lanes)
 
     def _connect(self) -> None:

@@ -5283,7 +5283,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
             <source>Take speakers’ names, [directions], *emphasis*, &lt;tags&gt; and &amp;entities; of a script as words; otherwise they are not spoken</source>
-            <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;Tags&gt; und &amp;Entitäten; eines Skripts als Wörter nehmen; sonst werden sie nicht gesprochen</translation>
+            <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;tags&gt; und &amp;Entitäten; eines Skripts als Wörter nehmen; sonst werden sie nicht gesprochen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
