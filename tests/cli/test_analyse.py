@@ -109,9 +109,9 @@ def test_several_files_go_into_a_folder(sound: Path, stereo: Path, tmp_path: Pat
     assert outputs_in(tmp_path / "out") == ["speech.csv", "stereo.csv"]
 
 
-def test_a_table_replaces_an_older_one(sound: Path, tmp_path: Path) -> None:
+def test_a_table_of_an_older_version_is_replaced_when_that_is_asked_for(sound: Path, tmp_path: Path) -> None:
     (tmp_path / "table.csv").write_text("start_s,end_s,phoneme,intensity\n0.0,0.5,silence,0.0\n")
-    analysed(sound, "-o", tmp_path / "table.csv")
+    analysed(sound, "-o", tmp_path / "table.csv", "--overwrite")
     gapless(rows_of((tmp_path / "table.csv").read_text()), soundfile.info(sound).duration)
 
 

@@ -50,6 +50,7 @@ class SelectionDialogs(QObject):
             self._window, tr("Save the selected sound"), str(suggested), "WAV (*.wav)"
         )
         if name:
-            target = Path(name) if name.lower().endswith(".wav") else free_path(Path(f"{name}.wav"))
+            # "demo 0.10-0.25" has no ending; "demo.mp3" has one, which the engine refuses in one sentence.
+            target = Path(name) if any(map(str.isalpha, Path(name).suffix)) else free_path(Path(f"{name}.wav"))
             self._settings.setValue("folder/stretch", str(target.parent))
             self._selection.save(target)

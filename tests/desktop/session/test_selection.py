@@ -44,6 +44,14 @@ def test_it_is_saved_averaged_and_copied(session, selection, qtbot, tmp_path):
     assert {len(line.split("\t")) for line in lines} == {4 + len(session.whole.tracks.names)}
 
 
+def test_a_sound_is_not_saved_under_the_name_of_another_format(session, selection, qtbot, tmp_path):
+    session.view.select(SPAN)
+    with qtbot.waitSignal(selection.error, check_params_cb=bool) as told:
+        selection.save(tmp_path / "part.mp3")
+    assert "sounds are written as .wav here, not as .mp3" in told.args[0]
+    assert list(tmp_path.iterdir()) == []
+
+
 def test_it_is_played_once_and_stands_at_its_beginning_then(session, selection, outputs, qtbot):
     session.view.select(SPAN)
     selection.play()
