@@ -104,6 +104,7 @@ class TextPanel(QWidget):
         self.anyway = _button(
             tr("Align Anyway"), tr("The text is right: find its words, though another text seems to be said")
         )
+        self.refusal = ElidedLabel(tr("The recording doesn’t seem to match this text."))
         self.say = _button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
@@ -137,7 +138,11 @@ class TextPanel(QWidget):
         column.setSpacing(4)
         column.addWidget(self.field)
         column.addLayout(row)
-        column.addWidget(self.anyway, 0, Qt.AlignmentFlag.AlignLeft)
+        refused = QHBoxLayout()
+        refused.setSpacing(6)
+        refused.addWidget(self.anyway)
+        refused.addWidget(self.refusal, 1)
+        column.addLayout(refused)
         column.addWidget(self.lanes)
 
     def _connect(self) -> None:
@@ -178,7 +183,8 @@ class TextPanel(QWidget):
         self._show_lexicon()
         self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
         self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
-        self.anyway.setVisible(texts.refused is not None and not texts.busy)
+        for part in (self.anyway, self.refusal):
+            part.setVisible(texts.refused is not None and not texts.busy)
         self.literal.setChecked(texts.literal)
         lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
         self.state.setText(texts.progress or lack)
