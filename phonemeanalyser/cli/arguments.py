@@ -26,7 +26,8 @@ class CommandParser(argparse.ArgumentParser):
 
     def error(self, message: str) -> NoReturn:
         """End the program, with a sentence about what is wrong."""
-        self.exit(2, f"{self.prog}: {message}; see {self.prog} --help\n")
+        end = " See" if message.endswith("?") else "; see"
+        self.exit(2, f"{self.prog}: {message}{end} {self.prog} --help\n")
 
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Read the arguments; an unknown option is refused with those that are spelt alike."""
