@@ -96,6 +96,7 @@ _PAGE = {
     "audio.devices": "Device InputChoice",
     "audio.files": "SOUND_SUFFIXES SoundReader sounds_under",
     "audio.level": "Level",
+    "audio.mixing": "Mix",
     "audio.incoming": "Encoding StreamFormat",
     "live.incoming_speech": "HeardPiece IncomingSpeech",
     "live.status": "Status",

@@ -8,6 +8,7 @@ from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
 from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.audio.level import Level
+from phonemeengine.audio.mixing import Mix
 from phonemeengine.audio.stream import devices
 from phonemeengine.averaged_spectrum import AveragedSpectrum
 from phonemeengine.batch.conversion_work import convert_all
@@ -245,6 +246,7 @@ __all__ = [
     "Material",
     "Mesh",
     "MeshError",
+    "Mix",
     "Mode",
     "Model",
     "ModelError",

@@ -54,7 +54,7 @@ Analyser("learned")
 REVEALED = [
     "phonemeengine.live.listener.Listener",
     "phonemeengine.phonemes.Phoneme",
-    "def (samples: numpy.ndarray[",
+    "def (samples: numpy._typing._array_like",
     "float",
     "phonemeengine.presets.preset.Preset",
     "float",
