@@ -5571,6 +5571,11 @@
             <translation>Der Erkenner {recogniser} hat keine Schwellen; die geführte Kalibrierung bringt ihm die Stimme bei.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <source>The recording doesn’t seem to match this text.</source>
+            <translation>Die Aufnahme scheint nicht zu diesem Text zu passen.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>the recording waits for it</source>
             <translation>die Aufnahme wartet darauf</translation>
