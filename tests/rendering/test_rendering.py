@@ -3,6 +3,7 @@
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -19,6 +20,8 @@ from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, colour_of
 from phonemeanalyser.rendering.subdivision import subdivided
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.expression.streams import expression_presets, held_expression
 from phonemeengine.mouth.head import HEAD, load_head
 from phonemeengine.mouth.head_motion import HeadPose
 from phonemeengine.mouth.mesh import mesh_of
@@ -30,6 +33,8 @@ from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined,
 from tests.meshes import cube, morph_mesh_of_cube
 
 __all__ = ["context", "offscreen"]  # fixtures
+EYES, TEETH, TONGUE = (1, 3), (2, 5), (4,)
+"""The numbers of these parts in the head's file."""
 Hire = Callable[..., OffscreenRenderer]
 
 
@@ -42,6 +47,26 @@ def saying(head: MorphMesh, phoneme: Phoneme) -> Float32Array:
     table, face = load_table("arkit"), MovestateSet(head.mesh, head.states)
     shape = table.weights()[phoneme] * 100
     face.set_percentages(dict(zip(table.movestates, shape.tolist(), strict=True)))
+    return face.morphed()
+
+
+def painted(head: MorphMesh, *colours: tuple[tuple[int, ...], tuple[float, float, float]]) -> MorphMesh:
+    """The head with some of its parts, by their numbers in its file, in other colours."""
+    with np.load(HEAD, allow_pickle=False) as file:
+        part = file["part"]
+    looks = head.mesh.colours.copy()
+    for parts, colour in colours:
+        looks[np.isin(part, parts)] = colour
+    return replace(head, mesh=replace(head.mesh, colours=looks))
+
+
+def expressing(head: MorphMesh, names: tuple[str, ...], blink: float) -> Float32Array:
+    """Where the head's vertices are when it shows some expressions at once, each wholly."""
+    weights = np.array(held_expression(dict.fromkeys(names, 1.0)).weights(0.0)) * 100
+    lids = [ARKIT.index("eyeBlinkLeft"), ARKIT.index("eyeBlinkRight")]
+    weights[lids] = np.maximum(weights[lids], blink * 100)
+    face = MovestateSet(head.mesh, head.states)
+    face.set_percentages(dict(zip(ARKIT, weights.tolist(), strict=True)))
     return face.morphed()
 
 
@@ -134,12 +159,8 @@ def test_pictures_may_change_their_size(head: MorphMesh, offscreen: Hire):
 
 def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, offscreen: Hire):
     """Teeth, which are the whitest of all but the eyes, are painted magenta."""
-    with np.load(HEAD, allow_pickle=False) as file:
-        teeth = np.isin(file["part"], (2, 5))
-    colours = head.mesh.colours.copy()
-    colours[teeth] = MAGENTA
-    painted = replace(head, mesh=replace(head.mesh, colours=colours))
-    for morph_mesh in (painted, subdivided(painted)):
+    magenta = painted(head, (TEETH, MAGENTA))
+    for morph_mesh in (magenta, subdivided(magenta)):
         hired, camera = offscreen(morph_mesh, (300, 300)), Camera.facing(morph_mesh.mesh).zoom(10).pan(0.0, -0.16)
         n_seen = {
             phoneme: max(
@@ -151,6 +172,35 @@ def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, off
         closed = max(n_seen[phoneme] for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.P))
         assert closed < 0.005 * n_seen[Phoneme.SZ]
         assert n_seen[Phoneme.U] < 0.25 * n_seen[Phoneme.SZ]
+
+
+def test_the_tongue_is_seen_for_th_and_neither_at_rest_nor_for_f(head: MorphMesh, offscreen: Hire):
+    """As the head is looked at in the window; the tongue is painted magenta."""
+    table, magenta = load_table("arkit"), painted(head, (TONGUE, MAGENTA))
+    shapes = dict(zip(table.shapes, table.shape_weights() * 100, strict=True))
+    hired, camera, n_seen = offscreen(magenta, (480, 480)), Camera.facing(head.mesh), {}
+    for name in ("silence", "th", "f", "m"):
+        face = MovestateSet(magenta.mesh, magenta.states)
+        face.set_percentages(dict(zip(table.movestates, shapes[name].tolist(), strict=True)))
+        n_seen[name] = _n_magenta(hired.picture(camera, face.morphed(), background=DARK))
+    assert n_seen["th"] > 300
+    assert max(n_seen[name] for name in ("silence", "f", "m")) == 0
+
+
+@pytest.mark.parametrize("blink", [0.0, 0.5, 1.0])
+def test_no_expression_nor_two_of_them_tear_the_lids(blink: float, head: MorphMesh, offscreen: Hire):
+    """Eyes are painted as bright as skin, so that all that is nearly black is an inside."""
+    names = [*expression_presets()]
+    shown = [(), *((name,) for name in names), *combinations(names, 2)]
+    hired = offscreen(painted(head, (EYES, (0.9, 0.85, 0.8))), (600, 200))
+    camera = Camera.facing(head.mesh).zoom(14).pan(0.0, 0.36)  # eyes and brows
+    for azimuth in (-0.7, 0.0, 0.7):
+        turned = camera.orbit(azimuth, 0.0)
+        dark = [
+            hired.picture(turned, expressing(head, kept, blink), background=LIGHT).max(axis=2) < 50 for kept in shown
+        ]
+        n_dark = [int(picture.sum()) for picture in dark]
+        assert max(n_dark) <= n_dark[0] + 3, shown[int(np.argmax(n_dark))]
 
 
 def _n_magenta(picture: Picture) -> int:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from phonemeengine.mouth.mesh import normals_of
 from tools.head.colours import brow_region, eye_colours, hair_share, hairline_region, painted
+from tools.head.lids import kept_off_eye
 from tools.head.shoulders import shoulders_below
 from tools.head.teeth import LOWER, UPPER, Row, row_of_teeth
 
@@ -33,6 +34,9 @@ REST = {
 """What closes the lips, which stand a little apart in the original, and wakes the eyes."""
 TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.06, -0.015)}
 """How the teeth are moved, so that they are seen where a person's are."""
+TONGUE_LIFT, TONGUE_FLATTENED, TONGUE_BENDS = 0.06, 0.45, 0.45
+"""How much higher the tip of a tongue that is put out comes to lie, and how much flatter, so that it passes between
+teeth and lower lip and not through them; and where it begins to bend, as a share of its length from its root."""
 ROUNDNESS = 0.75
 """How far new vertices go towards the planes of their neighbours."""
 SKULL = 8.35
@@ -171,11 +175,26 @@ def _halves(corners: tuple[int, int, int], middles: tuple[int | None, ...]) -> l
     return [(turned[0], turned[k], turned[k + 1]) for k in range(1, len(turned) - 1)]
 
 
+def sphere_of(clay: Clay, part: int) -> tuple[Floats, float]:
+    """Return centre and radius of an eye."""
+    eye = clay.points[clay.part == part]
+    centre = (eye.min(axis=0) + eye.max(axis=0)) / 2
+    return centre, float(np.linalg.norm(eye - centre, axis=1).mean())
+
+
+def with_lids(head: Clay, names: list[str], eyes: list[tuple[Floats, float]]) -> Clay:
+    """Keep the skin of a head without eyes off where they will be."""
+    points, offsets = head.points, head.offsets
+    normals = normals_of(points, head.triangles.astype(np.uint32))
+    for centre, radius in eyes:
+        points, offsets = kept_off_eye(points, offsets, normals, names, centre, radius)
+    return Clay(points, head.triangles, head.part, offsets)
+
+
 def eyeball(clay: Clay, part: int) -> Clay:
     """Make an eye that looks ahead, with rings where pupil and iris end; it turns as the original's eye does."""
     old = clay.part == part
-    centre = (clay.points[old].min(axis=0) + clay.points[old].max(axis=0)) / 2
-    radius = np.linalg.norm(clay.points[old] - centre, axis=1).mean()
+    centre, radius = sphere_of(clay, part)
     around = 2 * np.pi * np.arange(N_AROUND) / N_AROUND
     polar, turn = (grid.ravel() for grid in np.meshgrid(RINGS, around, indexing="ij"))
     ball = np.stack((np.sin(polar) * np.cos(turn), np.sin(polar) * np.sin(turn), np.cos(polar)), axis=1)
@@ -217,6 +236,18 @@ def rested(clay: Clay, names: list[str]) -> Clay:
     return Clay(points, clay.triangles, clay.part, offsets)
 
 
+def bent_tongue(clay: Clay, names: list[str]) -> Clay:
+    """Lift and flatten a tongue that is put out, from its middle on."""
+    offsets, tongue, out = clay.offsets.copy(), clay.part == PARTS.index("tongue"), names.index("tongueOut")
+    depth = clay.points[tongue, 2]
+    along = (depth - depth.min()) / np.ptp(depth)
+    bent = np.clip((along - TONGUE_BENDS) / (1 - TONGUE_BENDS), 0, 1) ** 1.5
+    _, y, z = (clay.points + offsets[out])[tongue].T
+    middle = np.polyval(np.polyfit(z, y, 3), z)
+    offsets[out, tongue, 1] += bent * (TONGUE_LIFT - TONGUE_FLATTENED * (y - middle))
+    return Clay(clay.points, clay.triangles, clay.part, offsets)
+
+
 def haired(clay: Clay) -> Clay:
     """Have short hair stand on the skull, thickest at its top."""
     share = np.where(clay.part == 0, hair_share(clay.points), 0)
@@ -251,12 +282,13 @@ def main() -> None:
     with np.load(options.original, allow_pickle=False) as file:
         names = file["names"]
         clay = Clay(file["P"], file["F"].astype(np.int64), file["part"], file["M"].astype(np.float32))
-    clay = rested(clay, names.tolist())
+    clay = bent_tongue(rested(clay, names.tolist()), names.tolist())
     for part, moved in TEETH.items():
         clay.points[clay.part == PARTS.index(part)] += np.float32(moved)
     eyes = [PARTS.index(f"{side} eye") for side in ("left", "right")]
     rows = {PARTS.index("upper teeth"): UPPER, PARTS.index("lower teeth"): LOWER}
     head, colours = bust(clay.kept(~np.isin(clay.part[clay.triangles[:, 0]], [*eyes, *rows])))
+    head = with_lids(head, names.tolist(), [sphere_of(clay, eye) for eye in eyes])
     for part, row in rows.items():
         made, painted_so = teeth(clay, part, row)
         head, colours = head.joined(made), np.concatenate((colours, painted_so))

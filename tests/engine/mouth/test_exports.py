@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import re
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 from itertools import pairwise
@@ -182,6 +183,24 @@ def test_annosoft_reads_milliseconds_without_gaps() -> None:
     assert all(one[2] == other[1] for one, other in pairwise(rows))
     assert all((row[3] == "0") == (row[4] == "x") for row in rows)
     assert [row[4] for row in rows[:4]] == ["x", "m", "AA", "p"]
+
+
+@pytest.mark.parametrize("minimum", [0.06, 0.055, 0.1, 0.0605])
+@pytest.mark.parametrize("name", ["rhubarb-tsv", "rhubarb-xml", "rhubarb-json", "anno"])
+def test_rounded_times_keep_the_shortest_cue(name: str, minimum: float) -> None:
+    """Sounds of 5 ms steps, whose borders lie between two hundredths."""
+    chance, runs, at = np.random.default_rng(4), [], 0.0
+    for phoneme, steps in zip(chance.integers(0, len(Phoneme), 3000), chance.integers(1, 40, 3000), strict=True):
+        runs.append(Segment(at, at + steps * 0.005, Phoneme(phoneme), 0.5))
+        at = runs[-1].end
+    text = written(name, Transcript("long.wav", at, tuple(runs)), minimum=minimum)
+    starts = {
+        "rhubarb-tsv": r"^([\d.]+)\t", "rhubarb-xml": r'mouthCue start="([\d.]+)"',
+        "rhubarb-json": r'"start": ([\d.]+)', "anno": r"^phn (\d+)",
+    }  # fmt: skip
+    times = np.array([float(start) for start in re.findall(starts[name], text, re.MULTILINE)])
+    assert len(times) > 500
+    assert np.diff(times / (1000 if name == "anno" else 1)).min() >= minimum - 1e-9
 
 
 def test_praat_files_are_read_by_praatio(tmp_path: Path) -> None:

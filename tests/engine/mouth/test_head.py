@@ -1,3 +1,4 @@
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +9,8 @@ from phonemeengine.mouth import head
 from phonemeengine.mouth.head import HEAD, load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
 
 
 @pytest.fixture(scope="module")
@@ -116,6 +119,44 @@ def test_an_open_jaw_lowers_the_lower_teeth_and_a_smile_widens_the_mouth(morph_m
     corners = np.intersect1d(*(state.numbers for state in smiles))
     states.set_percentages({state.name: 100 for state in smiles})
     assert width(states.morphed(), corners) > width(rest, corners)
+
+
+@pytest.mark.parametrize(("table", "shape"), [("arkit", "f"), ("rhubarb", "G"), ("preston-blair", "FV")])
+def test_for_f_the_lower_lip_meets_the_upper_teeth(table: str, shape: str, morph_mesh: MorphMesh):
+    """In steps from the left to the right canine: within a millimetre and a half, where a unit is a decimetre."""
+    known = load_table(table)
+    f, m = (positions_of(morph_mesh, known.shapes[name]) for name in (shape, known.phonemes[Phoneme.M]))
+    assert lip_to_teeth(morph_mesh, f).mean() < 0.015
+    assert lip_to_teeth(morph_mesh, m).mean() > 0.04
+
+
+def positions_of(morph_mesh: MorphMesh, percentages: Mapping[str, float]) -> np.ndarray:
+    """Where the vertices are in a mouth shape."""
+    face = MovestateSet(morph_mesh.mesh, morph_mesh.states)
+    face.set_percentages(dict(percentages))
+    return face.morphed().copy()
+
+
+def lip_to_teeth(morph_mesh: MorphMesh, positions: np.ndarray) -> np.ndarray:
+    """How far the lower lip is from the edges of the upper teeth, in steps from left to right."""
+    with np.load(HEAD, allow_pickle=False) as file:
+        upper = file["part"] == 5
+        rolls = (
+            np.linalg.norm(file["offsets"][file["names"].tolist().index("mouthRollLower")].astype(float), axis=1)
+            > 0.03
+        )
+    triangles = morph_mesh.mesh.triangles.astype(int)
+    inside = np.array([(i, k, 8 - i - k) for i in range(9) for k in range(9 - i)]) / 8
+    teeth, lip = (
+        np.einsum("wk,tkd->twd", inside, positions[triangles[part[triangles].all(axis=1)]]).reshape(-1, 3)
+        for part in (upper, rolls)
+    )
+    apart = []
+    for x in np.linspace(-0.1, 0.1, 9):
+        tooth, skin = (points[np.abs(points[:, 0] - x) < 0.012] for points in (teeth, lip))
+        edge = tooth[tooth[:, 1] < tooth[:, 1].min() + 0.02]
+        apart.append(np.linalg.norm(edge[:, np.newaxis] - skin, axis=2).min())
+    return np.array(apart)
 
 
 def test_eyes_and_brows_live_their_own_life(morph_mesh: MorphMesh):

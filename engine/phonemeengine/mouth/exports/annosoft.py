@@ -9,7 +9,11 @@ from collections import deque
 from collections.abc import Iterator
 
 from phonemeengine.mouth.exports.export import Export, one_token
+from phonemeengine.mouth.exports.frames import frame_of
 from phonemeengine.phonemes import Phoneme
+
+STEPS = 1000
+"""Times that a second has."""
 
 
 def write(export: Export) -> Iterator[str]:
@@ -22,6 +26,6 @@ def write(export: Export) -> Iterator[str]:
     for cue in export.drawings:
         while words and words[0].start < cue.end:
             word = words.popleft()
-            yield f"word {round(1000 * word.start)} {round(1000 * word.end)} {one_token(word.text)}\n"
+            yield f"word {frame_of(word.start, STEPS)} {frame_of(word.end, STEPS)} {one_token(word.text)}\n"
         strength = 0 if cue.phoneme == Phoneme.SILENCE else max(1, round(100 * cue.intensity))
-        yield f"phn {round(1000 * cue.start)} {round(1000 * cue.end)} {strength} {cue.shape}\n"
+        yield f"phn {frame_of(cue.start, STEPS)} {frame_of(cue.end, STEPS)} {strength} {cue.shape}\n"

@@ -1,5 +1,6 @@
 """Writing speech in one format, with options."""
 
+import math
 import os
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
@@ -10,6 +11,7 @@ from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.exports.frames import NEARLY
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import Transcript
@@ -22,7 +24,8 @@ class ExportOptions:
     Attributes
     ----------
     rate : frames per second.
-    minimum : least duration of a cue, seconds; where frames are counted, a frame at least. Curves have no cues.
+    minimum : least duration of a cue, seconds; a frame at least where frames are counted, and rounded up where times
+        are rounded. Curves have no cues.
     anticipation : by how much the mouth is ahead of the sound, seconds.
     table : a mouth table's name or file.
     mesh : the file of the face that shall move; else it is the program's own head.
@@ -77,9 +80,7 @@ class Exporter:
         anticipation = self.format.anticipation if options.anticipation is None else options.anticipation
         cues: tuple[Cue, ...] = ()
         if self.format.has_cues:
-            minimum = MINIMUM if options.minimum is None else options.minimum
-            minimum = max(minimum, 1 / self.rate) if self.rate else minimum
-            cues = cues_of(speech.runs, self._table, minimum=minimum, anticipation=anticipation)
+            cues = cues_of(speech.runs, self._table, minimum=self._minimum(), anticipation=anticipation)
         return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement, anticipation)
 
     def chunks_of(self, speech: Transcript, movement: Animation | None = None) -> Iterator[bytes]:
@@ -100,6 +101,14 @@ class Exporter:
             yield written
         else:
             yield from _encoded(written)
+
+    def _minimum(self) -> float:
+        """Return the least duration of a cue, seconds, which rounded times keep, and no less than a frame."""
+        minimum = MINIMUM if self._options.minimum is None else self._options.minimum
+        if self.rate:
+            return max(minimum, 1 / self.rate)
+        steps = self.format.steps
+        return math.ceil(minimum * steps - NEARLY) / steps if steps else minimum
 
     def _checked_rate(self) -> float:
         rate, own = self._options.rate, self.format.rate

@@ -36,6 +36,7 @@ class Format:
     words : what it is, for people.
     rate : frames per second, unless told otherwise; 0 where it counts none.
     whole_rate : whether that must be a whole number.
+    steps : times that a second has, where they are rounded; 0 where they are not.
     anticipation : by how much the mouth is ahead of the sound, seconds, unless told otherwise.
     shapes : the mouth shapes that it knows; empty where it takes any.
     movestates : the columns that it has; empty where it takes any.
@@ -53,6 +54,7 @@ class Format:
     words: str
     rate: float = 0.0
     whole_rate: bool = False
+    steps: int = 0
     anticipation: float = 0.0
     shapes: frozenset[str] = frozenset()
     movestates: tuple[str, ...] = ()
@@ -79,7 +81,7 @@ def formats_for(name: str) -> list[str]:
 def _letters(ending: str, write: Callable[[Export], Iterator[str]], owns: Owns | None = None) -> Format:
     return Format(
         ending, write, "rhubarb", "Rhubarb Lip Sync", anticipation=DRAWINGS_AHEAD, shapes=rhubarb.SHAPES,
-        mark=".rhubarb", owns=owns,
+        mark=".rhubarb", owns=owns, steps=rhubarb.STEPS,
     )  # fmt: skip
 
 
@@ -95,7 +97,7 @@ FORMATS: dict[str, Format] = {
         ".pgo", papagayo.write, "preston-blair", "Papagayo, Papagayo-NG", rate=24, whole_rate=True,
         anticipation=DRAWINGS_AHEAD, separated=True,
     ),
-    "anno": Format(".anno", annosoft.write, "annosoft", "Annosoft", separated=True),
+    "anno": Format(".anno", annosoft.write, "annosoft", "Annosoft", separated=True, steps=annosoft.STEPS),
     "textgrid": Format(
         ".TextGrid", textgrid.write, "eleven", "Praat", mark=".mouth", owns=textgrid.owns
     ),

@@ -7,6 +7,9 @@ from phonemeengine.mouth.cues import Cue, joined_runs
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.phonemes import Phoneme
 
+NEARLY = 1e-6
+"""Share of a frame by which times may differ where they are the same."""
+
 
 def drawings_on_frames(export: Export) -> Iterator[tuple[int, int, Cue]]:
     """Return each drawing with its first frame and the frame after its last one, counted from 0.
@@ -57,5 +60,9 @@ def _closes(cue: Cue, export: Export) -> bool:
 
 
 def frame_of(time: float, rate: float) -> int:
-    """Return the frame that is nearest to a time, seconds."""
-    return math.floor(time * rate + 0.5)
+    """Return the frame that is nearest to a time, seconds.
+
+    Of two that are as near it is the later one for all times, however those are rounded: what lasts whole frames has
+    as many.
+    """
+    return math.floor(time * rate + 0.5 + NEARLY)

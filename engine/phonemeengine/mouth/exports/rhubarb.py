@@ -11,9 +11,12 @@ from html import escape
 from phonemeengine.files import begins_like
 from phonemeengine.mouth.exports.curves import word_entry
 from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.frames import frame_of
 from phonemeengine.phonemes import Phoneme
 
 SHAPES = frozenset("ABCDEFGHX")
+STEPS = 100
+"""Times that a second has."""
 
 Stretch = tuple[str, str, str]
 
@@ -31,14 +34,14 @@ def write_tsv(export: Export) -> Iterator[str]:
     """Write a line with start and letter for each drawing, and a closed mouth at the end."""
     for start, _, letter in _stretches(export):
         yield f"{start}\t{letter}\n"
-    yield f"{export.speech.duration:.2f}\t{_rest(export)}\n"
+    yield f"{_time(export.speech.duration)}\t{_rest(export)}\n"
 
 
 def write_xml(export: Export) -> Iterator[str]:
     """Write a ``rhubarbResult`` with metadata and mouth cues."""
     yield '<?xml version="1.0" encoding="utf-8"?>\n<rhubarbResult>\n  <metadata>\n'
     yield f"    <soundFile>{escape(export.speech.name, quote=False)}</soundFile>\n"
-    yield f"    <duration>{export.speech.duration:.2f}</duration>\n  </metadata>\n  <mouthCues>\n"
+    yield f"    <duration>{_time(export.speech.duration)}</duration>\n  </metadata>\n  <mouthCues>\n"
     for start, end, letter in _stretches(export):
         yield f'    <mouthCue start="{start}" end="{end}">{letter}</mouthCue>\n'
     yield "  </mouthCues>\n</rhubarbResult>\n"
@@ -49,7 +52,7 @@ def write_json(export: Export) -> Iterator[str]:
     name = json.dumps(export.speech.name, ensure_ascii=False)
     words = ",\n".join(f"      {word_entry(word)}" for word in export.speech.words)
     known = f',\n    "words": [\n{words}\n    ]' if words else ""
-    duration = f"{export.speech.duration:.2f}"
+    duration = _time(export.speech.duration)
     yield f'{{\n  "metadata": {{\n    "soundFile": {name},\n    "duration": {duration}{known}\n  }},\n'
     lines = (
         f'    {{ "start": {start}, "end": {end}, "value": "{letter}" }}' for start, end, letter in _stretches(export)
@@ -61,8 +64,12 @@ def _rest(export: Export) -> str:
     return export.table.phonemes[Phoneme.SILENCE]
 
 
+def _time(seconds: float) -> str:
+    return f"{frame_of(seconds, STEPS) / STEPS:.2f}"
+
+
 def _stretches(export: Export) -> Iterator[Stretch]:
     """Return start, end and letter of each drawing; Rhubarb's readers want at least one."""
-    stretches = [(f"{cue.start:.2f}", f"{cue.end:.2f}", cue.shape) for cue in export.drawings]
-    whole = ("0.00", f"{export.speech.duration:.2f}", _rest(export))
+    stretches = [(_time(cue.start), _time(cue.end), cue.shape) for cue in export.drawings]
+    whole = ("0.00", _time(export.speech.duration), _rest(export))
     yield from (stretch for stretch in stretches or [whole] if stretch[0] != stretch[1] or len(stretches) <= 1)

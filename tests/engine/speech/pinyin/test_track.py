@@ -67,7 +67,7 @@ def test_a_silent_text_is_even_speech_of_its_phones_until_the_mouth_is_at_rest()
     assert said.intensities[(said.times > 0.251) & (said.times < 0.549)].max() == 0
 
 
-@pytest.mark.parametrize("name", ["rhubarb-json", "moho-dat", "textgrid", "oculus-csv"])
+@pytest.mark.parametrize("name", ["rhubarb-json", "moho-dat", "textgrid", "anno"])
 def test_drawings_are_made_of_the_phones(name: str) -> None:
     said = pinyin_track("妈妈，你好。").silent_transcript("text")
     assert b"".join(Exporter(name).chunks_of(said))
