@@ -56,6 +56,7 @@ def test_what_cannot_be_served_is_said(
 ) -> None:
     token = tmp_path / "token.txt"
     token.write_text("0123456789abcdef\n")
+    token.chmod(0o600)
     assert main(["serve", "--port", "0", *(str(token) if word == "TOKEN" else word for word in words)]) == 1
     said = capsys.readouterr().err
     assert sentence in said

@@ -151,7 +151,6 @@ def test_the_memory_of_a_silent_text_does_not_grow_with_it(tmp_path: Path) -> No
             ["--recording", str(DEMO), "--plan", "-", "--lexicon", "l.csv"],
             "a lexicon is for a text, and says nothing",
         ),
-        (["你好", "--silent", "--export", "a.csv"], "--export and --format go together; name both"),
         (["你好", "--silent", "--plan", "-", "--rate", "11"], "the rate must lie in 0.5..10 syllables per second"),
         (["你好", "--silent", "--plan", "-", "--spring", "1,2"], "a spring is MASS,STIFFNESS,DAMPING, such as"),
         (["你好", "--silent", "--plan", "-", "--pinyin-table", "none.toml"], "none.toml: cannot be read"),
@@ -167,3 +166,10 @@ def test_what_cannot_be_spoken_is_refused_in_one_sentence(
     assert said.out == ""
     assert said.err.startswith(f"phonemeanalyser: {sentence}")
     assert said.err.count("\n") == 1
+
+
+def test_an_export_whose_ending_several_formats_have_needs_one(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as end:
+        main(["speak", "你好", "--silent", "--export", "a.csv"])
+    assert end.value.code == 2
+    assert "several formats end as 'a.csv' does; choose one of livelink-csv, oculus-csv" in capsys.readouterr().err
