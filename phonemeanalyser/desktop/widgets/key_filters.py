@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 _MOVING = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End})
 _EDITING = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete, *_MOVING})
 _CLIPBOARD = frozenset({Qt.Key.Key_A, Qt.Key.Key_C, Qt.Key.Key_V, Qt.Key.Key_X})
+_RETURN = frozenset({Qt.Key.Key_Return, Qt.Key.Key_Enter})
 _LEAVING = frozenset({Qt.Key.Key_Escape, Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab})
 _PLAIN = (Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.KeypadModifier)
 _TYPED_INTO = (QComboBox, QAbstractSpinBox, QAbstractItemView, QLineEdit, QTextEdit, QPlainTextEdit)
@@ -76,8 +77,8 @@ class ControlKeys(QObject):
 class FocusReturn(QObject):
     """Gives the focus back to the main view of the page, where Qt would give it to the next control.
 
-    It does so when the control that had it was hidden or disabled, and when a list of choices was closed with the
-    mouse. A list that was closed by a key leaves the focus in its box: more letters still search there.
+    It does so when the control that had it was hidden or disabled, when a number was ended by Return, and when a list
+    of choices was closed with the mouse. A list that was closed by a key leaves the focus in its box: more letters still search there.
 
     Parameters
     ----------
@@ -100,14 +101,19 @@ class FocusReturn(QObject):
         assert isinstance(application, QApplication)
         self._application = application
         self._application.focusChanged.connect(self._follow)
+        window.installEventFilter(self)
 
     def end(self) -> None:
         """Look no more: the window closes, and its widgets lose the focus as they are destroyed."""
         self._application.focusChanged.disconnect(self._follow)
 
-    def eventFilter(self, _list: QObject, event: Any) -> bool:
-        """Note which key was pressed in a list of choices."""
-        if event.type() in {QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride}:
+    def eventFilter(self, watched: QObject, event: Any) -> bool:
+        """Note which key was pressed in a list of choices, and see Return, which fields of numbers pass on."""
+        if watched is self._window:
+            ends_number = event.type() == QEvent.Type.KeyPress and event.key() in _RETURN
+            if ends_number and isinstance(QApplication.focusWidget(), QAbstractSpinBox):
+                self._main_view().setFocus()
+        elif event.type() in {QEvent.Type.KeyPress, QEvent.Type.ShortcutOverride}:
             self._closed_by_key = event.key() in _LEAVING
         elif event.type() == QEvent.Type.MouseButtonPress:
             self._closed_by_key = False
