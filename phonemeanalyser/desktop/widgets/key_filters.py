@@ -78,7 +78,8 @@ class FocusReturn(QObject):
     """Gives the focus back to the main view of the page, where Qt would give it to the next control.
 
     It does so when the control that had it was hidden or disabled, when a number was ended by Return, and when a list
-    of choices was closed with the mouse. A list that was closed by a key leaves the focus in its box: more letters still search there.
+    of choices was closed with the mouse. A list that was closed by a key leaves the focus in its box: more letters
+    still search there.
 
     Parameters
     ----------
