@@ -85,7 +85,7 @@ def performer_of(
     return performer
 
 
-def animation_by(performer: Performer, speech: Transcript, rate: float) -> Animation:
+def animation_by(performer: Performer, speech: Transcript, rate: float, *, rests_from: float = 0.0) -> Animation:
     """Animate a face by a performer that knows how the mouth moves; the sound moves its head, and its eyes blink.
 
     Parameters
@@ -93,17 +93,20 @@ def animation_by(performer: Performer, speech: Transcript, rate: float) -> Anima
     performer : it has not been looked at.
     speech : what was said.
     rate : frames per second, 1..240.
+    rests_from : when a mouth that a track moves has come to rest, seconds; the animation lasts so long at least.
 
     Raises
     ------
     MouthError : the rate lies outside its range.
     """
-    blocks = [*animation_blocks(performer, speech, rate)]
+    blocks = [*animation_blocks(performer, speech, rate, rests_from=rests_from)]
     weights, head = (np.concatenate([getattr(block, name) for block in blocks]) for name in ("weights", "head"))
     return Animation(rate, performer.table.movestates, weights, head)
 
 
-def animation_blocks(performer: Performer, speech: Transcript, rate: float) -> Iterator[Animation]:
+def animation_blocks(
+    performer: Performer, speech: Transcript, rate: float, *, rests_from: float = 0.0
+) -> Iterator[Animation]:
     """Animate a face as `animation_by` does, a minute or so at a time: hours of it need not be held in memory.
 
     Raises
@@ -116,7 +119,7 @@ def animation_blocks(performer: Performer, speech: Transcript, rate: float) -> I
     movestates = performer.table.movestates
     eyelids = [k for k, name in enumerate(movestates) if name in EYELIDS]
     n_frames = math.floor(speech.duration * rate + 1e-6) + 1
-    n_frames = max(n_frames, math.ceil(_end_of(performer, spoken) * rate - 1e-6) + 1)
+    n_frames = max(n_frames, math.ceil(max(_end_of(performer, spoken), rests_from) * rate - 1e-6) + 1)
     faces = _faces(performer, speech, np.arange(n_frames) / rate)
     for first in range(0, n_frames, BLOCK):
         n = min(BLOCK, n_frames - first)

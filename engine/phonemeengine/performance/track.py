@@ -112,8 +112,9 @@ class PerformanceTrack:
         if self._head is None:
             idle = replace(idle, head=False)
         performer = Performer(face_table(), idle)
-        performer.play(self.mouth(rate))
-        return animation_by(performer, speech, rate)
+        mouth = self.mouth(rate)
+        performer.play(mouth)
+        return animation_by(performer, speech, rate, rests_from=mouth.rests_from)
 
     def _head_by(self, table: PerformanceTable) -> HeadDriver | None:
         """Return what moves the head, unless that is left out."""
@@ -141,6 +142,7 @@ class PerformedMouth:
     Attributes
     ----------
     movestates : those of `FACE`, in the order of the weights.
+    rests_from : when it has come to rest after the last phone, seconds.
     """
 
     movestates = FACE
@@ -151,6 +153,7 @@ class PerformedMouth:
     ) -> None:  # fmt: skip
         self._sentences, self._driver, self._head, self._picture = sentences, driver, head, 1 / rate
         self._first = first
+        self.rests_from = _end_of(sentences[-1])
         self._rate = rate * math.ceil(RATE / rate)
         self._begins = [_turn_to(sentence)[0] for sentence in sentences[1:]]
         self._made: dict[int, tuple[int, Float32Array]] = {}
@@ -225,7 +228,7 @@ class PerformedMouth:
 
     def _look_up(self, number: int) -> tuple[int, Float32Array]:
         sentence = self._sentences[number]
-        end = max(sentence[-1].end, sentence[-1].start + TO_REST)
+        end = _end_of(sentence)
         first, last = math.floor(sentence[0].start * self._rate), math.ceil(end * self._rate)
         frames = self._frames_at(number, np.arange(first, last + 1) / self._rate)
         self._made[number] = first, frames
@@ -244,6 +247,11 @@ class PerformedMouth:
         if self._head is not None:
             frames[:, _HEAD_COLUMNS] = self._head.track(joined(self._about(number)), times)
         return frames
+
+
+def _end_of(sentence: Sentence) -> float:
+    """Return when a face has come to rest after a sentence, seconds."""
+    return max(sentence[-1].end, sentence[-1].start + TO_REST)
 
 
 owns = begins_like(",".join(UNIT_COLUMNS).encode() + b"\n")

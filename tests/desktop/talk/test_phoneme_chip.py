@@ -49,9 +49,7 @@ def test_after_a_file_that_ends_in_the_middle_of_an_a_none_is_shown(
     assert (shown(chip), chip.intensity) == (Phoneme.SILENCE, 0.0)
 
 
-def test_a_pause_keeps_what_is_heard_there_and_stop_shows_none(
-    stage: Stage, chip: PhonemeChip, qtbot: QtBot
-) -> None:
+def test_a_pause_keeps_what_is_heard_there_and_stop_shows_none(stage: Stage, chip: PhonemeChip, qtbot: QtBot) -> None:
     stage.play(0.9)
     stage.session.pause()
     assert shown(chip) is Phoneme.A

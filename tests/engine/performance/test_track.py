@@ -13,7 +13,7 @@ from phonemeengine.errors import MouthError, PerformanceError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS
 from phonemeengine.mouth.osc import OscMouth
-from phonemeengine.mouth.performer import IdleMotion, Performer
+from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion, Performer
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceOptions, PerformancePart
@@ -101,6 +101,19 @@ def test_lips_are_shut_at_p_b_and_m_even_where_the_recorded_ones_are_not(tmp_pat
             for phone in utterance.phones:
                 jaw = animation.weights[(animation.times >= phone.start) & (animation.times <= phone.end), JAW]
                 assert jaw.min() <= 0.06 if phone.ipa in "bmp" else jaw.max() > 0.4
+
+
+@pytest.mark.parametrize("rate", [8.0, 24.0, 60.0])
+def test_a_sound_that_ends_with_its_last_phone_is_shown_until_the_face_is_at_rest(
+    rate: float, tmp_path: Path
+) -> None:
+    write_table(tmp_path / "open.sqlite", [recorded("ma.ma tu", jaw=0.6)])
+    said = utterance_of("ma.ma")
+    tight = replace(said, duration=max(phone.end for phone in said.phones))
+    with PerformanceTable.open(tmp_path / "open.sqlite") as table:
+        animation = track_of(table, tight, PerformanceOptions()).animation(heard(tight), rate, MOUTH_ALONE)
+    assert animation.weights[animation.times < tight.duration, JAW].max() > 0.4
+    assert animation.weights[-1].max() < 0.02
 
 
 def test_the_tongue_is_behind_the_teeth_in_the_middle_of_a_vowel_however_short(tmp_path: Path) -> None:

@@ -32,6 +32,7 @@ class PinyinMouth:
     Attributes
     ----------
     movestates : their names, in the order of the weights.
+    rests_from : when it has come to rest after the last row, seconds.
     """
 
     def __init__(self, plan: Plan, table: PinyinTable) -> None:
@@ -41,6 +42,7 @@ class PinyinMouth:
         self._rows = np.array(list(shapes.values()))
         self._movements = [EasedMovement(-math.inf, 0.0, rows[REST]), *_movements_of(plan, table.reach, rows)]
         self._starts = [movement.start for movement in self._movements]
+        self.rests_from = plan.duration + (AFTERWARDS if table.spring else self._movements[-1].duration)
         self._spring = None if table.spring is None else SpringMass(self._target, table.spring)
 
     def weights(self, time: float) -> Float32Array:

@@ -55,8 +55,9 @@ class PinyinTrack:
         MouthError : the rate lies outside its range.
         """
         performer = Performer(self.table.mouth, idle)
-        performer.play(self.mouth())
-        return animation_by(performer, speech, rate)
+        mouth = self.mouth()
+        performer.play(mouth)
+        return animation_by(performer, speech, rate, rests_from=mouth.rests_from)
 
 
 def pinyin_track(

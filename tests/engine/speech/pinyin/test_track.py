@@ -1,17 +1,21 @@
 """The whole way: a text, or what somebody says, moves a face."""
 
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 import pytest
 
+from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.driver import AFTERWARDS, PinyinMouth
+from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.track import pinyin_track
-from tests.engine.speech.pinyin.saying import SAID, TABLE
+from tests.engine.speech.pinyin.saying import SAID, TABLE, spoken
 
 LIDS = [ARKIT.index("eyeBlinkLeft"), ARKIT.index("eyeBlinkRight")]
 
@@ -43,6 +47,22 @@ def test_an_animation_shows_the_mouth_blinks_and_turns_the_head() -> None:
     still = track.animation(speech, 60.0, MOUTH_ALONE)
     assert not still.head.any()
     assert not still.weights[:, LIDS].any()
+
+
+@pytest.mark.parametrize("rate", [8.0, 24.0, 60.0])
+@pytest.mark.parametrize("spring", [False, True])
+def test_a_sound_that_ends_with_its_last_syllable_is_shown_until_the_mouth_is_at_rest(
+    rate: float, spring: bool
+) -> None:
+    table = replace(TABLE, spring=Spring()) if spring else TABLE
+    tight = Utterance((Word("好", (spoken(0.0, 0.2, 0.6, "hao3"),)),), 0.6, "cmn")
+    jaw = (
+        pinyin_track(tight, table)
+        .animation(Transcript("好", 0.6), rate, MOUTH_ALONE)
+        .weights[:, ARKIT.index("jawOpen")]
+    )
+    assert jaw.max() > 0.5
+    assert jaw[-1] < 0.02
 
 
 def test_live_link_face_gets_the_movement_of_the_letters() -> None:
