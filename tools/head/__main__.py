@@ -34,7 +34,7 @@ REST = {
 """What closes the lips, which stand a little apart in the original, and wakes the eyes."""
 TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.06, -0.015)}
 """How the teeth are moved, so that they are seen where a person's are."""
-TONGUE_LIFT, TONGUE_FLATTENED, TONGUE_BENDS = 0.06, 0.45, 0.45
+TONGUE_LIFT, TONGUE_FLATTENED, TONGUE_BENDS = 0.08, 0.55, 0.45
 """How much higher the tip of a tongue that is put out comes to lie, and how much flatter, so that it passes between
 teeth and lower lip and not through them; and where it begins to bend, as a share of its length from its root."""
 ROUNDNESS = 0.75
