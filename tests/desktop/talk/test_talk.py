@@ -14,7 +14,6 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.animation import animation_of
-from phonemeengine.mouth.cues import MOST_ANTICIPATION, cues_of
 from phonemeengine.mouth.files.io import save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.head_motion import HeadPose
@@ -524,8 +523,7 @@ def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qt
     with SoundReader(path) as reader:
         analyses = analyse_blocks(reader.blocks(SAMPLE_RATE), session.preset.in_force, pitch=True)
         utterance = transcript_of(analyses, "", reader.duration)
-    cues = cues_of(utterance.runs, talking.table, anticipation=MOST_ANTICIPATION)
-    film = animation_of(utterance, cues, talking.table, SAMPLE_RATE / STEP, MOUTH_ALONE)
+    film = animation_of(utterance, talking.table, SAMPLE_RATE / STEP, MOUTH_ALONE)
     talking.osc.set_address(f"127.0.0.1:{receiver.address.port}")
     talking.osc.set_on(True)
     qtbot.waitUntil(lambda: talking.osc.words.startswith("sending"))

@@ -381,7 +381,7 @@ def test_a_button_loads_phoneme_data(window, desktop, monkeypatch):
 
 def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):
     times, choices = window.talk.choices.times, window.talk.choices
-    assert times.milliseconds(Phoneme.M) == ("50", "150")
+    assert times.milliseconds(Phoneme.M) == ("58", "150")
     assert times.milliseconds(Phoneme.A) == ("100", "200")
     assert "a: 100 and 200 ms" in times.toolTip()
     before = times.grab().toImage()
@@ -394,7 +394,7 @@ def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, t
     (tmp_path / "mine.toml").write_text(text, encoding="utf-8")
     desktop.talking.set_table(str(tmp_path / "mine.toml"))
     qtbot.waitUntil(lambda: times.milliseconds(Phoneme.A) == ("300", "400"))
-    assert times.milliseconds(Phoneme.M) == ("75", "300")
+    assert times.milliseconds(Phoneme.M) == ("87", "300")
 
 
 # -- whose face it is ---------------------------------------------------------------------------------
