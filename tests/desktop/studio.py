@@ -158,8 +158,15 @@ class Booth:
         """Choose the microphone in the source box."""
         choose(self.window.transport.source, "microphone")
 
+    def go_to_view(self) -> None:
+        """Give the keyboard to the view, as a click into it does; a box of questions or of choices had it before."""
+        self.window.activateWindow()
+        self.until(self.window.isActiveWindow)
+        self.window.analysis.main_view.setFocus()
+
     def record(self) -> None:
-        """Press R, and leave the file in hand for the microphone."""
+        """Press R in the view, and leave the file in hand for the microphone."""
+        self.go_to_view()
         if self.desktop.session.source is SoundSource.FILE:
             answer("Record")
         press(self.window, Qt.Key.Key_R)

@@ -40,7 +40,7 @@ def eight(tmp_path: Path) -> Path:
 
 def heard(path: Path, *words: object) -> set[str]:
     out = path.parent / "out.csv"
-    assert main(["analyse", str(path), "-o", str(out), *(str(word) for word in words)]) == 0
+    assert main(["analyse", str(path), "-o", str(out), "--overwrite", *(str(word) for word in words)]) == 0
     return {row["phoneme"] for row in rows_of(out.read_text())}
 
 

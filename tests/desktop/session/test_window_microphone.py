@@ -145,6 +145,7 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(
 
 def test_clear_forgets_what_was_heard_and_listening_goes_on(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, A)
+    booth.go_to_view()
     press(booth.window, Qt.Key.Key_C)
     assert booth.desktop.session.history.n == 0
     booth.hear(mic, A)
