@@ -61,7 +61,7 @@ def write_clip(
     ----------
     out : an .mp4, a .gif, or a folder for pictures.
     morph_mesh : whose heads are seen.
-    animations : of each head, from left to right; equally long.
+    animations : of each head, from left to right; a shorter one stays at its end.
     captions : of each head; none for a single one.
     sound : what is heard in a film.
     progress : called with the share that is done, 0..1.
@@ -73,10 +73,10 @@ def write_clip(
     RenderingError : the mesh lacks the movestates, it cannot be drawn or written, or a .gif cannot be so long.
     Cancelled : `progress` did not want to go on.
     """
-    n_frames = len(animations[0].weights)
+    n_frames = max(len(animation.weights) for animation in animations)
     if out.suffix.lower() == ".gif" and (reason := why_no_gif(n_frames, options.rate)):
         raise RenderingError(reason)
-    players = [AnimationPlayer(morph_mesh, animation) for animation in animations]
+    players = [AnimationPlayer(morph_mesh, animation.held(n_frames)) for animation in animations]
     sheet = SideBySide(options.size, captions, options.theme.text, options.theme.window)
     with OffscreenRenderer(morph_mesh, sheet.head_size) as offscreen:
         heads = _pictures_of(players, morph_mesh, offscreen, options.theme.window, progress)

@@ -33,7 +33,9 @@ def jaws_in(path: Path) -> list[float]:
 def test_a_recording_that_is_said_again_moves_as_it_did(recorded: Path) -> None:
     words = ["mami.wav", "--performance", "ann.sqlite", "--format", "livelink-csv", "-o", "out.csv"]
     assert main(["export", *words, "--script", "mami.TextGrid", "--units", "units.csv", *PLAIN]) == 0
-    assert jaws_in(recorded / "out.csv") == pytest.approx(np.linspace(0, 1, 61).tolist(), abs=0.01)
+    jaws = jaws_in(recorded / "out.csv")
+    assert jaws[:61] == pytest.approx(np.linspace(0, 1, 61).tolist(), abs=0.01)
+    assert jaws[61:] == pytest.approx([1.0] * len(jaws[61:]), abs=0.01)  # without a window, nothing leads to rest
     units = (recorded / "units.csv").read_text(encoding="utf-8").splitlines()
     assert "0.250,0.700,word,m a m i,mami,0.250,0.700" in units
     assert main(["speak", "--recording", "mami.wav", "--performance", "ann.sqlite", "--units", "again.csv"]) == 0

@@ -52,6 +52,11 @@ class Animation(ShortRepr):
         columns = [self.movestates.index(name) for name in movestates]
         return replace(self, movestates=movestates, weights=self.weights[:, columns])
 
+    def held(self, n_frames: int) -> "Animation":
+        """Return the animation with so many frames, no fewer than it has: the last one stays."""
+        rows = np.minimum(np.arange(n_frames), len(self.weights) - 1)
+        return replace(self, weights=self.weights[rows], head=self.head[rows])
+
 
 def animation_of(
     speech: Transcript, table: MouthTable, rate: float, idle: IdleMotion | None = None,
