@@ -18,6 +18,7 @@ from tests.desktop.hands import CARDS
 PATIENCE = 120
 """Seconds after which a program that does not end hangs, also on a busy machine."""
 AT_ONCE = 4
+N_ENDS = 5
 
 
 def run(home: Path, way: str, sound: str, *words: object) -> tuple[int, list[str]]:
@@ -43,12 +44,12 @@ def seen_at_the_next_start(home: Path) -> dict[str, Any]:
 
 @pytest.mark.parametrize("way", ["menu", "frame"])
 def test_it_ends_cleanly_after_edits_every_time(tmp_path, way):
-    homes = [tmp_path / str(k) for k in range(10)]
+    homes = [tmp_path / str(k) for k in range(N_ENDS)]
     with ThreadPoolExecutor(AT_ONCE) as pool:
         ends = list(pool.map(partial(run, way=way, sound="demo.flac"), homes))
-    assert ends == [(0, [])] * 10
+    assert ends == [(0, [])] * N_ENDS
     logs = [path.read_text() for path in tmp_path.rglob("*/phonemeanalyser.log")]
-    assert len(logs) == 10
+    assert len(logs) == N_ENDS
     assert not any("ERROR" in log or "Traceback" in log for log in logs)
 
 

@@ -105,7 +105,14 @@ def test_space_plays_after_a_choice_with_the_mouse_and_after_one_was_hidden(desk
     box = window.transport.source
     box.setFocus()
     view = opened(box)
-    QTest.mouseClick(view.viewport(), LEFT, pos=view.visualRect(view.model().index(0, 0)).center())
+
+    def is_closed() -> bool:
+        """Click again where Qt took the click on the list, which has just opened, for half a double click."""
+        if view.isVisible():
+            QTest.mouseClick(view.viewport(), LEFT, pos=view.visualRect(view.model().index(0, 0)).center())
+        return not view.isVisible()
+
+    qtbot.waitUntil(is_closed)
     qtbot.waitUntil(lambda: QApplication.focusWidget() is window.analysis.file.view)
     window.transport.channel.setEnabled(True)
     window.transport.channel.setFocus()

@@ -32,10 +32,12 @@ def window(card: VirtualSound, takes: Path, monkeypatch: pytest.MonkeyPatch) -> 
     """A window that records."""
     monkeypatch.setenv("QT_QPA_PLATFORM", "offscreen")
     program = Program(takes.parent, card, HERE / "window_on_card.py", takes, DEMO)
-    wait_for(program, lambda line: line["label"].startswith("● ") and line["late_ms"] is not None)
-    yield program
-    program.process.kill()
-    program.process.wait(PATIENCE)
+    try:
+        wait_for(program, lambda line: line["label"].startswith("● ") and line["late_ms"] is not None)
+        yield program
+    finally:
+        program.process.kill()
+        program.process.wait(PATIENCE)
 
 
 def test_the_window_says_what_it_hears_and_how_late_it_is(window: Program, card: VirtualSound, takes: Path) -> None:

@@ -21,8 +21,16 @@ settings.setValue("language", "en")
 microphone = Microphone(journal=takes.parent / "unfinished", folder=takes)
 desktop = Desktop(app, settings, microphone=microphone)
 window = desktop.window
+
+
+def choose_source(source: SoundSource) -> None:
+    """Choose what is listened to, as a user does."""
+    window.transport.source.activated.emit(window.transport.source.findData(source))
+
+
 window.show()
 window.dialogs.open_sound(demo)
+choose_source(SoundSource.MICROPHONE)  # Record would ask whether to leave the file
 window.menus.actions["Record"].trigger()
 
 
@@ -53,7 +61,7 @@ def live(seconds: float) -> None:
 while not ending:
     live(0.05)
     say()
-window.transport.source.activated.emit(window.transport.source.findData(SoundSource.FILE))
+choose_source(SoundSource.FILE)
 until = time.monotonic() + 60
 while not say().startswith("Recorded") and time.monotonic() < until:
     live(0.05)

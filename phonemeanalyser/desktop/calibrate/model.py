@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.phonemes import Phoneme
 
 AROUND = 0.15
@@ -53,7 +54,6 @@ class CalibrationModel(QObject):
         self.phoneme: Phoneme | None = None
         self.selection: tuple[float, float] | None = None
         self._from: float | None = None
-        self._until: tuple[Path, float] | None = None
         self.room.info.connect(self.info)
         self.takes.edited.connect(self._note_edit)
         self.takes.opened.connect(self._forget_edits)
@@ -68,7 +68,6 @@ class CalibrationModel(QObject):
         self.guide.changed.connect(self._load_sentences)
         session.opened.connect(self._forget_selection)
         session.heard.connect(self._follow)
-        session.transport_changed.connect(self._stop_at_end)
 
     # -- takes from microphone and file -------------------------------------------------------------------
 
@@ -156,14 +155,11 @@ class CalibrationModel(QObject):
             self.play(spoken.path, 0.0, spoken.labels[-1].end)
 
     def play(self, path: Path, start: float, end: float, *, around: float = AROUND) -> None:
-        """Play a stretch of a file, in seconds."""
+        """Play a stretch of a file, in seconds; it stands at the stretch's beginning afterwards."""
         session = self.session
         if (session.source is not SoundSource.FILE or session.path != path) and not session.open(path):
             return
-        session.pause()
-        session.seek(max(0.0, start - around))
-        session.play()
-        self._until = path, end + around
+        session.play_stretch(TimeSpan(max(0.0, start - around), end + around))
 
     def close(self) -> None:
         """Wait until all takes are on the disk, and end all other work."""
@@ -176,17 +172,6 @@ class CalibrationModel(QObject):
         """End what has lasted long enough."""
         if self.phoneme is not None and self._from is None and self.capture.full:
             self.release()
-        self._stop_at_end()
-
-    def _stop_at_end(self) -> None:
-        if self._until is not None:
-            path, end = self._until
-            session = self.session
-            if session.path != path or not session.playing or session.source is not SoundSource.FILE:
-                self._until = None
-            elif session.position >= end:
-                self._until = None
-                session.pause()
 
     def _note_edit(self, what: str, n: int = 1) -> None:
         self.preset.undo_stack.push(TakeEdit(self.takes, what, n))

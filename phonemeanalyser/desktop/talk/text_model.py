@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.original_model import OriginalModel
 from phonemeanalyser.desktop.talk.performance_model import MeasuredSound
@@ -122,7 +123,6 @@ class TextModel(QObject):
         self._timed: tuple[TimedWord, ...] = ()
         self._timed_text = ""  # the text that they are the words of
         self._speech: RunningSpeech | None = None
-        self._until: float | None = None
         self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         self._saving = TaskQueue(self.error.emit)
         for part in (self._work, self._saving):
@@ -299,17 +299,12 @@ class TextModel(QObject):
             self.original.play(table, unit, whole=whole)
 
     def play(self, start: float, end: float) -> None:
-        """Play a stretch of the sound in hand, in seconds."""
-        session = self._session
-        session.pause()
-        session.seek(start)
-        session.play()
-        self._until = end
+        """Play a stretch of the sound in hand, in seconds; it stands at the stretch's beginning afterwards."""
+        self._session.play_stretch(TimeSpan(start, end))
 
     def follow_sound(self) -> None:
         """Look what is known of the sound in hand, since another one is in hand now."""
         session = self._session
-        self._until = None
         if session.source is not SoundSource.TEXT:
             self._speech = None
         if session.source is SoundSource.FILE and not self.words.is_of(session.path, session.duration):
@@ -323,17 +318,11 @@ class TextModel(QObject):
         self._tell()
 
     def tick(self) -> None:
-        """Follow what is spoken and looked up, and end what has lasted long enough."""
+        """Follow what is spoken and looked up."""
         self._follow_speech()
         if self.drivers.performance.face is not None:
             self.drivers.performance.tick(self._session.position)
         self.original.tick()
-        if self._until is not None:
-            if not self._session.playing:
-                self._until = None
-            elif self._session.position >= self._until:
-                self._until = None
-                self._session.pause()
 
     def close(self) -> None:
         """Save what is to be saved, and end all other work."""

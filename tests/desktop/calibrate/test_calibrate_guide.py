@@ -111,7 +111,6 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_
 ):
     guide, preset, view = guided.model.guide, guided.booth.desktop.preset, guided.page.guide
     preset.load(DEFAULT_PRESET)
-    before = preset.preset
     assert "Read this as you speak" in view.title.text()
     assert SENTENCES[0].text in view.hint.text()
     read_aloud(guided, noise(6.0, 0.1), 1)
@@ -134,8 +133,6 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_
     assert folder is not None
     assert spoken.path == folder / "read" / "me" / "english-1.flac"
     assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE]
-    takes = [*read_recordings(folder), *read_recordings(spoken.path)]
-    assert calibrate(before, takes).preset == outcome.preset
     mine = tmp_path / "mine.toml"
     assert main(["adapt", str(folder), str(spoken.path), "--preset", str(DEFAULT_PRESET), "-o", str(mine)]) == 0
     assert load_preset(mine).model == outcome.preset.model

@@ -13,11 +13,12 @@ from PySide6.QtWidgets import QDockWidget
 from phonemeanalyser.desktop.calibrate.takes_model import AROUND
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
 from tests.desktop.hands import DEMO, LEFT, answer, choose, click, copied, drag, edits, press
 from tests.desktop.studio import Booth
@@ -433,12 +434,15 @@ def test_the_ends_of_a_take_are_dragged(calibrator: Calibrator):
 def test_return_plays_what_counts_of_a_take_and_stops_there(calibrator: Calibrator):
     calibrator.keep(Phoneme.A)
     click_row(calibrator, 0)
-    press(calibrator.booth.window, Qt.Key.Key_Return)
     session, (take,) = calibrator.booth.desktop.session, calibrator.takes
+    heard: list[Analysis] = []
+    session.heard.connect(heard.extend)
+    press(calibrator.booth.window, Qt.Key.Key_Return)
     assert session.path == calibrator.model.takes.path_of(take)
     assert session.playing
     calibrator.until(lambda: not session.playing)
-    assert take.end - 0.02 <= session.position < take.duration - 0.02
+    assert (heard[-1].start + len(heard[-1])) * FRAME_PERIOD == pytest.approx(take.end, abs=0.02)
+    assert session.position == pytest.approx(take.start, abs=0.02)
 
 
 # -- the project --------------------------------------------------------------------------------------

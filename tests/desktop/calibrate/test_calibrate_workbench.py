@@ -13,13 +13,16 @@ from PySide6.QtWidgets import QApplication
 from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.model import AROUND
 from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
+from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.features.variables import Kind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
 from tests.desktop.hands import LEFT, click, copied, press
 from tests.desktop.hands import choose as choose_entry
@@ -302,12 +305,14 @@ def test_a_cell_lists_its_stretches_and_a_click_plays_one_to_its_end(loaded: Cal
     rows = bench.segments.rows
     assert sum(round((row.end - row.start) * 100) for row in rows) == counts[truth, answer]
     table = bench.segments
-    QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     session = loaded.booth.desktop.session
+    heard: list[Analysis] = []
+    session.heard.connect(heard.extend)
+    QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     assert session.path == rows[0].path
     assert session.playing
     loaded.until(lambda: not session.playing)
-    assert rows[0].end <= session.position < rows[0].end + 0.4
+    assert (heard[-1].start + len(heard[-1])) * FRAME_PERIOD == pytest.approx(rows[0].end + AROUND, abs=0.02)
 
 
 def test_a_click_in_the_lanes_plays_what_was_said_there(loaded: Calibrator):

@@ -13,6 +13,7 @@ from phonemeanalyser.desktop.talk.scripts import words_beside
 from phonemeanalyser.desktop.talk.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.text_model import POOR, TextTools, fits_badly
 from phonemeanalyser.desktop.talk.voice_model import FASTEST, VoiceModel
+from phonemeengine.analyser import Analysis
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.files import read_labels
@@ -382,11 +383,14 @@ def test_syllables_of_pinyin_are_saved_with_their_pinyin(desk, tmp_path):
 def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
+    heard: list[Analysis] = []
+    desk.session.heard.connect(heard.extend)
     desk.texts.play(0.6, 0.9)
     assert desk.session.playing
     desk.stage.play(2.0)
     assert not desk.session.playing
-    assert 0.9 <= desk.session.position < 0.95
+    assert (heard[0].start, heard[-1].start + len(heard[-1])) == (60, 90)
+    assert desk.session.position == 0.6
 
 
 # -- a voice ------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
 from phonemeanalyser.desktop.talk.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.analyser import Analysis
 from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
@@ -103,7 +104,7 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
 
 
 def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qtbot):
-    write(window, "hello")
+    write(window, ". ".join(["hello"] * 40))  # far more than is said until Escape
     choose(window, "German")
     panel(window).field.setFocus()
     press(window, Qt.Key.Key_Return, CONTROL)
@@ -139,8 +140,12 @@ def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
     aligned(window, qtbot)
     QTest.mouseClick(panel(window).lanes, LEFT, pos=place(window, 0, 0.8))
     assert desktop.session.playing
+    heard: list[Analysis] = []
+    desktop.session.heard.connect(heard.extend)
     qtbot.waitUntil(lambda: not desktop.session.playing)
-    assert desktop.session.position >= 1.1
+    assert heard[0].start == 60
+    assert heard[-1].start + len(heard[-1]) == 110
+    assert desktop.session.position == 0.6
 
 
 def drag_boundary(window: MainWindow) -> None:
