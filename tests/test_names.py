@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tests.conftest import ROOT
 
-PACKAGES = (ROOT / "engine" / "phonemeengine", ROOT / "phonemeanalyser")
+PACKAGES = (ROOT / "engine" / "phonemeengine", ROOT / "engine" / "phonemetraining", ROOT / "phonemeanalyser")
 PYTHON_S_OWN = (
     "builtins", "collections", "collections.abc", "contextlib", "dataclasses", "enum", "functools", "itertools",
     "pathlib", "types", "typing",

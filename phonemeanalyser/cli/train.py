@@ -11,10 +11,10 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_channel, file_place, whole_in
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import ModelError, load_preset, save_preset
-from phonemeengine.calibration.learning.model_card import model_card, validations_of
-from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult, train_and_validate
-from phonemeengine.calibration.learning.training import TrainingConfig
 from phonemeengine.presets.files import DEFAULT_PRESET
+from phonemetraining.model_card import model_card, validations_of
+from phonemetraining.pipeline import TrainedModel, TrainingResult, train_and_validate
+from phonemetraining.training import TrainingConfig
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -137,10 +137,18 @@ def names_in(wheel: Path) -> set[str]:
         return set(files.namelist())
 
 
-def test_two_packages_are_installed_and_nothing_else(wheel: Path) -> None:
+def test_three_packages_are_installed_and_nothing_else(wheel: Path) -> None:
     names = names_in(wheel)
-    assert {name.split("/")[0].split("-")[0] for name in names} == {"phonemeengine", "phonemeanalyser"}
-    assert {"phonemeengine/py.typed", "phonemeengine/__init__.pyi", "phonemeanalyser/py.typed"} <= names
+    assert {name.split("/")[0].split("-")[0] for name in names} == {
+        "phonemeengine", "phonemetraining", "phonemeanalyser",
+    }  # fmt: skip
+    typed = {
+        "phonemeengine/py.typed",
+        "phonemeengine/__init__.pyi",
+        "phonemetraining/py.typed",
+        "phonemeanalyser/py.typed",
+    }
+    assert typed <= names
     shipped = {f"phonemeengine/presets/factory/{path.name}" for path in (ROOT / "presets").iterdir()}
     assert "phonemeengine/presets/factory/learned.npz" in shipped <= names
     sources = {

@@ -95,7 +95,7 @@ def test_the_way_of_a_block_names_what_is_there() -> None:
 @cache
 def defined() -> frozenset[tuple[str, str]]:
     """Name each class and function of both packages, and each class with each of its members."""
-    files = [path for folder in ("engine/phonemeengine", "phonemeanalyser") for path in (ROOT / folder).rglob("*.py")]
+    files = [path for folder in ("engine", "phonemeanalyser") for path in (ROOT / folder).rglob("*.py")]
     return frozenset(name for path in files for name in _names(ast.parse(path.read_text(encoding="utf-8"))))
 
 

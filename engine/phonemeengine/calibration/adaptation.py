@@ -21,8 +21,8 @@ from phonemeengine.calibration.fine_tuning import (
     heads_of,
     softmax_of,
 )
-from phonemeengine.calibration.learning.training_examples import TrainingExample, example_of_recording
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.training_examples import TrainingExample, example_of_recording
 from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme

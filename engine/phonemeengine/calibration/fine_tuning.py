@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array
-from phonemeengine.calibration.learning.optimiser import Optimiser
-from phonemeengine.calibration.learning.trainable_network import HEAD_SHARES, VISEME_SHARE
+from phonemeengine.calibration.optimiser import Optimiser
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
@@ -18,6 +17,10 @@ from phonemeengine.visemes import Viseme
 
 KINDS = (slice(0, len(Phoneme)), slice(len(Phoneme), len(Phoneme) + len(Viseme)))
 """The classes of a head that compete with each other: phonemes, and visemes."""
+VISEME_SHARE = 0.5
+"""How much the visemes count, beside the phonemes."""
+HEAD_SHARES = np.array([0.11, 0.11, 0.15, 0.15, 0.15, 0.33], np.float32)
+"""How much each look-ahead counts; a network that hears both ways has one answer."""
 KIND_SHARES = np.array([1.0, VISEME_SHARE], np.float32)
 N_TUNED = 3
 """Layers that move, at most; the first one of a network, which hears the sound itself, does not."""

@@ -1,23 +1,19 @@
-"""What a network is trained on: mel powers of recordings, several variations of each, with their labels."""
+"""What a network learns from: the mel powers of a recording, with its labels."""
 
-import os
-from collections.abc import Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment, draw_augmentation
-from phonemeengine.calibration.learning.soft_labels import N_HEARD, SoftLabels, key_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
-from phonemeengine.errors import EngineError
 from phonemeengine.labels.label import Label
-from phonemeengine.processes import end_with_parent
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.visemes import Viseme
 
 TOGETHER = 512
 """Frames that are measured at once."""
@@ -26,6 +22,8 @@ CERTAINTIES = {"core": 1.0, "affricate": 1.0, "diphthong": 0.7, "ambiguous": 0.6
 """How much a frame counts by the certainty of its label; what is not listed counts for nothing."""
 NOT_SAID = 255
 """The code of what no label says."""
+N_HEARD = len(Phoneme) + len(Viseme)
+"""Numbers that a teacher gives for a frame: the probabilities of the phonemes, then those of the visemes."""
 
 
 @dataclass(frozen=True)
@@ -38,8 +36,8 @@ class TrainingExample:
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
     visemes : uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME` where that is disputed.
     certainties : float16, shape (n_frames,): how much each label counts, 0..1.
-    heard : float16, shape (n_frames, 26): the teacher's probabilities of phonemes and visemes, see
-        `phonemeengine.calibration.learning.soft_labels`; zeros where there is no teacher.
+    heard : float16, shape (n_frames, 26): the teacher's probabilities of phonemes and visemes; zeros where
+        there is no teacher.
     """
 
     log_powers: NDArray[np.float16]
@@ -52,25 +50,6 @@ class TrainingExample:
         return len(self.phonemes)
 
 
-def examples_of(
-    utterances: Sequence[LabelledUtterance], n_variations: int, seed: int, soft_labels: SoftLabels | None = None
-) -> Iterator[tuple[TrainingExample, ...]]:
-    """Make the examples of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
-
-    Raises
-    ------
-    EngineError : a sound cannot be read.
-    """
-    with ProcessPoolExecutor(os.cpu_count(), initializer=end_with_parent) as pool:
-        known = soft_labels or {}
-        tasks = ((utterance, n_variations, seed, known.get(key_of(utterance))) for utterance in utterances)
-        for made in pool.map(_examples, tasks, chunksize=8):
-            if isinstance(made, EngineError):
-                pool.shutdown(wait=False, cancel_futures=True)
-                raise made
-            yield made
-
-
 def example_of_recording(utterance: LabelledUtterance) -> TrainingExample:
     """Measure a labelled recording as it is.
 
@@ -78,7 +57,7 @@ def example_of_recording(utterance: LabelledUtterance) -> TrainingExample:
     ------
     AudioError : the sound cannot be read.
     """
-    return example_of(_sound_of(utterance), utterance.labels)
+    return example_of(sound_of(utterance), utterance.labels)
 
 
 def example_of(
@@ -101,36 +80,15 @@ def example_of(
     return TrainingExample(powers[:n].astype(np.float16), phonemes, visemes, certainties_of(labels, n), soft)
 
 
-def _examples(
-    task: tuple[LabelledUtterance, int, int, NDArray[np.float16] | None],
-) -> tuple[TrainingExample, ...] | EngineError:
-    """Make the examples of one utterance; an error travels back as a value, since it must survive the way."""
-    utterance, n_variations, seed, heard = task
-    generator = np.random.default_rng([seed, *utterance.path.name.encode()])
-    try:
-        samples = _sound_of(utterance)
-    except EngineError as error:
-        return EngineError(str(error))
-    variations = [Augmentation(), *(draw_augmentation(generator) for _ in range(n_variations))]
-    return tuple(_augmented_example(samples, utterance.labels, v, generator, heard) for v in variations)
+def sound_of(utterance: LabelledUtterance) -> Float32Array:
+    """Return the samples of a recording, float32, shape (n,), mono at 44.1 kHz.
 
-
-def _sound_of(utterance: LabelledUtterance) -> Float32Array:
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    """
     with utterance.opened() as reader:
         return reader.read_mono()
-
-
-def _augmented_example(
-    samples: Float32Array, labels: tuple[Label, ...], variation: Augmentation, generator: np.random.Generator,
-    heard: NDArray[np.float16] | None,
-) -> TrainingExample:  # fmt: skip
-    moved = tuple(
-        replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
-    )
-    if heard is not None:
-        frames = (np.arange(int(len(heard) / variation.rate)) + 0.5) * variation.rate
-        heard = heard[np.minimum(frames.astype(int), len(heard) - 1)]
-    return example_of(augment(samples, variation, generator), moved, round(variation.warp, 2), heard)
 
 
 def certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:

@@ -1,23 +1,11 @@
-"""From folders of labelled speech to a model and the card that tells about it."""
+"""From folders of labelled speech, whose manifests tell where it comes from, to a model and what its card tells."""
 
-from collections.abc import Callable, Collection, Sequence
+import csv
+from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
-from phonemeengine.calibration.learning.example_cache import INDEX, write_examples
-from phonemeengine.calibration.learning.label_rounds import Round, realign_people
-from phonemeengine.calibration.learning.parallel_training import TrainingPart, train_parts
-from phonemeengine.calibration.learning.provenance import HUMAN, LabelSource, sources_of
-from phonemeengine.calibration.learning.soft_labels import key_of
-from phonemeengine.calibration.learning.teacher import encode_all, teach
-from phonemeengine.calibration.learning.training import BOTH_WAYS, TrainingConfig
-from phonemeengine.calibration.learning.validation import (
-    HeldOutGroup,
-    figures_by_look_ahead,
-    folds_of,
-    hear_held_out,
-)
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions, confidence_of
 from phonemeengine.calibration.scores.scoring import Answers, Scores, scores_of
@@ -26,6 +14,74 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Channel
+from phonemetraining.examples import INDEX, write_examples
+from phonemetraining.parallel_training import TrainingPart, train_parts
+from phonemetraining.realignment import Round, realign_people
+from phonemetraining.soft_labels import key_of
+from phonemetraining.teacher import encode_all, teach
+from phonemetraining.training import BOTH_WAYS, TrainingConfig
+from phonemetraining.validation import (
+    HeldOutGroup,
+    figures_by_look_ahead,
+    folds_of,
+    hear_held_out,
+)
+
+UNKNOWN = "not told"
+
+HUMAN = "human"
+WEIGHTS = {HUMAN: 3.0}
+"""How often the speech of a kind is gone through: recordings of people are rare and matter most. All other kinds
+count once."""
+
+
+@dataclass(frozen=True)
+class LabelSource:
+    """A speaker.
+
+    Attributes
+    ----------
+    name : corpus/speaker.
+    language, kind, licence, package : as the manifest says.
+    minutes : of speech.
+    n_recordings : how many.
+    """
+
+    name: str
+    language: str
+    kind: str
+    licence: str
+    package: str
+    minutes: float
+    n_recordings: int
+
+    @property
+    def weight(self) -> float:
+        """How often its speech is gone through in an epoch."""
+        return WEIGHTS.get(self.kind, 1.0)
+
+
+def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
+    """Return the speakers of all corpora, sorted by name; a speaker, or a recording, of several corpora is one."""
+    rows: dict[str, dict[str, dict[str, str]]] = {}
+    for corpus in corpora:
+        with (corpus / "manifest.csv").open(newline="", encoding="utf-8-sig") as file:
+            for row in csv.DictReader(file):
+                recordings = rows.setdefault(f"{row['corpus']}/{row['speaker']}", {})
+                recordings.setdefault(Path(row["wav"]).stem, row)
+    return [
+        LabelSource(
+            name,
+            language=entries[0].get("language") or UNKNOWN,
+            kind=entries[0].get("kind") or UNKNOWN,
+            licence=entries[0].get("licence") or UNKNOWN,
+            package=entries[0].get("source_package") or UNKNOWN,
+            minutes=sum(float(row.get("duration_s") or 0) for row in entries) / 60,
+            n_recordings=len(entries),
+        )
+        for name, entries in sorted((name, list(recordings.values())) for name, recordings in rows.items())
+    ]
+
 
 OnProgress = Callable[[str, float], object]
 """Is told what goes on, and how much of it is done, 0..1."""

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.calibration.learning.one_voice import MOST_JUDGED, adapted_to_each
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset
+from phonemetraining.validation import MOST_JUDGED, adapted_to_each
 from tests.corpora import put
 from tests.sounds import noise, vowel
 

@@ -16,23 +16,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.learning.optimiser import Optimiser
-from phonemeengine.calibration.learning.soft_labels import (
+from phonemeengine.calibration.optimiser import Optimiser
+from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
+from phonemeengine.calibration.training_examples import certainties_of
+from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
+from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
+from phonemeengine.files import atomic_write
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.processes import end_with_parent
+from phonemetraining.soft_labels import (
     HEAD,
     SOFT_LABELS,
     key_of,
     load_soft_labels,
     save_soft_labels,
 )
-from phonemeengine.calibration.learning.targets import targets_of
-from phonemeengine.calibration.learning.training_examples import certainties_of
-from phonemeengine.calibration.learning.validation import folds_of
-from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
-from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
-from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
-from phonemeengine.files import atomic_write
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.processes import end_with_parent
+from phonemetraining.trainable_network import targets_of
+from phonemetraining.validation import folds_of
 
 COMPONENTS, HIDDEN = 200, 384
 EPOCHS, BATCH, RATE, DROPOUT = 4, 2048, 2e-3, 0.2

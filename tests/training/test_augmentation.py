@@ -5,23 +5,21 @@ import pytest
 from scipy.signal import correlate
 
 from phonemeengine.calibration.background_sounds import BACKGROUNDS, music
-from phonemeengine.calibration.learning.augment_waveform import (
+from phonemeengine.settings import SAMPLE_RATE
+from phonemetraining.augment_waveform import (
     CHAINS,
+    CODECS,
     SNRS,
     Augmentation,
     augment,
-    draw_augmentation,
-)
-from phonemeengine.calibration.learning.recording_chain import (
-    CODECS,
     automatic_gain,
     codec,
+    draw_augmentation,
     microphone,
     overdrive,
     telephone,
 )
-from phonemeengine.calibration.learning.room_acoustics import SPEED_OF_SOUND, Room, draw_room, impulse_response
-from phonemeengine.settings import SAMPLE_RATE
+from phonemetraining.room_acoustics import SPEED_OF_SOUND, Room, draw_room, impulse_response
 from tests.sounds import noise, silence, tone, vowel
 
 OFFICE = Room((5.0, 4.0, 2.7), (1.0, 1.5, 1.2), (1.6, 1.5, 1.2), (0.5, 0.5))

@@ -1,4 +1,4 @@
-"""Muon and AdamW with one cycle of the learning rate, and a slow average of all that was learned."""
+"""Muon and AdamW with one cycle of the learning rate."""
 
 import math
 from collections.abc import Collection
@@ -19,8 +19,6 @@ FASTER = 7.5
 NEWTON_SCHULZ = (3.4445, -4.7750, 2.0315)
 """Coefficients of the polynomial that draws singular values towards 1."""
 N_ITERATIONS = 5
-AVERAGED = 300
-"""Steps over which the average reaches back, about."""
 
 
 class Optimiser:
@@ -93,27 +91,6 @@ def orthogonalised(matrix: Float32Array) -> Float32Array:
         square = found @ found.T
         found = a * found + (b * square + c * (square @ square)) @ found
     return np.asarray(found if wide is matrix else found.T, np.float32)
-
-
-class ExponentialAverage:
-    """A slow average of arrays (B. Polyak and A. Juditsky, SIAM J. Control Optim. 30(4), 1992)."""
-
-    def __init__(self, values: list[Float32Array]) -> None:
-        self._values = values
-        self.means = [v.copy() for v in values]
-        self.n_done = 0
-
-    def update(self) -> None:
-        """Take in what the arrays are now."""
-        self.n_done += 1
-        share = np.float32(max(1 / AVERAGED, 10 / (self.n_done + 10)))
-        for mean, value in zip(self.means, self._values, strict=True):
-            np.add(mean, share * (value - mean), out=mean)
-
-    def apply(self) -> None:
-        """Write the averages into the arrays."""
-        for mean, value in zip(self.means, self._values, strict=True):
-            value[...] = mean
 
 
 def _cycle(progress: float) -> float:

@@ -1,16 +1,15 @@
-"""How well a model does on speakers that it was not trained on."""
+"""How well a model does on speakers that it was not trained on, before and after it knows a few seconds of them."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.learning.example_cache import SpeakerExamples
-from phonemeengine.calibration.learning.one_voice import Adapted, adapted_to_each
-from phonemeengine.calibration.learning.soft_labels import HEAD, SOFT_LABELS, key_of, load_soft_labels
+from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.calibration.scores.scoring import Answers, scores_of
@@ -24,6 +23,60 @@ from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.smoothing import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import HOP, AnalysisSettings
+from phonemetraining.examples import SpeakerExamples
+from phonemetraining.soft_labels import HEAD, SOFT_LABELS, key_of, load_soft_labels
+
+LEAST_READ, MOST_READ = 5.0, 10.0
+"""Seconds that are learned: of one recording, or of the first ones that are as long together."""
+MOST_JUDGED = 12
+"""Further recordings of each speaker that are recognised before and after."""
+
+
+class Adapted(NamedTuple):
+    """What was answered in a recording of a speaker, before and after others of his were learned."""
+
+    voice: str
+    before: Answers
+    after: Answers
+
+
+def adapted_to_each(preset: Preset, utterances: Sequence[LabelledUtterance]) -> Iterator[Adapted]:
+    """Have a preset learn some seconds of each speaker, as `calibrate` does, and recognise others of his recordings.
+
+    Speakers of whom there is too little are left out.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    by_voice: dict[str, list[LabelledUtterance]] = {}
+    for utterance in utterances:
+        by_voice.setdefault(utterance.voice, []).append(utterance)
+    for voice, said in by_voice.items():
+        read = _some_seconds_of(said)
+        others = [utterance for utterance in said if utterance not in read][:MOST_JUDGED]
+        if not read or not others:
+            continue
+        learned = calibrate(preset, read).preset
+        for other in others:
+            yield Adapted(voice, predict(other, preset).answers, predict(other, learned).answers)
+
+
+def _some_seconds_of(utterances: Sequence[LabelledUtterance]) -> list[LabelledUtterance]:
+    for utterance in utterances:
+        if LEAST_READ <= _seconds(utterance) <= MOST_READ:
+            return [utterance]
+    found: list[LabelledUtterance] = []
+    for utterance in utterances:
+        found.append(utterance)
+        if sum(map(_seconds, found)) >= LEAST_READ:
+            return found if sum(map(_seconds, found)) <= MOST_READ else []
+    return []
+
+
+def _seconds(utterance: LabelledUtterance) -> float:
+    return utterance.labels[-1].end if utterance.labels else 0.0
+
 
 OTHER_LOOK_AHEADS = (0.0, 0.01, 0.02, 0.03, 0.04)
 """Seconds that are tried besides that of the settings, on every `SAMPLED`th recording."""

@@ -1,20 +1,30 @@
-"""All examples in files: they are too many for the memory of a small machine, and several trainings share them."""
+"""The examples of all recordings, each varied several times, made and kept in files.
+
+They are too many for the memory of a small machine, and several trainings share them.
+"""
 
 import json
-from collections.abc import Callable, Sequence
+import os
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.calibration.learning.soft_labels import N_HEARD, SoftLabels
-from phonemeengine.calibration.learning.training_examples import TrainingExample, examples_of
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.training_examples import N_HEARD, TrainingExample, example_of, sound_of
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.errors import EngineError
 from phonemeengine.files import atomic_write
+from phonemeengine.labels.label import Label
+from phonemeengine.processes import end_with_parent
+from phonemetraining.augment_waveform import Augmentation, augment, draw_augmentation
+from phonemetraining.soft_labels import SoftLabels, key_of
 
 ARRAYS: dict[str, tuple[type[np.generic], tuple[int, ...]]] = {
     "log_powers": (np.float16, (N_BANDS,)),
@@ -91,3 +101,49 @@ def read_examples(folder: Path, weights: dict[str, float]) -> list[SpeakerExampl
             first += n
         recordings.setdefault(entry["voice"], []).append(tuple(examples))
     return [SpeakerExamples(name, tuple(sounds), weights.get(name, 1.0)) for name, sounds in recordings.items()]
+
+
+def examples_of(
+    utterances: Sequence[LabelledUtterance], n_variations: int, seed: int, soft_labels: SoftLabels | None = None
+) -> Iterator[tuple[TrainingExample, ...]]:
+    """Make the examples of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
+
+    Raises
+    ------
+    EngineError : a sound cannot be read.
+    """
+    with ProcessPoolExecutor(os.cpu_count(), initializer=end_with_parent) as pool:
+        known = soft_labels or {}
+        tasks = ((utterance, n_variations, seed, known.get(key_of(utterance))) for utterance in utterances)
+        for made in pool.map(_examples, tasks, chunksize=8):
+            if isinstance(made, EngineError):
+                pool.shutdown(wait=False, cancel_futures=True)
+                raise made
+            yield made
+
+
+def _examples(
+    task: tuple[LabelledUtterance, int, int, NDArray[np.float16] | None],
+) -> tuple[TrainingExample, ...] | EngineError:
+    """Make the examples of one utterance; an error travels back as a value, since it must survive the way."""
+    utterance, n_variations, seed, heard = task
+    generator = np.random.default_rng([seed, *utterance.path.name.encode()])
+    try:
+        samples = sound_of(utterance)
+    except EngineError as error:
+        return EngineError(str(error))
+    variations = [Augmentation(), *(draw_augmentation(generator) for _ in range(n_variations))]
+    return tuple(_augmented_example(samples, utterance.labels, v, generator, heard) for v in variations)
+
+
+def _augmented_example(
+    samples: Float32Array, labels: tuple[Label, ...], variation: Augmentation, generator: np.random.Generator,
+    heard: NDArray[np.float16] | None,
+) -> TrainingExample:  # fmt: skip
+    moved = tuple(
+        replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
+    )
+    if heard is not None:
+        frames = (np.arange(int(len(heard) / variation.rate)) + 0.5) * variation.rate
+        heard = heard[np.minimum(frames.astype(int), len(heard) - 1)]
+    return example_of(augment(samples, variation, generator), moved, round(variation.warp, 2), heard)

@@ -5,17 +5,15 @@ from dataclasses import fields
 
 import numpy as np
 
-from phonemeengine.calibration.learning.one_voice import LEAST_READ, MOST_JUDGED, MOST_READ
-from phonemeengine.calibration.learning.parallel_training import HESITATION, WARPS
-from phonemeengine.calibration.learning.pipeline import TrainedModel, TrainingResult, Validation
-from phonemeengine.calibration.learning.provenance import LabelSource
-from phonemeengine.calibration.learning.teacher import COMPONENTS, GROUPS, HIDDEN
-from phonemeengine.calibration.learning.validation import SAMPLED, SETTINGS
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.encoder.head import CONTEXT
 from phonemeengine.encoder.whisper import WHISPER_LICENCE
 from phonemeengine.settings import Ear
+from phonemetraining.parallel_training import HESITATION, WARPS
+from phonemetraining.pipeline import LabelSource, TrainedModel, TrainingResult, Validation
+from phonemetraining.teacher import COMPONENTS, GROUPS, HIDDEN
+from phonemetraining.validation import LEAST_READ, MOST_JUDGED, MOST_READ, SAMPLED, SETTINGS
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
 

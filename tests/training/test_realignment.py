@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.learning.realignment import FARTHEST, evidence_of, moves_of, realigned
-from phonemeengine.calibration.learning.soft_labels import N_HEARD
+from phonemeengine.calibration.training_examples import N_HEARD
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
+from phonemetraining.realignment import FARTHEST, evidence_of, moves_of, realigned
 
 SIL, A, SZ, U = Phoneme.SILENCE, Phoneme.A, Phoneme.SZ, Phoneme.UNIDENTIFIED
 

@@ -7,19 +7,9 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
-from phonemeengine.calibration.learning.augment_waveform import Augmentation, augment
-from phonemeengine.calibration.learning.checkpoint import Checkpoint
-from phonemeengine.calibration.learning.example_cache import SpeakerExamples
-from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser, orthogonalised
-from phonemeengine.calibration.learning.soft_labels import N_HEARD, key_of
-from phonemeengine.calibration.learning.targets import Targets, targets_of
-from phonemeengine.calibration.learning.trainable_layer import TrainableLayer
-from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
-from phonemeengine.calibration.learning.training import TrainingConfig, train
-from phonemeengine.calibration.learning.training_examples import NOT_SAID, TrainingExample, example_of, examples_of
-from phonemeengine.calibration.learning.validation import anchors_of, folds_of
+from phonemeengine.calibration.optimiser import Optimiser, orthogonalised
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.training_examples import N_HEARD, NOT_SAID, TrainingExample, example_of
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import Label
@@ -28,6 +18,13 @@ from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.visemes import Viseme
+from phonemetraining.augment_spectrum import augment_spectra
+from phonemetraining.augment_waveform import Augmentation, augment
+from phonemetraining.examples import SpeakerExamples, examples_of
+from phonemetraining.soft_labels import key_of
+from phonemetraining.trainable_network import Targets, TrainableLayer, TrainableNetwork, targets_of
+from phonemetraining.training import Checkpoint, ExponentialAverage, TrainingConfig, train
+from phonemetraining.validation import anchors_of, folds_of
 from tests.corpora import put
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel

@@ -7,15 +7,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.training_examples import N_HEARD
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import reason_of
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.visemes import Viseme
 
 SOFT_LABELS, HEAD = "heard.npz", "head.npz"
 """Files of what the teacher heard, and of a head that heard all."""
-N_HEARD = len(Phoneme) + len(Viseme)
-"""Numbers of a frame: the probabilities of the phonemes, then those of the visemes."""
 
 SoftLabels = Mapping[str, NDArray[np.float16]]
 """By the key of the recording: shape (n_frames, 26), frames of 10 ms."""

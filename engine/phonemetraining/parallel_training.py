@@ -10,14 +10,13 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from phonemeengine.calibration.learning.checkpoint import Checkpoint
-from phonemeengine.calibration.learning.example_cache import read_examples
-from phonemeengine.calibration.learning.training import TrainingConfig, train
-from phonemeengine.calibration.learning.validation import anchors_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.processes import end_with_parent, single_threaded
 from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemetraining.examples import read_examples
+from phonemetraining.training import Checkpoint, TrainingConfig, train
+from phonemetraining.validation import anchors_of
 
 HESITATION = 0.2
 """How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames

@@ -1,26 +1,65 @@
-"""The training of the learned recogniser: examples in, a model out."""
+"""The training of the learned recogniser: examples in, a model out; interrupted, it goes on where it was."""
 
+import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
-from phonemeengine.calibration.learning.augment_spectrum import augment_spectra
-from phonemeengine.calibration.learning.checkpoint import Checkpoint
-from phonemeengine.calibration.learning.example_cache import ARRAYS, SpeakerExamples
-from phonemeengine.calibration.learning.optimiser import ExponentialAverage, Optimiser
-from phonemeengine.calibration.learning.targets import targets_of
-from phonemeengine.calibration.learning.trainable_network import TrainableNetwork
+from phonemeengine.calibration.optimiser import Optimiser
+from phonemeengine.files import atomic_write
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.visemes import Viseme
+from phonemetraining.augment_spectrum import augment_spectra
+from phonemetraining.examples import ARRAYS, SpeakerExamples
+from phonemetraining.trainable_network import TrainableNetwork, targets_of
+
+
+class Checkpoint:
+    """A file with the state of a training.
+
+    Parameters
+    ----------
+    path : where it lies; it need not be there yet.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+
+    def keep(self, state: Sequence[Float32Array], generator: np.random.Generator, step: int) -> None:
+        """Write the state; the older one stays until the new one is complete."""
+        about = json.dumps({"step": step, "generator": generator.bit_generator.state}).encode()
+        with atomic_write(self._path) as file:
+            np.savez(file, allow_pickle=False, about=np.frombuffer(about, np.uint8), **_named(state))
+
+    def restore(self, state: Sequence[Float32Array], generator: np.random.Generator) -> int:
+        """Read the state into the arrays and the generator, if there is one; returns the number of steps done."""
+        if not self._path.is_file():
+            return 0
+        with np.load(self._path, allow_pickle=False) as file:
+            for name, array in _named(state).items():
+                array[...] = file[name]
+            about = json.loads(file["about"].tobytes())
+        generator.bit_generator.state = about["generator"]
+        return int(about["step"])
+
+
+def _named(state: Sequence[Float32Array]) -> dict[str, Float32Array]:
+    return {f"array_{k}": array for k, array in enumerate(state)}
+
 
 RARE = 0.35
 """How much more the frames of a rare sound count: the power of its share; 1 would make all sounds count alike."""
 BOTH_WAYS = (1, 2, 4, 8, 16, 16, 1, 2)
 """Dilations of the network that hears 0.5 s each way."""
+
+
+AVERAGED = 300
+"""Steps over which the average reaches back, about."""
 
 
 @dataclass(frozen=True)
@@ -46,6 +85,27 @@ class TrainingConfig:
     n_frames: int = 400
     rate: float = 4e-3
     seed: int = 1
+
+
+class ExponentialAverage:
+    """A slow average of arrays (B. Polyak and A. Juditsky, SIAM J. Control Optim. 30(4), 1992)."""
+
+    def __init__(self, values: list[Float32Array]) -> None:
+        self._values = values
+        self.means = [v.copy() for v in values]
+        self.n_done = 0
+
+    def update(self) -> None:
+        """Take in what the arrays are now."""
+        self.n_done += 1
+        share = np.float32(max(1 / AVERAGED, 10 / (self.n_done + 10)))
+        for mean, value in zip(self.means, self._values, strict=True):
+            np.add(mean, share * (value - mean), out=mean)
+
+    def apply(self) -> None:
+        """Write the averages into the arrays."""
+        for mean, value in zip(self.means, self._values, strict=True):
+            value[...] = mean
 
 
 def train(

@@ -1,1 +1,0 @@
-"""Training the learned recogniser, with NumPy alone."""
