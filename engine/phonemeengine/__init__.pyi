@@ -1,446 +1,154 @@
-"""The types of the page in ``__init__.py``, for type checkers and editors."""
+"""The page of names: all that ``phonemeengine`` offers, and the module of each."""
 
-from phonemeengine.alignment.align import align
-from phonemeengine.alignment.growing import GrownWords
-from phonemeengine.analyser import Analyser, Analysis, Reading, analyse_blocks, push_together, recognise_window
-from phonemeengine.audio.devices import Device, InputChoice
-from phonemeengine.audio.files import SUFFIXES as SOUND_SUFFIXES
-from phonemeengine.audio.files import SoundReader, sounds_under
-from phonemeengine.audio.incoming import Encoding, StreamFormat
-from phonemeengine.audio.level import Level
-from phonemeengine.audio.mixing import Mix
-from phonemeengine.audio.stream import devices
-from phonemeengine.averaged_spectrum import AveragedSpectrum
-from phonemeengine.batch.conversion_work import convert_all
-from phonemeengine.calibration.alignment import aligned, read_sentence
-from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
-from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
-from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, read_recordings
-from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions, score
-from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.calibration.sentences import SENTENCES, Sentence, sentences_in
-from phonemeengine.calibration.takes.room_noise import ConfidenceInterval, SilenceAccuracy
-from phonemeengine.conversion import CONVERSIONS, Conversion, convert
-from phonemeengine.dsp.filters import denoise, high_pass_gains, low_pass_gains, normalise
-from phonemeengine.encoder.head import EncoderHead
-from phonemeengine.encoder.model_folder import (
-    ModelFolder,
-    choose_whisper,
-    fetch_whisper,
-    find_whisper,
-    whisper_in_words,
-)
-from phonemeengine.encoder.whisper import WHISPER_LICENCE
-from phonemeengine.errors import (
-    AudioError,
-    BatchError,
-    CorpusError,
-    CurveError,
-    DeviceError,
-    EngineError,
-    ExportError,
-    MeshError,
-    ModelError,
-    MouthError,
-    PerformanceError,
-    PresetError,
-    RecogniserError,
-    RecordingError,
-    SettingsError,
-    TakeError,
-    TextError,
-    UnknownPhonemeError,
-    VoiceError,
-)
-from phonemeengine.features.front_end import FrameBlock
-from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import Kind, Spectrum, Variable
-from phonemeengine.labels.label import Label
-from phonemeengine.labels.phone_sets import PhoneClass
-from phonemeengine.labels.phoneme_map import PhonemeMap, load_phoneme_map
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.labels.utterance_files import format_utterance, read_utterance
-from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
-from phonemeengine.live.listener import Listener
-from phonemeengine.live.microphone_analyser import Latency
-from phonemeengine.live.recorder import Recorder
-from phonemeengine.live.sound import Sound
-from phonemeengine.live.status import Status
-from phonemeengine.measurement import Statistics, StretchMeasurement, average_spectrum, measure, save_stretch
-from phonemeengine.mouth.animation import Animation, animation_of
-from phonemeengine.mouth.blinks import Blinker
-from phonemeengine.mouth.cues import Cue, cues_of
-from phonemeengine.mouth.curves_file import ExportedCurves, read_curves
-from phonemeengine.mouth.exports.exporter import ExportOptions
-from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.expression.channels import ExpressionChannels, load_channels
-from phonemeengine.mouth.expression.composer import Expression
-from phonemeengine.mouth.expression.inhibition import InhibitionTimes
-from phonemeengine.mouth.expression.streams import (
-    ExpressionStream,
-    expression_presets,
-    held_expression,
-    recorded_expression,
-)
-from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
-from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets, save_morph_targets
-from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
-from phonemeengine.mouth.lip_sync import cues, export, export_transcript, transcribe
-from phonemeengine.mouth.mesh import Material, Mesh, mesh_of
-from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
-from phonemeengine.mouth.morpher import Detail, Morpher
-from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
-from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
-from phonemeengine.mouth.movestate_set import MovestateSet
-from phonemeengine.mouth.osc import OscAddress, OscMouth
-from phonemeengine.mouth.osc_expression import OscExpression
-from phonemeengine.mouth.percentages import Mode
-from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer, TimedFrame, timed_frames
-from phonemeengine.mouth.table import MouthTable, load_table
-from phonemeengine.mouth.table_writing import table_to_toml
-from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
-from phonemeengine.mouth.viseme_override import VisemeOverride
-from phonemeengine.performance.building import BuiltTable, build_table
-from phonemeengine.performance.choice import ExampleChoice
-from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
-from phonemeengine.performance.expression_file import read_expression
-from phonemeengine.performance.head_driver import HeadDriver
-from phonemeengine.performance.keywords import Gesture, Keywords, load_keywords
-from phonemeengine.performance.making import MadeCorpus, make_corpus
-from phonemeengine.performance.original import RecordedFace, original_sound
-from phonemeengine.performance.phrases import Phrase, PhraseIndex, PhraseMatch, PhraseMatchKind, phrases_of
-from phonemeengine.performance.poses import Pose, PoseTable, load_poses
-from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
-from phonemeengine.performance.spoken_face import SpokenFace
-from phonemeengine.performance.table_file import Example, PerformanceTable, TableAbout, write_table
-from phonemeengine.performance.track import PerformanceTrack, PerformedMouth, face_table, format_units
-from phonemeengine.performance.units import Unit, UnitKind, units_of
-from phonemeengine.phonemes import MOUTH_SHAPES, MouthShape, Phoneme
-from phonemeengine.preset_difference import DifferentStretch, PresetDifference, difference
-from phonemeengine.presets.ears import ear_in_words, for_files
-from phonemeengine.presets.files import load_preset, save_preset
-from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Cancelled, Progress
-from phonemeengine.recognition.confidence import ConfidenceCurve
-from phonemeengine.recognition.model import LookAheadFigures, Model, OutputHead
-from phonemeengine.recognition.network import Layer
-from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.rules import Condition, Rule
-from phonemeengine.recognition.segments import Segment
-from phonemeengine.recognition.spec import Recogniser, RecogniserConfig, RecogniserSpec, Tuning
-from phonemeengine.recognition.templates import Templates
-from phonemeengine.recognition.trace import RuleComparison, Trace
-from phonemeengine.settings import (
-    BIN_WIDTH,
-    FRAME_PERIOD,
-    HOP,
-    SAMPLE_RATE,
-    WINDOW,
-    AnalysisSettings,
-    Channel,
-    Decimation,
-    Ear,
-    Filter,
-    WindowFunction,
-)
-from phonemeengine.shipping.folder import format_ear, ship
-from phonemeengine.speech.pinyin.driver import PinyinMouth
-from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow, format_plan
-from phonemeengine.speech.pinyin.spring import Spring
-from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import SaidPart, has_pinyin
-from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
-from phonemeengine.speech.program import speak_by_program
-from phonemeengine.speech.silent import SilentSpeech, SilentText
-from phonemeengine.speech.spoken_text import SpokenText, spoken_text
-from phonemeengine.speech.voice import SpokenSentence, Voice, speak
-from phonemeengine.text.espeak import Language, languages, voices
-from phonemeengine.text.lexicon import Lexicon, load_lexicon
-from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, notes_on, words_of
-from phonemeengine.text.script import timed_script
-from phonemeengine.text.syllables import SpokenSyllable
-from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
-
-__all__ = [
-    "BIN_WIDTH",
-    "CONVERSIONS",
-    "FORMATS",
-    "FRAME_PERIOD",
-    "HOP",
-    "MOUTH_SHAPES",
-    "NO_VISEME",
-    "SAMPLE_RATE",
-    "SENTENCES",
-    "SOUND_SUFFIXES",
-    "WHISPER_LICENCE",
-    "WINDOW",
-    "AddedNoise",
-    "Analyser",
-    "Analysis",
-    "AnalysisSettings",
-    "Animation",
-    "AudioError",
-    "AveragedSpectrum",
-    "BatchError",
-    "Blinker",
-    "BuiltTable",
-    "CalibrationResult",
-    "Cancelled",
-    "Channel",
-    "Condition",
-    "ConfidenceCurve",
-    "ConfidenceInterval",
-    "Conversion",
-    "CorpusError",
-    "CorpusScores",
-    "Cue",
-    "CurveError",
-    "Decimation",
-    "Detail",
-    "Device",
-    "DeviceError",
-    "DifferentStretch",
-    "Ear",
-    "EncoderHead",
-    "Encoding",
-    "EngineError",
-    "Example",
-    "ExampleChoice",
-    "ExportError",
-    "ExportOptions",
-    "ExportedCurves",
-    "Expression",
-    "ExpressionChannels",
-    "ExpressionStream",
-    "FaceDriver",
-    "FaceState",
-    "Features",
-    "Filter",
-    "FrameBlock",
-    "FrameLabels",
-    "Gesture",
-    "GroupScores",
-    "GrownWords",
-    "HeadDriver",
-    "HeadMotion",
-    "HeadPose",
-    "HeardPiece",
-    "IdleMotion",
-    "IncomingSpeech",
-    "InhibitionTimes",
-    "InputChoice",
-    "Keywords",
-    "Kind",
-    "Label",
-    "LabelledUtterance",
-    "Language",
-    "Latency",
-    "Layer",
-    "Level",
-    "Lexicon",
-    "Listener",
-    "LookAheadFigures",
-    "MadeCorpus",
-    "Material",
-    "Mesh",
-    "MeshError",
-    "Mix",
-    "Mode",
-    "Model",
-    "ModelError",
-    "ModelFolder",
-    "MorphMesh",
-    "MorphTargets",
-    "Morpher",
-    "MotionSettings",
-    "MouthError",
-    "MouthShape",
-    "MouthTable",
-    "MouthTrack",
-    "Movestate",
-    "MovestateSet",
-    "NoiseAdder",
-    "NoiseKind",
-    "OscAddress",
-    "OscExpression",
-    "OscMouth",
-    "OutputHead",
-    "Performance",
-    "PerformanceDriver",
-    "PerformanceError",
-    "PerformanceOptions",
-    "PerformancePart",
-    "PerformanceTable",
-    "PerformanceTrack",
-    "PerformedMouth",
-    "PerformedPhone",
-    "Performer",
-    "Phone",
-    "PhoneClass",
-    "Phoneme",
-    "PhonemeData",
-    "PhonemeMap",
-    "Phrase",
-    "PhraseIndex",
-    "PhraseMatch",
-    "PhraseMatchKind",
-    "PinyinMouth",
-    "PinyinTable",
-    "PinyinTrack",
-    "Plan",
-    "PlanKind",
-    "PlanRow",
-    "Pose",
-    "PoseTable",
-    "Predictions",
-    "Preset",
-    "PresetDifference",
-    "PresetError",
-    "Progress",
-    "Pronunciation",
-    "Reading",
-    "Recogniser",
-    "RecogniserConfig",
-    "RecogniserError",
-    "RecogniserSpec",
-    "Recognition",
-    "RecordedFace",
-    "Recorder",
-    "RecordingError",
-    "Rule",
-    "RuleComparison",
-    "SaidPart",
-    "Scores",
-    "ScriptWord",
-    "Segment",
-    "Sentence",
-    "SettingsError",
-    "SilenceAccuracy",
-    "SilentSpeech",
-    "SilentText",
-    "Sound",
-    "SoundReader",
-    "Spectrum",
-    "SpokenFace",
-    "SpokenSentence",
-    "SpokenSyllable",
-    "SpokenText",
-    "Spring",
-    "Statistics",
-    "Status",
-    "StreamFormat",
-    "StretchMeasurement",
-    "Syllable",
-    "TableAbout",
-    "TakeError",
-    "Templates",
-    "TextError",
-    "Thresholds",
-    "TimedFrame",
-    "Trace",
-    "Transcript",
-    "TransitionTimes",
-    "Tuning",
-    "Unit",
-    "UnitKind",
-    "UnknownPhonemeError",
-    "UsedUnit",
-    "Utterance",
-    "Variable",
-    "Viseme",
-    "VisemeOverride",
-    "Voice",
-    "VoiceError",
-    "WindowFunction",
-    "Word",
-    "align",
-    "aligned",
-    "analyse_blocks",
-    "animation_of",
-    "average_spectrum",
-    "build_table",
-    "calibrate",
-    "choose_whisper",
-    "convert",
-    "convert_all",
-    "cues",
-    "cues_of",
-    "denoise",
-    "devices",
-    "difference",
-    "ear_in_words",
-    "export",
-    "export_transcript",
-    "expression_presets",
-    "face_table",
-    "fetch_whisper",
-    "find_whisper",
-    "for_files",
-    "format_ear",
-    "format_plan",
-    "format_units",
-    "format_utterance",
-    "has_pinyin",
-    "held_expression",
-    "high_pass_gains",
-    "languages",
-    "load_channels",
-    "load_head",
-    "load_keywords",
-    "load_lexicon",
-    "load_morph_mesh",
-    "load_morph_targets",
-    "load_phoneme_map",
-    "load_pinyin_table",
-    "load_poses",
-    "load_preset",
-    "load_table",
-    "low_pass_gains",
-    "make_corpus",
-    "matched",
-    "measure",
-    "mesh_of",
-    "morph_targets_of",
-    "movestate_at",
-    "movestate_of",
-    "normalise",
-    "notes_on",
-    "original_sound",
-    "phones_of",
-    "phrases_of",
-    "pinyin_track",
-    "push_together",
-    "read_curves",
-    "read_expression",
-    "read_recordings",
-    "read_sentence",
-    "read_utterance",
-    "recognise_window",
-    "recorded_expression",
-    "save_morph_targets",
-    "save_preset",
-    "save_stretch",
-    "score",
-    "sentences_in",
-    "ship",
-    "sounds_under",
-    "speak",
-    "speak_by_program",
-    "spoken_text",
-    "table_to_toml",
-    "timed_frames",
-    "timed_script",
-    "transcribe",
-    "transcript_of_utterance",
-    "units_of",
-    "usual_driver",
-    "viseme_of",
-    "voices",
-    "whisper_in_words",
-    "words_of",
-    "write_table",
-]
+from .alignment.align import align as align
+from .alignment.growing import GrownWords as GrownWords
+from .analyser import Analyser as Analyser
+from .analyser import Analysis as Analysis
+from .analyser import analyse_blocks as analyse_blocks
+from .analyser import push_together as push_together
+from .analyser import recognise_window as recognise_window
+from .audio.devices import InputChoice as InputChoice
+from .audio.files import SoundReader as SoundReader
+from .audio.files import sounds_under as sounds_under
+from .audio.incoming import Encoding as Encoding
+from .audio.incoming import StreamFormat as StreamFormat
+from .audio.stream import devices as devices
+from .batch.conversion_work import convert_all as convert_all
+from .calibration.alignment import aligned as aligned
+from .calibration.calibrate import calibrate as calibrate
+from .calibration.scores.corpus import LabelledUtterance as LabelledUtterance
+from .calibration.scores.corpus import read_recordings as read_recordings
+from .calibration.scores.evaluation import score as score
+from .conversion import convert as convert
+from .dsp.filters import denoise as denoise
+from .dsp.filters import high_pass_gains as high_pass_gains
+from .dsp.filters import low_pass_gains as low_pass_gains
+from .dsp.filters import normalise as normalise
+from .encoder.model_folder import choose_whisper as choose_whisper
+from .encoder.model_folder import fetch_whisper as fetch_whisper
+from .encoder.model_folder import find_whisper as find_whisper
+from .errors import AudioError as AudioError
+from .errors import BatchError as BatchError
+from .errors import CorpusError as CorpusError
+from .errors import CurveError as CurveError
+from .errors import DeviceError as DeviceError
+from .errors import EngineError as EngineError
+from .errors import ExportError as ExportError
+from .errors import MeshError as MeshError
+from .errors import ModelError as ModelError
+from .errors import MouthError as MouthError
+from .errors import PerformanceError as PerformanceError
+from .errors import PresetError as PresetError
+from .errors import RecogniserError as RecogniserError
+from .errors import RecordingError as RecordingError
+from .errors import SettingsError as SettingsError
+from .errors import TakeError as TakeError
+from .errors import TextError as TextError
+from .errors import UnknownPhonemeError as UnknownPhonemeError
+from .errors import VoiceError as VoiceError
+from .features.front_end import FrameBlock as FrameBlock
+from .features.measure import Features as Features
+from .features.variables import Variable as Variable
+from .labels.label import Label as Label
+from .labels.phoneme_map import PhonemeMap as PhonemeMap
+from .labels.phoneme_map import load_phoneme_map as load_phoneme_map
+from .labels.utterance import Utterance as Utterance
+from .labels.utterance import Word as Word
+from .labels.utterance_files import format_utterance as format_utterance
+from .live.incoming_speech import IncomingSpeech as IncomingSpeech
+from .live.listener import Listener as Listener
+from .live.recorder import Recorder as Recorder
+from .live.sound import Sound as Sound
+from .measurement import measure as measure
+from .mouth.animation import Animation as Animation
+from .mouth.animation import animation_of as animation_of
+from .mouth.cues import cues_of as cues_of
+from .mouth.curves_file import read_curves as read_curves
+from .mouth.exports.exporter import ExportOptions as ExportOptions
+from .mouth.exports.formats import FORMATS as FORMATS
+from .mouth.expression.channels import load_channels as load_channels
+from .mouth.expression.composer import Expression as Expression
+from .mouth.expression.streams import ExpressionStream as ExpressionStream
+from .mouth.expression.streams import held_expression as held_expression
+from .mouth.files.io import load_morph_mesh as load_morph_mesh
+from .mouth.files.io import load_morph_targets as load_morph_targets
+from .mouth.files.io import save_morph_targets as save_morph_targets
+from .mouth.head import load_head as load_head
+from .mouth.lip_sync import cues as cues
+from .mouth.lip_sync import export as export
+from .mouth.lip_sync import export_transcript as export_transcript
+from .mouth.lip_sync import transcribe as transcribe
+from .mouth.morph_mesh import MorphMesh as MorphMesh
+from .mouth.morph_mesh import MorphTargets as MorphTargets
+from .mouth.morph_mesh import matched as matched
+from .mouth.morph_mesh import morph_targets_of as morph_targets_of
+from .mouth.morpher import Detail as Detail
+from .mouth.morpher import Morpher as Morpher
+from .mouth.movestate import Movestate as Movestate
+from .mouth.movestate import movestate_at as movestate_at
+from .mouth.movestate import movestate_of as movestate_of
+from .mouth.movestate_set import MovestateSet as MovestateSet
+from .mouth.osc import OscMouth as OscMouth
+from .mouth.osc_expression import OscExpression as OscExpression
+from .mouth.percentages import Mode as Mode
+from .mouth.performer import IdleMotion as IdleMotion
+from .mouth.performer import MouthTrack as MouthTrack
+from .mouth.performer import Performer as Performer
+from .mouth.performer import timed_frames as timed_frames
+from .mouth.table import MouthTable as MouthTable
+from .mouth.table import load_table as load_table
+from .mouth.table_writing import table_to_toml as table_to_toml
+from .mouth.transcript import Transcript as Transcript
+from .mouth.transcript import transcript_of_utterance as transcript_of_utterance
+from .performance.building import build_table as build_table
+from .performance.driver import PerformanceOptions as PerformanceOptions
+from .performance.expression_file import read_expression as read_expression
+from .performance.making import make_corpus as make_corpus
+from .performance.original import RecordedFace as RecordedFace
+from .performance.original import original_sound as original_sound
+from .performance.spoken_face import SpokenFace as SpokenFace
+from .performance.table_file import PerformanceTable as PerformanceTable
+from .performance.track import PerformanceTrack as PerformanceTrack
+from .performance.track import face_table as face_table
+from .performance.units import UnitKind as UnitKind
+from .phonemes import Phoneme as Phoneme
+from .preset_difference import difference as difference
+from .presets.ears import for_files as for_files
+from .presets.files import load_preset as load_preset
+from .presets.files import save_preset as save_preset
+from .presets.preset import Preset as Preset
+from .progress import Cancelled as Cancelled
+from .progress import Progress as Progress
+from .recognition.recognition import Recognition as Recognition
+from .recognition.spec import Recogniser as Recogniser
+from .recognition.spec import RecogniserSpec as RecogniserSpec
+from .recognition.spec import Tuning as Tuning
+from .recognition.trace import RuleComparison as RuleComparison
+from .recognition.trace import Trace as Trace
+from .settings import BIN_WIDTH as BIN_WIDTH
+from .settings import FRAME_PERIOD as FRAME_PERIOD
+from .settings import AnalysisSettings as AnalysisSettings
+from .settings import Channel as Channel
+from .settings import Ear as Ear
+from .settings import Filter as Filter
+from .shipping.folder import ship as ship
+from .speech.pinyin.plan import format_plan as format_plan
+from .speech.pinyin.table import PinyinTable as PinyinTable
+from .speech.pinyin.track import pinyin_track as pinyin_track
+from .speech.program import speak_by_program as speak_by_program
+from .speech.silent import SilentText as SilentText
+from .speech.spoken_text import spoken_text as spoken_text
+from .speech.voice import Voice as Voice
+from .speech.voice import speak as speak
+from .text.espeak import languages as languages
+from .text.espeak import voices as voices
+from .text.lexicon import Lexicon as Lexicon
+from .text.lexicon import load_lexicon as load_lexicon
+from .text.pronunciation import ScriptWord as ScriptWord
+from .text.pronunciation import notes_on as notes_on
+from .text.pronunciation import words_of as words_of
+from .text.script import timed_script as timed_script
+from .visemes import NO_VISEME as NO_VISEME
+from .visemes import Viseme as Viseme
 
 __version__: str

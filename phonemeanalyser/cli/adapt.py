@@ -8,7 +8,6 @@ from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, a
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
 from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
 from phonemeengine import (
-    CalibrationResult,
     Channel,
     LabelledUtterance,
     PhonemeMap,
@@ -21,13 +20,12 @@ from phonemeengine import (
     load_phoneme_map,
     load_preset,
     read_recordings,
-    read_sentence,
     save_preset,
-    sentences_in,
 )
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.alignment import labels_of
-from phonemeengine.calibration.sentences import LANGUAGES
+from phonemeengine.calibration.alignment import labels_of, read_sentence
+from phonemeengine.calibration.calibrate import CalibrationResult
+from phonemeengine.calibration.sentences import LANGUAGES, sentences_in
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.replacing import Guard, nothing_is_own
 from phonemeengine.settings import SAMPLE_RATE

@@ -8,24 +8,15 @@ from pathlib import Path
 
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.performing import Performing, add_performance, performing
-from phonemeengine import (
-    Animation,
-    EngineError,
-    FaceDriver,
-    PerformanceTrack,
-    PinyinTable,
-    PinyinTrack,
-    Spring,
-    Transcript,
-    Utterance,
-    has_pinyin,
-    load_pinyin_table,
-    pinyin_track,
-    usual_driver,
-)
+from phonemeengine import Animation, EngineError, PerformanceTrack, PinyinTable, Transcript, Utterance, pinyin_track
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.batch.work import Say
 from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
+from phonemeengine.speech.pinyin.spring import Spring
+from phonemeengine.speech.pinyin.table import load_pinyin_table
+from phonemeengine.speech.pinyin.timing import has_pinyin
+from phonemeengine.speech.pinyin.track import PinyinTrack
 
 DRIVERS = [driver.value for driver in FaceDriver]
 FaceTrack = PerformanceTrack | PinyinTrack

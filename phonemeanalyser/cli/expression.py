@@ -8,10 +8,10 @@ from phonemeengine import (
     ExpressionStream,
     IdleMotion,
     MouthError,
-    expression_presets,
     held_expression,
     read_expression,
 )
+from phonemeengine.mouth.expression.streams import expression_presets
 
 RECORDED = ".csv"
 

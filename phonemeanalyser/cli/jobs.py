@@ -21,7 +21,6 @@ from phonemeengine import (
     LabelledUtterance,
     Preset,
     SoundReader,
-    ear_in_words,
     for_files,
     load_preset,
 )
@@ -29,6 +28,7 @@ from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Say, Work
 from phonemeengine.files import is_device, printable, printable_name
+from phonemeengine.presets.ears import ear_in_words
 
 SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
 """Arguments that name files which are opened where the work is done."""

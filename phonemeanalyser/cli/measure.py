@@ -9,12 +9,12 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, number
 from phonemeanalyser.cli.jobs import file_preset
 from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path, write_whole
-from phonemeengine import SoundReader, average_spectrum, measure, save_stretch
+from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.averaged_spectrum import FORMAT, format_averaged_spectrum
 from phonemeengine.dsp.formants import CEILING
 from phonemeengine.files import begins_like
-from phonemeengine.measurement import MEASUREMENT_COLUMNS, format_measurement
+from phonemeengine.measurement import MEASUREMENT_COLUMNS, average_spectrum, format_measurement, save_stretch
 from phonemeengine.replacing import Guard, nothing_is_own
 
 HEADING = ",".join(MEASUREMENT_COLUMNS).encode()

@@ -9,22 +9,21 @@ from pathlib import Path
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import (
     EngineError,
-    ExampleChoice,
     PerformanceOptions,
-    PerformancePart,
     PerformanceTable,
     PerformanceTrack,
     SoundReader,
     Transcript,
     Utterance,
-    format_units,
-    load_keywords,
     load_preset,
     transcribe,
 )
 from phonemeengine.batch.work import Say
 from phonemeengine.labels.utterance_files import read_utterance
-from phonemeengine.performance.track import owns
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import PerformancePart
+from phonemeengine.performance.keywords import load_keywords
+from phonemeengine.performance.track import format_units, owns
 from phonemeengine.replacing import Guard
 
 PARTS = ",".join(PerformancePart)

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 
 from phonemeanalyser.cli.scripts import WordsToScore
-from phonemeengine import AddedNoise, AudioError, EngineError, LabelledUtterance, NoiseAdder, Preset
+from phonemeengine import AudioError, EngineError, LabelledUtterance, Preset
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Outcome, Say
+from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.errors import CorpusError

@@ -41,7 +41,6 @@ from phonemeengine import (
     Channel,
     EngineError,
     ExportOptions,
-    FaceDriver,
     MorphMesh,
     MouthTable,
     Preset,
@@ -58,6 +57,7 @@ from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.pool import n_cores
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.files import printable_name
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
 from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.progress import Progress, subrange

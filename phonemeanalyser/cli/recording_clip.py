@@ -15,7 +15,6 @@ from phonemeengine import (
     Channel,
     EngineError,
     IdleMotion,
-    Performance,
     PerformanceTable,
     Performer,
     RecordedFace,
@@ -26,6 +25,7 @@ from phonemeengine import (
 )
 from phonemeengine.files import printable
 from phonemeengine.mouth.animation import animation_by
+from phonemeengine.performance.recording import Performance
 from phonemeengine.replacing import Guard
 
 MILLISECOND = 0.001

@@ -30,15 +30,12 @@ from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeanalyser.reports.text import text_of
 from phonemeengine import (
-    AddedNoise,
     AudioError,
     Channel,
     CorpusError,
-    CorpusScores,
     Ear,
     EngineError,
     LabelledUtterance,
-    NoiseKind,
     PhonemeMap,
     Preset,
     PresetError,
@@ -47,9 +44,9 @@ from phonemeengine import (
 )
 from phonemeengine.batch.runner import BatchOptions
 from phonemeengine.batch.work import JobState, Outcome
-from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
+from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseKind
 from phonemeengine.calibration.scores.comparison import compare
-from phonemeengine.calibration.scores.evaluation import corpus_scores_of
+from phonemeengine.calibration.scores.evaluation import CorpusScores, corpus_scores_of
 from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
 from phonemeengine.files import printable, printable_name
 from phonemeengine.replacing import Guard, nothing_is_own

@@ -22,7 +22,6 @@ from phonemeengine import (
     EngineError,
     Lexicon,
     SilentText,
-    SpokenSentence,
     TextError,
     Utterance,
     Voice,
@@ -39,6 +38,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.speech.pinyin.timing import FASTEST, SLOWEST, USUAL_RATE
 from phonemeengine.speech.silent import ENGLISH
 from phonemeengine.speech.spooled import SpooledSpeech
+from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.text import mandarin
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.script import LARGEST

@@ -13,30 +13,21 @@ from phonemeanalyser.cli.arguments import format_of
 from phonemeanalyser.cli.driving import Driving, FaceTrack
 from phonemeanalyser.cli.expression import idle_of
 from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, print_bytes
-from phonemeengine import (
-    SAMPLE_RATE,
-    EngineError,
-    ExportOptions,
-    FaceDriver,
-    PinyinTrack,
-    PlanRow,
-    SilentText,
-    SpokenSentence,
-    Transcript,
-    Utterance,
-    has_pinyin,
-    spoken_text,
-)
+from phonemeengine import EngineError, ExportOptions, SilentText, Transcript, Utterance, spoken_text
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.files import begins_like
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.utterance import shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.replacing import Guard, guarded_write, nothing_is_own
-from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, plan_lines
-from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, plan_of, says_pinyin
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, PlanRow, plan_lines
+from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, has_pinyin, plan_of, says_pinyin
+from phonemeengine.speech.pinyin.track import PinyinTrack
 from phonemeengine.speech.spoken_text import written_as_spoken
+from phonemeengine.speech.voice import SpokenSentence
 
 SILENCE = "sil"
 """The name of what lies between words, in labels."""

@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from phonemeengine import choose_whisper, fetch_whisper, whisper_in_words
-from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES
+from phonemeengine import choose_whisper, fetch_whisper
+from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES, whisper_in_words
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

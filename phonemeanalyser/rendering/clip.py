@@ -11,21 +11,13 @@ from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.side_by_side import SideBySide
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
-from phonemeengine import (
-    SAMPLE_RATE,
-    Animation,
-    ExportOptions,
-    MorphMesh,
-    SoundReader,
-    Transcript,
-    animation_of,
-    load_table,
-)
+from phonemeengine import Animation, ExportOptions, MorphMesh, SoundReader, Transcript, animation_of, load_table
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.replacing import Guard, guarded_write
+from phonemeengine.settings import SAMPLE_RATE
 
 ASIDE, ABOVE = 0.22, 0.03
 """Where the camera is, radians: lips that come forwards are seen from a little aside."""

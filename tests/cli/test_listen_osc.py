@@ -9,10 +9,10 @@ from pythonosc.udp_client import SimpleUDPClient
 
 from phonemeanalyser.cli import listen as listening
 from phonemeanalyser.cli.main import main
-from phonemeengine import Expression, OscAddress, OscExpression, held_expression
+from phonemeengine import Expression, OscExpression, held_expression
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
-from phonemeengine.mouth.osc import OscMouth, OscSettings
+from phonemeengine.mouth.osc import OscAddress, OscMouth, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE

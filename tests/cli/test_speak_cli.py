@@ -11,9 +11,11 @@ import pytest
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.cli.speak import play_aloud
-from phonemeengine import DeviceError, Phone, Phoneme, SoundReader, SpokenSentence, Syllable, Word
+from phonemeengine import DeviceError, Phoneme, SoundReader, Word
 from phonemeengine.labels.textgrid import tiers_of
+from phonemeengine.labels.utterance import Phone, Syllable
 from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.speech.voice import SpokenSentence
 from tests.conftest import CORPUS
 from tests.fakes.outputs import Cards, SelfMovingOutput
 

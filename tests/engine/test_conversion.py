@@ -6,17 +6,8 @@ import pytest
 
 import phonemeanalyser
 from phonemeanalyser.__main__ import main
-from phonemeengine import (
-    CONVERSIONS,
-    AudioError,
-    Cancelled,
-    ExportError,
-    ExportOptions,
-    MouthError,
-    convert,
-    load_preset,
-)
-from phonemeengine.conversion import check_options, targets_of
+from phonemeengine import AudioError, Cancelled, ExportError, ExportOptions, MouthError, convert, load_preset
+from phonemeengine.conversion import CONVERSIONS, check_options, targets_of
 
 DEMO = Path(phonemeanalyser.__file__).parent / "demo" / "demo.flac"
 PRESET = load_preset("thesis")

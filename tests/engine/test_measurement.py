@@ -7,17 +7,14 @@ import parselmouth
 import pytest
 import soundfile
 
-from phonemeengine import (
-    AudioError,
-    EngineError,
-    Phoneme,
-    SoundReader,
+from phonemeengine import AudioError, EngineError, Phoneme, SoundReader, load_preset, measure
+from phonemeengine.measurement import (
     average_spectrum,
-    load_preset,
-    measure,
+    format_measurement,
+    frames_between,
+    measure_stretch,
     save_stretch,
 )
-from phonemeengine.measurement import format_measurement, frames_between, measure_stretch
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.whole_sound import tracks_of
 

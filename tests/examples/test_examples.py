@@ -13,7 +13,8 @@ import pytest
 import soundfile
 
 from phonemeanalyser.server.service import ServerSettings
-from phonemeengine import SAMPLE_RATE, cues, load_preset
+from phonemeengine import cues, load_preset
+from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import ROOT, SPEECH
 from tests.server.servers import served
 

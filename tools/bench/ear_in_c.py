@@ -7,10 +7,11 @@ from pathlib import Path
 
 import scipy.fft
 
-from phonemeengine import Analyser, format_ear, load_preset
+from phonemeengine import Analyser, load_preset
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP
+from phonemeengine.shipping.folder import format_ear
 from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled
 from tests.sounds import Sound
 from tools.bench.figures import Absolute, Figure, interleaved, ratio_of, shown, speech

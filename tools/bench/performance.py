@@ -18,10 +18,8 @@ import numpy as np
 
 from phonemeengine import (
     Animation,
-    ExampleChoice,
     Movestate,
     PerformanceOptions,
-    PerformancePart,
     PerformanceTable,
     PerformanceTrack,
     Transcript,
@@ -29,15 +27,16 @@ from phonemeengine import (
     load_head,
     make_corpus,
     speak,
-    write_table,
 )
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.corpus import find_recordings, read_performance
-from phonemeengine.performance.driver import FACE, MOUTH, PerformanceDriver
+from phonemeengine.performance.driver import FACE, MOUTH, PerformanceDriver, PerformancePart
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.sentences import sentences
+from phonemeengine.performance.table_file import write_table
 from tools.bench.figures import Absolute, Figure, answer_of
 from tools.bench.memory import resident_megabytes
 

@@ -7,8 +7,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from phonemeengine import format_ear, load_preset, ship
+from phonemeengine import load_preset, ship
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.shipping.folder import format_ear
 from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled
 from tests.sounds import Sound
 from tests.web_ears import node

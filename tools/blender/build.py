@@ -116,13 +116,13 @@ def _imports_in(text: str) -> Iterator[ast.Import | ast.ImportFrom]:
 
 
 def _files_of(module: str) -> dict[str, bytes]:
-    """Return a module, and the packages that it lies in, by their places in the zip."""
+    """Return a module, and the packages that it lies in, by their places in the zip, without the page of names."""
     parts, files = module.split("."), {}
     folder = _folder_of(parts[0])
     for n in range(1, len(parts) + 1):
         place = "/".join(parts[:n])
         place += "/__init__.py" if (folder / place).is_dir() else ".py"
-        files[place] = (folder / place).read_bytes()
+        files[place] = (folder / place).read_bytes() if folder / place != ENGINE / "__init__.py" else b""
     return files
 
 

@@ -8,8 +8,9 @@ from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeengine import FaceDriver, Voice, build_table, make_corpus, speak
+from phonemeengine import Voice, build_table, make_corpus, speak
 from phonemeengine.audio.output import ClockOutput
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.sentences import sentences
 from tools.bench.desktop import live_for
 

@@ -1,5 +1,5 @@
-"""The types of what ``__init__.py`` imports late."""
+"""What the window needs of this page, and the module of each."""
 
-from phonemeanalyser.desktop.calibrate.dialogs import CalibrationDialogs as CalibrationDialogs
-from phonemeanalyser.desktop.calibrate.model import CalibrationModel as CalibrationModel
-from phonemeanalyser.desktop.calibrate.page import CalibrationPage as CalibrationPage
+from .dialogs import CalibrationDialogs as CalibrationDialogs
+from .model import CalibrationModel as CalibrationModel
+from .page import CalibrationPage as CalibrationPage

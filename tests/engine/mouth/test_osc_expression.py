@@ -5,8 +5,9 @@ from collections.abc import Iterator
 import pytest
 from pythonosc.udp_client import SimpleUDPClient
 
-from phonemeengine import Expression, IdleMotion, MouthError, OscAddress, OscExpression, Performer, load_table
+from phonemeengine import Expression, IdleMotion, MouthError, OscExpression, Performer, load_table
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.osc import OscAddress
 from phonemeengine.mouth.osc_expression import FADE, KEPT
 from tests.fakes.players import wait_for
 

@@ -10,7 +10,8 @@ from random import Random
 import numpy as np
 import pytest
 
-from phonemeengine import Phoneme, Preset, format_ear, load_preset
+from phonemeengine import Phoneme, Preset, load_preset
+from phonemeengine.shipping.folder import format_ear
 from tests.compiled_ears import (
     BAD_RATE,
     DAMAGED_FILE,

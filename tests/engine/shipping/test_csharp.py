@@ -9,8 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine import Morpher, Phoneme, format_ear, load_preset, load_table, ship
+from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.shipping import targets
+from phonemeengine.shipping.folder import format_ear
 from phonemeengine.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from tests.compiled_ears import SOURCES, Frames
 from tests.compiled_ears import compiled as compiled_library

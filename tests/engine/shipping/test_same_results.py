@@ -11,33 +11,17 @@ from hypothesis import given
 from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
-from phonemeengine import (
-    Analyser,
-    AnalysisSettings,
-    Condition,
-    ConfidenceCurve,
-    Decimation,
-    Ear,
-    Filter,
-    Kind,
-    Layer,
-    Model,
-    OutputHead,
-    Phoneme,
-    Preset,
-    Rule,
-    SoundReader,
-    Spectrum,
-    Variable,
-    WindowFunction,
-    format_ear,
-    load_preset,
-)
+from phonemeengine import Analyser, AnalysisSettings, Ear, Filter, Phoneme, Preset, SoundReader, Variable, load_preset
 from phonemeengine.analyser import Analysis, concatenate_analyses
+from phonemeengine.features.variables import Kind, Spectrum
 from phonemeengine.presets.ears import for_live_use
-from phonemeengine.recognition.network import TAPS
+from phonemeengine.recognition.confidence import ConfidenceCurve
+from phonemeengine.recognition.model import Model, OutputHead
+from phonemeengine.recognition.network import TAPS, Layer
+from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import scores_in
-from phonemeengine.settings import HOP, SAMPLE_RATE
+from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, WindowFunction
+from phonemeengine.shipping.folder import format_ear
 from phonemeengine.visemes import Viseme
 from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, ear_library
 from tests.conftest import CORPUS

@@ -4,19 +4,10 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine import (
-    SAMPLE_RATE,
-    EngineError,
-    SoundReader,
-    TextError,
-    Utterance,
-    Voice,
-    VoiceError,
-    load_lexicon,
-    speak,
-)
+from phonemeengine import EngineError, SoundReader, TextError, Utterance, Voice, VoiceError, load_lexicon, speak
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.labels.utterance import UNKNOWN_WORD
+from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.program import run_speech_program, speak_by_program
 
 WRITER = """

@@ -5,19 +5,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine import (
-    SAMPLE_RATE,
-    SoundReader,
-    SpokenSentence,
-    TextError,
-    Voice,
-    export_transcript,
-    pinyin_track,
-    read_utterance,
-    spoken_text,
-)
-from phonemeengine.labels.utterance_files import format_utterance
+from phonemeengine import SoundReader, TextError, Voice, export_transcript, pinyin_track, spoken_text
+from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.speech.voice import SpokenSentence
 
 
 def test_the_sound_in_the_file_is_as_long_as_what_is_said(tmp_path: Path) -> None:

@@ -4,10 +4,12 @@ from collections.abc import Iterator
 import numpy as np
 import pytest
 
-from phonemeengine import SAMPLE_RATE, EngineError, SpokenSentence, TextError, Voice
+from phonemeengine import EngineError, TextError, Voice
 from phonemeengine.labels.utterance import Phone, Syllable, Word
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import AHEAD, KEPT, SpooledSpeech
+from phonemeengine.speech.voice import SpokenSentence
 
 SECOND = SAMPLE_RATE
 

@@ -5,20 +5,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine import (
-    SAMPLE_RATE,
-    Lexicon,
-    TextError,
-    Utterance,
-    Voice,
-    VoiceError,
-    Word,
-    load_lexicon,
-    load_pinyin_table,
-    pinyin_track,
-    speak,
-)
+from phonemeengine import Lexicon, TextError, Utterance, Voice, VoiceError, Word, load_lexicon, pinyin_track, speak
 from phonemeengine.arrays import Float32Array
+from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.speech.pinyin.table import load_pinyin_table
 from phonemeengine.speech.pinyin.timing import USUAL_RATE
 from phonemeengine.speech.voice import SENTENCE_PAUSE
 from phonemeengine.text.pronunciation import words_of

@@ -13,20 +13,19 @@ from phonemeengine import (
     MouthError,
     Performer,
     Phoneme,
-    Segment,
     Transcript,
-    expression_presets,
     held_expression,
     load_channels,
     load_table,
-    recorded_expression,
 )
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.expression.channels import SHIPPED, shipped_channels
 from phonemeengine.mouth.expression.composer import Composer
+from phonemeengine.mouth.expression.streams import expression_presets, recorded_expression
 from phonemeengine.mouth.performer import TimedFrame
+from phonemeengine.recognition.segments import Segment
 
 SMILE, JAW, BROW = (ARKIT.index(name) for name in ("mouthSmileLeft", "jawOpen", "browInnerUp"))
 NOTHING = np.zeros(len(ARKIT), np.float32)
