@@ -155,13 +155,17 @@ def test_the_tabs_of_the_calibration_can_be_scrolled_where_they_are_narrow(deskt
         assert scrolled.horizontalScrollBar().maximum() == max(0, hidden)
 
 
-def test_the_panel_of_the_head_shows_its_whole_width(desktop, qtbot):
-    window = shown(desktop, qtbot, None)
+@pytest.mark.parametrize("language", ["en", "de"])
+def test_the_page_of_the_head_shows_its_whole_width(settings, request, qtbot, language):
+    settings.setValue("language", language)
+    window = shown(request.getfixturevalue("desktop"), qtbot, None)
     window.show_page(2)
     window.resize(*SMALLEST)
     qtbot.wait(20)
-    panel = next(a for a in window.talk.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes))
-    assert panel.widget().width() <= panel.viewport().width()
+    around_it = [a for a in window.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes)]
+    assert len(around_it) == 2
+    for scrolled in around_it:
+        assert scrolled.widget().width() <= scrolled.viewport().width()
 
 
 def test_the_window_opens_within_the_screen(desktop, qapp):

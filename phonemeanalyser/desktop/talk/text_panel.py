@@ -2,7 +2,16 @@
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QTextCursor
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QPlainTextEdit, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QHBoxLayout,
+    QLabel,
+    QPlainTextEdit,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -125,24 +134,13 @@ class TextPanel(QWidget):
         self.speaker.setToolTip(tr("Whose words of the labels are taken"))
         self.speaker.setAccessibleName(tr("speaker"))
         self.literal.setToolTip(tr(NOTATION))
-        row = QHBoxLayout()
-        row.setSpacing(6)
-        for widget in (
-            self.script, self.speaker, self.language, self.voice, self.lexicon, self.literal, self.align,
-            self.say,
-        ):  # fmt: skip
-            row.addWidget(widget)
-        row.addWidget(self.state, 1)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(4)
         column.addWidget(self.field)
-        column.addLayout(row)
-        refused = QHBoxLayout()
-        refused.setSpacing(6)
-        refused.addWidget(self.anyway)
-        refused.addWidget(self.refusal, 1)
-        column.addLayout(refused)
+        column.addLayout(_row(self.script, self.speaker, self.language, self.lexicon, self.literal))
+        column.addLayout(_row(self.voice, self.align, self.say, self.state))
+        column.addLayout(_row(self.anyway, self.refusal))
         column.addWidget(self.lanes)
 
     def _connect(self) -> None:
@@ -188,7 +186,7 @@ class TextPanel(QWidget):
         self.literal.setChecked(texts.literal)
         lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
         self.state.setText(texts.progress or lack)
-        self.state.setToolTip(texts.progress or lack)
+        self.state.setToolTip(self.state.text())
         self.lanes.setVisible(texts.utterance is not None)
         self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
 
@@ -221,6 +219,17 @@ class TextPanel(QWidget):
 def _short(name: str) -> str:
     """Return the name of a language without what the voice does with Latin letters."""
     return name.replace(", latin as English", "").replace("latin as ", "")
+
+
+def _row(*widgets: QWidget) -> QHBoxLayout:
+    """Return a row, in which a label has what is left of the width."""
+    row = QHBoxLayout()
+    row.setSpacing(6)
+    for widget in widgets:
+        row.addWidget(widget, isinstance(widget, QLabel))
+    if not isinstance(widgets[-1], QLabel):
+        row.addStretch(1)
+    return row
 
 
 def _button(text: str, tip: str) -> QToolButton:
