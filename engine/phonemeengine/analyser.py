@@ -29,9 +29,8 @@ from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.plug_ins import completed
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import scores_in, separations_of
-from phonemeengine.recognition.smoothing import PhonemeSmoother
+from phonemeengine.recognition.smoothing import PhonemeSmoother, VisemeSmoother
 from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
-from phonemeengine.recognition.viseme_smoothing import VisemeSmoother
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 
 BLOCK = 512

@@ -3,8 +3,7 @@
 import numpy as np
 
 from phonemeengine.analyser import BLOCK, sure_of
-from phonemeengine.calibration.workbench.measuring import front_end_key, names_of, recogniser_key, rules_in
-from phonemeengine.calibration.workbench.retuner import Retuner
+from phonemeengine.calibration.workbench.retuner import Retuner, front_end_key, names_of, recogniser_key, rules_in
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
 from phonemeengine.presets.ears import for_files

@@ -22,7 +22,7 @@ HESITATION = 0.2
 """How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames
 are many and of all sorts, and a mouth that stands still where somebody speaks is noticed."""
 WARPS = (0.8, 1.0, 1.2)
-"""Vocal tracts that a model listens with, see `phonemeengine.recognition.vtln`; adult voices span about that."""
+"""Vocal tracts that a model listens with, see `phonemeengine.recognition.learned`; adult voices span about that."""
 
 Answer = TypeVar("Answer")
 

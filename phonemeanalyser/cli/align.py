@@ -13,7 +13,7 @@ from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, open_sound,
 from phonemeanalyser.cli.output_files import write_whole
 from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeengine import Channel, EngineError, Preset
-from phonemeengine.alignment.best_takes import ScoredTake, best_marked, scored_take
+from phonemeengine.alignment.align import ScoredTake, best_marked, scored_take
 from phonemeengine.analyser import analyse_file
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say

@@ -14,7 +14,7 @@ from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
 from phonemeengine.files import printable_name, read_text_file
-from phonemeengine.performance.sentences import sentences
+from phonemeengine.performance.making import sentences
 from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.replacing import Guard, nothing_is_own
 

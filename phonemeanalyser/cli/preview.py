@@ -35,7 +35,7 @@ from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
 from phonemeanalyser.rendering.clip import animation_by_rules, check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine import (
     Animation,
     Channel,

@@ -8,7 +8,7 @@ from phonemeanalyser.cli.clips import clip_options, frames_bar
 from phonemeanalyser.cli.jobs import open_sound, say_note
 from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path
 from phonemeanalyser.rendering.clip import check_clip, sound_track, write_clip
-from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.surface import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
 from phonemeengine import (
     Animation,

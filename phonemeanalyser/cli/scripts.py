@@ -21,12 +21,11 @@ from phonemeengine import (
     notes_on,
     words_of,
 )
-from phonemeengine.alignment.align import is_other_text
-from phonemeengine.alignment.best_takes import scored_take
+from phonemeengine.alignment.align import is_other_text, scored_take
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Made, Say
 from phonemeengine.files import printable, printable_name
-from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
+from phonemeengine.mouth.transcript import Script, scripted_transcript_of
 from phonemeengine.text.espeak import languages
 from phonemeengine.text.script import TIMED_SUFFIXES, load_script, script_beside, timed_script, words_beside
 

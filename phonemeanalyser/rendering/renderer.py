@@ -7,19 +7,23 @@ from typing import Any
 import moderngl
 import numpy as np
 
-from phonemeanalyser.rendering.ambient_occlusion import ambient_occlusion
-from phonemeanalyser.rendering.backdrop import Backdrop
-from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.canvas import Canvas
-from phonemeanalyser.rendering.edge_smoothing import EdgeSmoothing
+from phonemeanalyser.rendering.camera import Camera, NeckPivot, rotation_of
 from phonemeanalyser.rendering.errors import RenderingError
-from phonemeanalyser.rendering.head_rotation import NeckPivot, rotation_of
 from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
-from phonemeanalyser.rendering.shader_programs import fields_of, program_of, set_uniforms
-from phonemeanalyser.rendering.shadow import Shadow, taps_of
+from phonemeanalyser.rendering.passes import (
+    Backdrop,
+    Canvas,
+    EdgeSmoothing,
+    Shadow,
+    ambient_occlusion,
+    fields_of,
+    program_of,
+    set_uniforms,
+    taps_of,
+)
 from phonemeanalyser.rendering.surface import Surface, specular_mask
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 PROGRAMS = {

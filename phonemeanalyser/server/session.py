@@ -13,7 +13,6 @@ from aiohttp import WSMsgType, web
 
 from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import AHEAD, PER_MESSAGE, ServerLimits
-from phonemeanalyser.server.pace import Pace
 from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, Preset, ScriptWord
@@ -21,6 +20,31 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import PIECE
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.settings import SAMPLE_RATE
+
+# How fast a stream is read: as fast as it is spoken some times over, and a little ahead at any time.
+
+
+class Pace:
+    """Says how long to wait before more is read (a token bucket, whose tokens are seconds of sound).
+
+    Parameters
+    ----------
+    speed : seconds of sound for each second.
+    ahead : seconds of sound that may come at once.
+    clock : gives seconds.
+    """
+
+    def __init__(self, speed: float, ahead: float, clock: Callable[[], float] = time.monotonic) -> None:
+        self._speed, self._ahead, self._clock = speed, ahead, clock
+        self._left, self._looked = ahead, clock()
+
+    def wait_after(self, seconds: float) -> float:
+        """Take so much sound; return how long nothing more may be taken, seconds."""
+        now = self._clock()
+        self._left = min(self._ahead, self._left + (now - self._looked) * self._speed) - seconds
+        self._looked = now
+        return max(0.0, -self._left / self._speed)
+
 
 _log = logging.getLogger(__name__)
 MOST_AT_ONCE = round(PIECE * SAMPLE_RATE)

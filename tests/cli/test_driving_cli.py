@@ -10,10 +10,10 @@ from PIL import Image
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.colours import LIGHT
-from phonemeanalyser.rendering.side_by_side import SideBySide
+from phonemeanalyser.rendering.clip import SideBySide
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.labels.textgrid import format_tiers
-from phonemeengine.performance.building import build_table
+from phonemeengine.performance.corpus import build_table
 from tests.engine.performance.corpora import DURATION, write_recording
 from tests.graphics import context_or_skip
 

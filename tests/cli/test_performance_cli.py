@@ -9,7 +9,7 @@ from PIL import Image
 
 from phonemeanalyser.cli.main import main
 from phonemeengine.arrays import UInt8Array
-from phonemeengine.performance.building import build_table
+from phonemeengine.performance.corpus import build_table
 from phonemeengine.settings import SAMPLE_RATE
 from tests.engine.performance.corpora import write_recording
 from tests.graphics import context_or_skip

@@ -9,7 +9,7 @@ import pytest
 
 from phonemeanalyser.cli.main import main
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.performance.building import build_table
+from phonemeengine.performance.corpus import build_table
 from tests.engine.performance.corpora import write_recording
 
 JAW = 2 + ARKIT.index("jawOpen")

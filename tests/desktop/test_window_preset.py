@@ -7,8 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
 from phonemeanalyser.desktop import dialogs
-from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
-from phonemeengine.presets.phonemedata import parse_phoneme_data
+from phonemeengine.presets.files import THESIS_PRESET, load_preset, parse_phoneme_data, save_preset
 from tests.desktop.hands import answer, click, press, shown, type_number
 
 BUTTON = QMessageBox.StandardButton

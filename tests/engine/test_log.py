@@ -16,7 +16,7 @@ from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.dropouts import DropoutMeter
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live import listener as live_listener
-from phonemeengine.live import playback_queue
+from phonemeengine.live import player as live_player
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone, Hear, frames_in
@@ -96,7 +96,7 @@ def test_a_player_logs_its_card_and_that_it_goes(tmp_path: Path, log: Log) -> No
 def test_frames_of_a_file_that_nobody_takes_are_logged_once(
     tmp_path: Path, log: Log, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(playback_queue, "MOST_WAITING", 3)
+    monkeypatch.setattr(live_player, "MOST_WAITING", 3)
     soundfile.write(tmp_path / "speech.wav", SPEECH, SAMPLE_RATE)
     player = Player(SoundReader(tmp_path / "speech.wav"), PRESET, lambda _n: HandDrivenOutput(ahead=SAMPLE_RATE))
     player.play()

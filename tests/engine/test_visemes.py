@@ -8,7 +8,7 @@ from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.mouth.blendshape_names import OCULUS
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.viseme_smoothing import MARGIN, VisemeSmoother
+from phonemeengine.recognition.smoothing import MARGIN, VisemeSmoother
 from phonemeengine.visemes import (
     NO_VISEME,
     PHONEME_VISEMES,

@@ -10,20 +10,19 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
-from phonemeanalyser.rendering import contexts
+from phonemeanalyser.rendering import offscreen as offscreen_drawing
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.contexts import offscreen_context
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, colour_of
-from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.streams import expression_presets, held_expression
 from phonemeengine.mouth.head import HEAD, load_head
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate_set import MovestateSet
@@ -392,7 +391,7 @@ def test_a_machine_without_opengl_is_told_in_one_sentence(monkeypatch: pytest.Mo
     def fail(**_kinds: object) -> None:
         raise Exception("libEGL.so.1 not loaded\nand more")
 
-    monkeypatch.setattr(contexts.moderngl, "create_context", fail)
+    monkeypatch.setattr(offscreen_drawing.moderngl, "create_context", fail)
     with pytest.raises(
         RenderingError, match=r"there is none \(libEGL.so.1 not loaded\); install a graphics"
     ) as caught:

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeanalyser.rendering.side_by_side import SideBySide
+from phonemeanalyser.rendering.clip import SideBySide
 from tests.graphics import Picture
 
 INK, PAPER = "#000000", "#ffffff"

@@ -5,8 +5,7 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.subdivision import MOST_TRIANGLES, subdivided
-from phonemeanalyser.rendering.surface import Surface, specular_mask
+from phonemeanalyser.rendering.surface import MOST_TRIANGLES, Surface, specular_mask, subdivided
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.server import turns as room
-from phonemeanalyser.server.file_turns import FileTurns
-from phonemeanalyser.server.pace import Pace
+from phonemeanalyser.server.files import FileTurns
+from phonemeanalyser.server.session import Pace
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, load_preset, words_of
 from phonemeengine.arrays import Float32Array

@@ -19,7 +19,7 @@ from phonemeengine.labels.table import raw_labels_of
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.scripted_transcript import scripted_transcript_of
+from phonemeengine.mouth.transcript import scripted_transcript_of
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from tools.bench.figures import ROOT, Figure
 from tools.bench.performance import SHUT, Lips

@@ -9,10 +9,9 @@ import numpy as np
 
 from phonemeanalyser.desktop.talk.head_surface import MOST_QUICK_PIXELS
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.contexts import offscreen_context
-from phonemeanalyser.rendering.offscreen import OffscreenRenderer
+from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.renderer import HeadRenderer
-from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import load_table

@@ -34,8 +34,8 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.corpus import find_recordings, read_performance
 from phonemeengine.performance.driver import FACE, MOUTH, PerformanceDriver, PerformancePart
+from phonemeengine.performance.making import sentences
 from phonemeengine.performance.recording import Performance
-from phonemeengine.performance.sentences import sentences
 from phonemeengine.performance.table_file import write_table
 from tools.bench.figures import Absolute, Figure, answer_of
 from tools.bench.memory import resident_megabytes

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from phonemeengine import PerformanceTable, Voice, build_table, make_corpus, speak
-from phonemeengine.performance.sentences import sentences
+from phonemeengine.performance.making import sentences
 from phonemeengine.performance.units import duration_of, units_of
 from tools.bench.figures import Absolute, Figure, answer_of
 from tools.bench.memory import resident_megabytes

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import BoolArray, Float64Array, UInt8Array
-from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
+from phonemeengine.calibration.fits.fitting import cross_validate, groups_of
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features

@@ -20,7 +20,7 @@ import numpy as np
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
-from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
+from phonemeengine.calibration.fits.fitting import cross_validate, groups_of
 from phonemeengine.calibration.fits.threshold_search import LEAST_EXCLUDED, LEAST_FOUND, Fit, ThresholdSearch
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of

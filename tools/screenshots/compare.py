@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeengine import Voice, build_table, make_corpus, speak
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.performance.sentences import sentences
+from phonemeengine.performance.making import sentences
 from tools.bench.desktop import live_for
 
 TALK, MINUTES = 2, 4

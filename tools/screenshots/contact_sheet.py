@@ -11,12 +11,11 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from phonemeanalyser.colours import DARK, LIGHT, PHONEME_COLOURS
-from phonemeanalyser.rendering.animation_player import AnimationPlayer
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.clip import animation_by_rules
+from phonemeanalyser.rendering.clip import AnimationPlayer, animation_by_rules
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
-from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine import ExportOptions, IdleMotion, SoundReader, load_head, load_preset
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import UInt8Array

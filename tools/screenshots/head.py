@@ -10,10 +10,10 @@ from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
-from phonemeanalyser.rendering.subdivision import subdivided
+from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme

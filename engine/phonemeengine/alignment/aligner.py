@@ -4,28 +4,156 @@ A stretch of the sound is aligned with the words that can be in it at most. All 
 change, is settled up to the end of a word, and the next stretch begins there.
 """
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 
-from phonemeengine.alignment.edges import edges_of
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
+from phonemeengine.alignment.manners import least_frames_of
 from phonemeengine.alignment.passage import Passage
-from phonemeengine.alignment.sounds import least_frames_of
-from phonemeengine.alignment.text_fit import TextFit, fit_of
 from phonemeengine.alignment.viterbi import (
     SILENT,
+    SKIPPED,
+    SOUND,
     STRANGE,
     LeastFrames,
     Prices,
     WayStep,
     cheapest_way,
 )
-from phonemeengine.arrays import BoolArray
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
 from phonemeengine.text.pronunciation import ScriptWord
+
+# Where sounds begin and end, finer than frames: where one suits as well as the next, and where speech has faded.
+
+FADED = 28.0
+"""A sound before a pause ends where it is so many dB below loud speech: synthesizers' own ends lie at 14 to 39."""
+ABOVE_PAUSE = 8.0
+"""Or where it is so little above the pause, dB, if that is louder."""
+LONGEST_FADING = 12
+"""Frames for which a sound may fade after the recogniser hears silence."""
+LOUD = 90
+"""Percentile of the level of speech that is loud."""
+
+
+def edges_of(
+    steps: Sequence[WayStep], passage: Passage, shortfalls: Float64Array, evidence: Evidence
+) -> Mapping[int, float]:
+    """Return where the edges between the steps of a way are, in frames, by the number of the frame after each."""
+    levels, spoken = evidence.levels[:, 0], spoken_in(evidence)
+    quiet = float(np.percentile(levels[spoken], LOUD)) - FADED if spoken.any() else np.inf
+    edges: dict[int, float] = {}
+    lasting = [step for step in steps if step.kind != SKIPPED]
+    for step, following in pairwise(lasting):
+        edge = step.last
+        if step.kind == SOUND and following.kind == SILENT and not passage.closes(following, lasting):
+            edges[edge] = _faded(levels, step, following, quiet)
+        else:
+            columns = [passage.column_of(part) for part in (step, following)]
+            if None not in columns:
+                edges[edge] = _crossing(shortfalls[:, columns[0]] - shortfalls[:, columns[1]], edge)
+    return edges
+
+
+def _crossing(lead: Float64Array, edge: int) -> float:
+    """Return where the lead of one sound over the next ends; frames are measured at their middle."""
+    before, after = float(lead[edge - 1]), float(lead[edge])
+    return edge - 0.5 + before / (before - after) if before > 0 > after else float(edge)
+
+
+def _faded(levels: Float32Array, step: WayStep, pause: WayStep, quiet: float) -> float:
+    """Return where a sound before a pause has faded, at the earliest where the recogniser hears silence."""
+    limit = max(quiet, float(levels[pause.first : pause.last].min()) + ABOVE_PAUSE)
+    last = min(step.last + LONGEST_FADING, (pause.first + pause.last) // 2)
+    frame = step.last - 1
+    if levels[frame] < limit:
+        return float(step.last)
+    while frame + 1 < last and levels[frame + 1] >= limit:
+        frame += 1
+    if frame + 1 >= len(levels) or levels[frame + 1] >= limit:
+        return float(max(step.last, last))
+    return max(step.last - 0.5, frame + 0.5 + float((levels[frame] - limit) / (levels[frame] - levels[frame + 1])))
+
+
+# How badly a text fits a sound, and from when on another text was said.
+#
+# What counts are sounds, not frames: in a text that is said most sounds fit well and a few do not, since they are
+# said or heard otherwise; in another text many of them do not fit. So no sound counts more than `WORST_SOUND`.
+# Silence does not count, however long it is.
+
+WORST_SOUND = 3.0
+"""The most that a sound falls short of the best one, in the mean over its frames; more of it tells nothing."""
+STRANGE_SOUND = 2.0
+"""What a sound counts that is said and does not stand in the text."""
+FRAMES_OF_A_SOUND = 8
+"""What is said besides the text has a sound in each so many frames."""
+WORST_FIT = 1.38
+"""Another text was said where its sounds count more in the mean."""
+
+
+@dataclass(frozen=True)
+class TextFit:
+    """How badly a text fits a sound.
+
+    Attributes
+    ----------
+    misfit : of all sounds, natural logarithms.
+    n_sounds : how many there are, of the text and besides it.
+    """
+
+    misfit: float = 0.0
+    n_sounds: float = 0.0
+
+    @property
+    def mean(self) -> float:
+        """How badly a sound fits in the mean, 0..`WORST_SOUND`."""
+        return self.misfit / self.n_sounds if self.n_sounds else 0.0
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether another text was said."""
+        return self.mean > WORST_FIT
+
+    def __add__(self, other: "TextFit") -> "TextFit":
+        return TextFit(self.misfit + other.misfit, self.n_sounds + other.n_sounds)
+
+    def __lt__(self, other: "TextFit") -> bool:
+        return self.mean < other.mean
+
+
+def fit_of(steps: Sequence[WayStep], passage: Passage, shortfalls: Float64Array, spoken: BoolArray) -> TextFit:
+    """Return how badly a way through a passage fits.
+
+    Parameters
+    ----------
+    steps : of the way.
+    passage : the text.
+    shortfalls : by which it was found, shape (n_frames, n_kinds).
+    spoken : in which frames there is speech, shape (n_frames,).
+    """
+    fit = TextFit()
+    for step in steps:
+        frames = slice(step.first, step.last)
+        if step.kind == SOUND:
+            kind = passage.lattice.columns[step.sound]
+            fit += TextFit(_of_a_sound(shortfalls[frames, kind]), 1.0)
+        elif step.kind == SKIPPED:
+            n_skipped = float(passage.lattice.fewest[step.sound])
+            fit += TextFit(WORST_SOUND * n_skipped, n_skipped)
+        elif spoken[frames].any():
+            n_besides = np.count_nonzero(spoken[frames]) / FRAMES_OF_A_SOUND
+            quiet = shortfalls[frames, 0][spoken[frames]]
+            fit += TextFit(n_besides * (STRANGE_SOUND if step.kind == STRANGE else _of_a_sound(quiet)), n_besides)
+    return fit
+
+
+def _of_a_sound(shortfalls: Float64Array) -> float:
+    return min(-float(shortfalls.mean()), WORST_SOUND)
+
 
 STRETCH, UNSETTLED = 1000, 220
 """Frames that are aligned at once, and how many at their end stay unsettled."""

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from phonemeengine.alignment.manners import levels_of, log_likelihoods, measured_of
-from phonemeengine.alignment.sounds import KINDS
+from phonemeengine.alignment.manners import KINDS, levels_of, log_likelihoods, measured_of
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
 from phonemeengine.phonemes import Phoneme

@@ -4,11 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate, takewhile
 
-from phonemeengine.alignment.aligner import PRICES, settled_steps, united, within
-from phonemeengine.alignment.edges import edges_of
+from phonemeengine.alignment.aligner import PRICES, TextFit, edges_of, fit_of, settled_steps, united, within
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, spoken_in
 from phonemeengine.alignment.passage import Passage
-from phonemeengine.alignment.text_fit import TextFit, fit_of
 from phonemeengine.alignment.viterbi import LeastFrames, WayStep, cheapest_way
 from phonemeengine.errors import TextError
 from phonemeengine.files import printable

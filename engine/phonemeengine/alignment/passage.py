@@ -8,10 +8,8 @@ from types import MappingProxyType
 
 import numpy as np
 
-from phonemeengine.alignment.lattice import Lattice, lattice_of
-from phonemeengine.alignment.manners import Manner, manner_of
-from phonemeengine.alignment.sounds import KINDS, kind_of, least_frames_of
-from phonemeengine.alignment.viterbi import SILENT, SKIPPED, SOUND, STRANGE, WayStep
+from phonemeengine.alignment.manners import KINDS, Manner, kind_of, least_frames_of, manner_of
+from phonemeengine.alignment.viterbi import SILENT, SKIPPED, SOUND, STRANGE, Lattice, WayStep, lattice_of
 from phonemeengine.arrays import Float64Array, IndexArray
 from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Word

@@ -8,8 +8,8 @@ import numpy as np
 
 from phonemeengine.alignment.aligner import MOST_HURRY, ONLY_THE_TEXT, STRETCH, within
 from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of
+from phonemeengine.alignment.manners import KINDS
 from phonemeengine.alignment.passage import Passage
-from phonemeengine.alignment.sounds import KINDS
 from phonemeengine.alignment.viterbi import LeastFrames, cheapest_way
 from phonemeengine.arrays import Float64Array
 from phonemeengine.labels.phone_sets import ipa_phoneme

@@ -15,20 +15,19 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.guard import loss_of
 from phonemeengine.calibration.held_back import (
     N_PARTS,
     counts,
+    gains_beyond_chance,
     held_back_scores,
+    loss_of,
     paired_answers,
     parts_of,
     predictions_on,
 )
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.scores.gain import gains_beyond_chance
 from phonemeengine.calibration.scores.scoring import Scores
-from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room
-from phonemeengine.calibration.takes.room_takes import room_in, speech_in
+from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room, room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.presets.ears import for_files

@@ -83,3 +83,35 @@ def warped_mel_bank(warp: float = 1.0) -> Float32Array:
 @lru_cache(maxsize=8)
 def _banks(warps: tuple[float, ...]) -> Float32Array:
     return np.concatenate([warped_mel_bank(warp) for warp in warps], axis=1)
+
+
+# Mel cepstra: the coarse shape of a spectrum, as few numbers.
+
+N_CEPSTRA = 12
+"""Coefficients 1..12; the zeroth, the loudness, is left out."""
+
+
+def cepstra_of(log_mels: Float32Array) -> Float32Array:
+    """Return the cosine transform of logarithms of mel powers, without its zeroth coefficient.
+
+    A louder sound has the same cepstra (S. Davis and P. Mermelstein, IEEE Trans. ASSP 28(4), 1980).
+
+    Parameters
+    ----------
+    log_mels : float32, shape (n_frames, 40).
+
+    Returns
+    -------
+    float32, shape (n_frames, 12).
+    """
+    cepstra: Float32Array = log_mels.dot(cepstral_cosines())
+    return cepstra
+
+
+@lru_cache(maxsize=1)
+def cepstral_cosines() -> Float32Array:
+    """Return the orthonormal cosines of the transform (DCT-II), shape (n_bands, n_cepstra)."""
+    bands = np.arange(N_BANDS)[:, np.newaxis] + 0.5
+    return np.asarray(
+        np.sqrt(2 / N_BANDS) * np.cos(np.pi / N_BANDS * bands * np.arange(1, N_CEPSTRA + 1)), np.float32
+    )

@@ -8,7 +8,7 @@ import math
 import random
 from typing import NamedTuple
 
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 
 RESTING, SPREAD = 1.5, 0.6
 """The middle of the times for which eyes rest, seconds, and the standard deviation of their logarithm."""

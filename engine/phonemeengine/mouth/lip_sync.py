@@ -11,9 +11,8 @@ from phonemeengine.files import printable_name
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.scripted_transcript import Script, scripted_transcript_of
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
-from phonemeengine.mouth.transcript import Transcript, transcript_of
+from phonemeengine.mouth.transcript import Script, Transcript, scripted_transcript_of, transcript_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Progress, no_progress
 from phonemeengine.replacing import Guard, write_guarded

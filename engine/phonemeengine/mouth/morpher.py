@@ -22,8 +22,7 @@ from enum import Enum
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.low_pass import LowPass
-from phonemeengine.mouth.movements import EasedMovement, shares_of
+from phonemeengine.mouth.movements import EasedMovement, LowPass, shares_of
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 

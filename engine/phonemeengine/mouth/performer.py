@@ -18,12 +18,10 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.blinks import Blinker
 from phonemeengine.mouth.coarticulation import PlannedMovement, planned_movements
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_runs
-from phonemeengine.mouth.expression.composer import Composer, Expression
-from phonemeengine.mouth.expression.inhibition import Inhibition
-from phonemeengine.mouth.head_motion import HeadMotion, HeadPose
+from phonemeengine.mouth.expression.composer import Composer, Expression, Inhibition
+from phonemeengine.mouth.idle_motion import Blinker, HeadMotion, HeadPose
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript

@@ -12,8 +12,10 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import tomli_w
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.errors import MouthError, remedy
@@ -316,3 +318,40 @@ def _motion_of(table: StrictTable) -> tuple[dict[str, float], MotionSettings]:
 def _seconds(table: StrictTable, name: str) -> float:
     low, high, _ = LIMITS["attack"]
     return table.limited(name, low, high, f"a number of seconds in {low:g}..{high:g}")
+
+
+# The text of a mouth table's file: TOML that `table.table_of` reads as the same table.
+
+
+def table_to_toml(table: MouthTable) -> str:
+    """Write a mouth table as the text of a TOML file; every phoneme has its times by name."""
+    known = [name for name, movestates in NAMES.items() if movestates == table.movestates]
+    document: dict[str, Any] = {
+        "format": FORMAT,
+        "name": table.name,
+        "notes": table.notes,
+        "movestates": known[0] if known else list(table.movestates),
+        "firm": [phoneme.label for phoneme in sorted(table.closed_phonemes)],
+        "phonemes": {phoneme.label: shape for phoneme, shape in table.phonemes.items()},
+        "phones": {name: _phone_entry(table, name) for name in table.phones},
+        "times": {phoneme.label: _times_entry(times) for phoneme, times in table.times.items()},
+        "manner": {
+            "loudness": table.motion.loudness,
+            "quiet": table.motion.minimum_opening,
+            "randomness": table.motion.randomness,
+        },
+        "shapes": {name: dict(percentages) for name, percentages in table.shapes.items()},
+    }
+    return tomli_w.dumps(document)
+
+
+def _phone_entry(table: MouthTable, name: str) -> str | dict[str, Any]:
+    """Return what [phones] says of a phone or class: a shape alone, where it says no more."""
+    times = table.phone_times.get(name)
+    firm = {"firm": True} if name in table.closed_phones else {}
+    more = (_times_entry(times) if times else {}) | firm
+    return {"shape": table.phones[name]} | more if more else table.phones[name]
+
+
+def _times_entry(times: TransitionTimes) -> dict[str, float]:
+    return {"attack": times.attack, "release": times.release}

@@ -2,7 +2,7 @@
 
 import os
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import accumulate, pairwise
@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.features.front_end import F0
@@ -20,6 +21,7 @@ from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.text.pronunciation import ScriptWord
 from phonemeengine.visemes import viseme_phones
 
 NOTHING = np.zeros(0, np.float32)
@@ -179,3 +181,42 @@ def _loudness(intensities: Float32Array, start: float, end: float) -> float:
     first = round(start / FRAME_PERIOD)
     part = intensities[first : max(round(end / FRAME_PERIOD), first + 1)]
     return float(part.mean()) if len(part) else 0.0
+
+
+# What is said in a sound whose words are known: aligned, and as mouths need it.
+
+Script = Sequence[ScriptWord] | Utterance
+"""The words of a sound with their pronunciations, or all that is said in it with times, as label files have it."""
+
+
+def scripted_transcript_of(
+    analyses: Iterable[Analysis],
+    script: Script,
+    name: str,
+    duration: float,
+    path: Path | None = None,
+    *,
+    accept_text: bool = False,
+) -> tuple[Utterance, Transcript]:
+    """Return what is said in a sound of `duration` seconds, from its consecutive analyses; `path` is its file.
+
+    With `accept_text` words are aligned even where another text seems to be said.
+
+    Raises
+    ------
+    CorpusError : there is no word in the script.
+    """
+    prosody = Prosody()
+
+    def kept() -> Iterator[Analysis]:
+        for analysis in analyses:
+            prosody.add(analysis)
+            yield analysis
+
+    if isinstance(script, Utterance):
+        utterance = script
+        for _ in kept():
+            pass
+    else:
+        utterance = align_analyses(kept(), script, duration, accept_text=accept_text)
+    return utterance, transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, name, path)

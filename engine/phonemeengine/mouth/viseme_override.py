@@ -6,8 +6,8 @@ from enum import Enum
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.low_pass import LowPass
-from phonemeengine.mouth.percentages import Mode, Percentages
+from phonemeengine.mouth.movements import LowPass
+from phonemeengine.mouth.movestate_set import Mode, Percentages
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 

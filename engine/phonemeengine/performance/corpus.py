@@ -7,14 +7,18 @@ than the sound a face begins, and ``corpus.toml`` what it is called, and whether
 """
 
 import math
-from collections.abc import Iterator
+import os
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.files import SoundReader, is_sound, once_each
-from phonemeengine.errors import CorpusError
+from phonemeengine.dsp.framing import Framer
+from phonemeengine.dsp.pitch import fundamental_of
+from phonemeengine.errors import AudioError, CorpusError, PerformanceError
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
 from phonemeengine.labels.table import rows_of
@@ -24,11 +28,54 @@ from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack
 from phonemeengine.performance.gltf_face import read_gltf_face
 from phonemeengine.performance.livelink import read_livelink
-from phonemeengine.performance.prosody import measured
-from phonemeengine.performance.recording import Performance, phones_of
+from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
+from phonemeengine.performance.table_file import TableAbout, check_fits, write_table
 from phonemeengine.performance.vmc import read_vmc
+from phonemeengine.progress import Progress, no_progress, report_progress
+from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeengine.strict_table import parse_toml
 from phonemeengine.text.syllables import syllables_of
+
+# How loud and how high each phone is spoken.
+
+QUIETEST = -100.0
+"""What is quieter counts as so loud, dB."""
+_AT_ONCE = 32 * HOP
+"""Samples whose pitch is measured at once: so few that no other core is called to help, which would cost more."""
+
+
+def measured(phones: Sequence[PerformedPhone], samples: Float32Array) -> tuple[PerformedPhone, ...]:
+    """Return phones with their energy and pitch.
+
+    Parameters
+    ----------
+    phones : in order of time.
+    samples : float32, shape (n,), of the sound in which they are spoken, mono at 44.1 kHz, ±1.
+    """
+    squares = np.concatenate([[0.0], np.cumsum(samples.astype(np.float64) ** 2)])
+    pitches = _pitches_of(samples)
+    return tuple(replace(phone, energy=_level(squares, phone), pitch=_pitch(pitches, phone)) for phone in phones)
+
+
+def _level(squares: Float64Array, phone: PerformedPhone) -> float:
+    """Return the mean level of a phone, dB; `squares` are the sums of all squares before each sample."""
+    first, last = (min(round(time * SAMPLE_RATE), len(squares) - 1) for time in (phone.start, phone.end))
+    power = (squares[last] - squares[first]) / max(last - first, 1)
+    return max(10 * float(np.log10(max(power, 1e-30))), QUIETEST)
+
+
+def _pitch(pitches: Float32Array, phone: PerformedPhone) -> float:
+    """Return the median pitch of a phone's frames, Hz; 0 where fewer than half of them are voiced."""
+    frames = pitches[int(phone.start * SAMPLE_RATE / HOP) : max(1, round(phone.end * SAMPLE_RATE / HOP))]
+    return float(np.median(frames)) if len(frames) else 0.0
+
+
+def _pitches_of(samples: Float32Array) -> Float32Array:
+    framer = Framer()
+    blocks = [framer.cut_frames(samples[k : k + _AT_ONCE]) for k in range(0, len(samples), _AT_ONCE)]
+    found = [fundamental_of(block) for block in (*blocks, framer.finish()) if len(block)]
+    return np.concatenate([np.zeros(0, np.float32), *found])
+
 
 RATE = 60.0
 """Frames a second of all performances."""
@@ -210,3 +257,82 @@ def _parted(word: Word) -> Word:
     return replace(
         word, syllables=tuple(Syllable(tuple(next(coming) for _ in few.phones), few.stress) for few in found)
     )
+
+
+# Building a table of a folder of recordings: one recording after the other, and whole or not at all.
+
+MOST_NOTES = 1000
+"""Sentences that are kept."""
+
+
+@dataclass(frozen=True)
+class BuiltTable:
+    """A table that was built.
+
+    Attributes
+    ----------
+    about : what it holds.
+    left_out : why recordings were left out, a sentence for each.
+    notes : what is odd about the others, a sentence each.
+    """
+
+    about: TableAbout
+    left_out: tuple[str, ...]
+    notes: tuple[str, ...]
+
+
+def build_table(
+    folder: str | os.PathLike[str], path: str | os.PathLike[str], *, name: str | None = None,
+    progress: Progress = no_progress,
+) -> BuiltTable:  # fmt: skip
+    """Build a table of a folder of recordings; see `find_recordings` for what it holds.
+
+    A recording that cannot be used is left out. It takes no more memory than its largest recording does.
+
+    Parameters
+    ----------
+    path : the table; what is there stays until the new one is complete.
+    name : what the table is called; as the folder, where it is None.
+
+    Raises
+    ------
+    CorpusError : there is no recording in the folder.
+    PerformanceError : no recording can be used, or the table cannot be written.
+    Cancelled : it was not wanted any more; nothing has changed.
+    """
+    corpus = find_recordings(Path(folder))
+    reading = _CorpusReading(corpus, progress)
+    about = write_table(path, reading.performances(), name=name or corpus.name, folder=folder)
+    return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
+
+
+class _CorpusReading:
+    """Reads the recordings of a corpus, and remembers what is to be said of them."""
+
+    def __init__(self, corpus: Corpus, progress: Progress) -> None:
+        self.left_out: list[str] = []
+        self.notes: list[str] = []
+        self._corpus, self._progress = corpus, progress
+
+    def performances(self) -> Iterator[Performance]:
+        """Return those that can be read, one after the other.
+
+        Raises
+        ------
+        PerformanceError : none can.
+        """
+        first: Performance | None = None
+        for k, recording in enumerate(self._corpus.recordings):
+            report_progress(self._progress, k / len(self._corpus.recordings))
+            try:
+                performance, notes = read_performance(recording, synthetic=self._corpus.synthetic)
+                first = first or performance
+                check_fits(performance, first)
+            except (AudioError, CorpusError, PerformanceError) as error:
+                self.left_out.append(str(error))
+                continue
+            self.notes += notes[: MOST_NOTES - len(self.notes)]
+            yield performance
+        if first is None:
+            raise PerformanceError(f"no recording can be used; of the first one: {self.left_out[0]}")
+        report_progress(self._progress, 1.0)

@@ -12,10 +12,17 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError, MeshError
 from phonemeengine.files import MEGABYTE, printable_name, read_file
-from phonemeengine.mouth.files.glb import Table
-from phonemeengine.mouth.files.gltf_accessors import array_of
-from phonemeengine.mouth.files.gltf_document import Beside, Document, table_of, tables_of, text_of, whole_of
-from phonemeengine.mouth.files.gltf_scene import target_names
+from phonemeengine.mouth.files.gltf import target_names
+from phonemeengine.mouth.files.gltf_document import (
+    Beside,
+    Document,
+    Table,
+    array_of,
+    table_of,
+    tables_of,
+    text_of,
+    whole_of,
+)
 from phonemeengine.mouth.files.io import LARGEST, files_beside
 from phonemeengine.performance.face_track import LONGEST, FaceTrack, check_weights, shape_name
 

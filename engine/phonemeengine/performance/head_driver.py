@@ -10,14 +10,12 @@ from itertools import pairwise
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
-from phonemeengine.mouth.head_motion import HeadMotion
-from phonemeengine.performance.fit import crossed
+from phonemeengine.mouth.idle_motion import HeadMotion
 from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, load_keywords
-from phonemeengine.performance.monotone_cubic import MonotoneCubics
 from phonemeengine.performance.phrases import Phrase, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.sentence import Sentence
-from phonemeengine.performance.smoothing import low_passed
+from phonemeengine.performance.smoothing import MonotoneCubics, crossed, low_passed
 from phonemeengine.performance.table_file import PerformanceTable
 
 CUTOFF = 6.0

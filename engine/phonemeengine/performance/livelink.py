@@ -4,6 +4,7 @@ Times come from the time code, HH:MM:SS:FF.mmm, not from row numbers: a frame th
 The file does not say at how many frames a second its time code counts; the numbers that it reaches do.
 """
 
+import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,6 +15,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
+from phonemeengine.mouth.expression.streams import ExpressionStream, recorded_expression
 from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
 
 LARGEST = 32 << 20
@@ -125,3 +127,17 @@ def _rate_of(seconds: Float64Array, frames: Float64Array, file: str) -> int:
         )
     # Within less than a second nobody can tell: the numbers may not have reached the end of one.
     return max(rate, USUAL_RATE) if np.ptp(seconds) < 2 else rate
+
+
+# Expressions that were recorded: the CSV of Live Link Face.
+
+
+def read_expression(path: str | os.PathLike[str]) -> ExpressionStream:
+    """Return a recording of Live Link Face as an expression, with the times of its time code from 0 on.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, or says something impossible.
+    """
+    face = read_livelink(Path(path))
+    return recorded_expression(face.times, face.channels, face.weights)

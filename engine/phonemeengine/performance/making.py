@@ -1,9 +1,12 @@
 """Making a corpus with the synthetic performer: sounds of a voice, what is said in them, and a face that says it."""
 
 import os
-from collections.abc import Callable, Iterable
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
+from random import Random
 
 import numpy as np
 import tomli_w
@@ -20,6 +23,83 @@ from phonemeengine.performance.recording import SILENCE, phones_of
 from phonemeengine.performance.synthetic import perform
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.settings import SAMPLE_RATE
+
+# Sentences for a performer to read: English ones of a small grammar whose words hold every sound many times.
+
+WORDS: dict[str, str] = {
+    "name": "Beth Charlotte George Hugh Joyce Martha Oscar Paul Ruth Shawn Thomas Vivian Yusuf Zoe Phoebe "
+    "Judge_Young",
+    "who": "baker farmer teacher pilot judge child thief young_woman old_man sailor nurse chef boy_next_door "
+    "neighbour watchmaker mayor queen fisherman doctor jockey librarian postman butcher guide",
+    "did": "bought watched moved found washed polished measured chose carried pushed pulled borrowed fixed "
+    "painted weighed described photographed photocopied hid buried dropped lifted treasured ignored "
+    "covered emptied",
+    "does": "buy watch move find wash polish measure choose carry push pull borrow fix paint weigh describe bring "
+    "hide bury drop lift give_up forget enjoy use avoid",
+    "what": "book bowl garage_door wooden_boat thick_jumper map camera vase television beige_curtain "
+    "pair_of_gloves toothbrush bicycle mushroom_soup red_apple piano fishing_net puzzle jewel "
+    "paper_aeroplane box_of_matches measuring_cup bunch_of_flowers yoghurt old_coin umbrella "
+    "loaf_of_bread brown_envelope chess_set oil_lamp",
+    "how": "bright heavy smooth enormous cheap foolish usual precious thin mild awful yellow huge empty strong "
+    "peculiar vague loyal joyful ashen leather foreign busy quiet damp wealthy",
+    "where": "on_the_beach by_the_river in_the_village under_the_bridge near_the_church above_the_shop "
+    "at_the_airport behind_the_museum in_our_kitchen outside_the_house along_the_path beyond_the_woods "
+    "in_the_workshop beside_the_fire at_the_zoo upstairs",
+    "when": "this_morning yesterday on_Thursday last_July before_breakfast after_the_show in_the_evening at_noon "
+    "for_years every_February three_weeks_ago once_more on_his_birthday without_a_pause",
+    "why": "because_it_was_cheap although_nobody_asked while_the_others_laughed but_he_never_said_why "
+    "if_the_weather_holds and_the_children_cheered since_she_had_the_choice so_the_dog_barked "
+    "though_it_hurt before_the_bus_moved",
+}
+"""The words of each kind; an underline is a space."""
+FRAMES = (
+    "The {who} {did} the {how} {what} {where}.",
+    "{name} and the {who} {did} a {what} {when}.",
+    "Did {name} {does} that {how} {what}?",
+    "{when}, {name} {did} the {what} {where}.",
+    "Would you {does} my {what}, please?",
+    "The {how} {what} was {how}, {why}.",
+    "We {did} it {where}, {why}.",
+    "{name} told the {who} to {does} the {how} {what}.",
+    "Never {does} the {what} of a {how} {who}!",
+    "How {how} the {who} looked {when}!",
+)
+"""What sentences are like."""
+TRIED = 12
+"""Sentences that are thought of for each that is taken."""
+
+
+def sentences(seed: int) -> Iterator[str]:
+    """Return sentences without end, no two alike; of some that chance offers, that with the rarest words so far."""
+    chance = Random(seed)  # noqa: S311 - no secret
+    words = {kind: [word.replace("_", " ") for word in text.split()] for kind, text in WORDS.items()}
+    said: set[str] = set()
+    counts: Counter[str] = Counter()
+    while True:
+        offered = [_sentence(chance, words) for _ in range(TRIED)]
+        fresh = [sentence for sentence in offered if sentence not in said]
+        if fresh:
+            chosen = max(fresh, key=lambda sentence: _rarity(sentence, counts))
+            said.add(chosen)
+            counts.update(_words_in(chosen))
+            yield chosen
+
+
+def _sentence(chance: Random, words: dict[str, list[str]]) -> str:
+    frame = chance.choice(FRAMES)
+    filled = re.sub(r"\{(\w+)\}", lambda found: chance.choice(words[found[1]]), frame)
+    spelt = re.sub(r"\ba(?= [aeiou](?!ne|se|su))", "an", filled)
+    return spelt[0].upper() + spelt[1:]
+
+
+def _rarity(sentence: str, counts: Counter[str]) -> float:
+    words = _words_in(sentence)
+    return sum(1 / (1 + counts[word]) for word in words) / len(words)
+
+
+def _words_in(sentence: str) -> list[str]:
+    return re.findall(r"[a-z]+", sentence.lower())
+
 
 LEAD = 0.25
 """Seconds of silence before a sentence."""

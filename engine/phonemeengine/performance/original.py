@@ -8,7 +8,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import is_sound
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.performance.driver import FACE
 from phonemeengine.performance.halves import weights_at
 from phonemeengine.performance.recording import HEAD, Performance

@@ -7,11 +7,124 @@ from itertools import groupby
 
 import numpy as np
 
-from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
-from phonemeengine.performance.fit import crossed
-from phonemeengine.performance.monotone_cubic import MonotoneCubics
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
+from phonemeengine.performance.choice import Chosen, PlacedUnit
 from phonemeengine.performance.recording import SILENCE
 from phonemeengine.performance.sentence import Sentence
+
+# Monotone cubic interpolation of many curves at once.
+#
+# The slopes are those of F. Fritsch and J. Butland, A method for constructing local monotone piecewise cubic
+# interpolants (1984), without their weights: the harmonic mean of both neighbouring secants, 0 where these differ in
+# sign; at the ends, the secant. Beyond its ends a curve goes on straight.
+
+FAR = 1e4
+"""More than any curve is long."""
+
+
+class MonotoneCubics:
+    """Curves through points, evaluated together.
+
+    Parameters
+    ----------
+    xs : float64, shape (n,): of the points of all curves one after the other; of each, increasing.
+    ys : float64, shape (n,).
+    starts : shape (n_curves,): the number of each curve's first point; every curve has two points or more.
+    """
+
+    def __init__(self, xs: Float64Array, ys: Float64Array, starts: IndexArray) -> None:
+        ends = np.append(starts[1:], len(xs))
+        curves = np.repeat(np.arange(len(starts)), ends - starts)
+        self._first, self._last = starts, ends - 2  # the numbers of their first and last pieces
+        self._xs, self._ys, self._shifted = xs, ys, xs + FAR * curves
+        self._widths = np.diff(xs)
+        self._widths[starts[1:] - 1] = 1.0  # from one curve to the next: of no piece
+        secants = np.diff(ys) / self._widths
+        before, after = secants[:-1], secants[1:]
+        agree = before * after > 0
+        total = np.where(agree, before + after, 1.0)
+        self._slopes = np.empty(len(xs))
+        self._slopes[1:-1] = np.where(agree, 2 * before * after / total, 0.0)
+        self._slopes[starts], self._slopes[ends - 1] = secants[starts], secants[ends - 2]
+
+    def at(self, xs: Float64Array, curves: IndexArray) -> Float64Array:
+        """Return the values of some curves at some places, both of shape (n,)."""
+        found = np.searchsorted(self._shifted, xs + FAR * curves, "right") - 1
+        k = np.clip(found, self._first[curves], self._last[curves])
+        width, rise = self._widths[k], self._ys[k + 1] - self._ys[k]
+        share = (xs - self._xs[k]) / width
+        beyond = np.where(
+            share < 0, share * self._slopes[k], np.where(share > 1, (share - 1) * self._slopes[k + 1], 0.0)
+        )
+        s = np.clip(share, 0.0, 1.0)
+        bent = s * (1 - s) * ((1 - s) * (self._slopes[k] * width - rise) + s * (rise - self._slopes[k + 1] * width))
+        values: Float64Array = self._ys[k] + s * rise + bent + beyond * width
+        return values
+
+
+# Fitting examples to a sentence: each is stretched so that its phones fall onto the sentence's, then joined.
+
+
+def fitted(
+    placed: Sequence[PlacedUnit], chosen: Sequence[Chosen], bounds: Float64Array, times: Float64Array
+) -> Float32Array:  # fmt: skip
+    """Return the face of a sentence, float32, shape (n_times, n_channels).
+
+    The bounds of an example's halves are moved onto those of the unit by a monotone cubic. Around a join,
+    neighbours are cross-faded along half a cosine, over half of each half that meets there; beyond its own ends an
+    example runs on as fast as there.
+
+    Parameters
+    ----------
+    placed : the units, which cover all halves; in order.
+    chosen : the example of each.
+    bounds : of the sentence's halves, seconds, shape (n_halves + 1,).
+    times : seconds, increasing; before and after the sentence the examples run on.
+    """
+    fades = [_fade_at(unit.unit.first, bounds) for unit in placed[1:]]
+    spans = _spans_of(fades, times)
+    curves = np.repeat(np.arange(len(placed)), [last - first for first, last in spans])
+    shown = np.concatenate([times[first:last] for first, last in spans])
+    read = _curves_of(placed, chosen, bounds).at(shown, curves)
+    weights = np.zeros((len(times), chosen[0][0].weights.shape[1]), np.float32)
+    at = 0
+    for k, (first, last) in enumerate(spans):
+        share = np.ones(last - first, np.float32)
+        if k:
+            share *= crossed(times[first:last], *fades[k - 1])
+        if k < len(fades):
+            share *= 1 - crossed(times[first:last], *fades[k])
+        weights[first:last] += share[:, None] * chosen[k][0].at(read[at : at + last - first])
+        at += last - first
+    return weights
+
+
+def _fade_at(half: int, bounds: Float64Array) -> tuple[float, float]:
+    """Return from when to when, seconds, one unit goes over into the next at the join before a half."""
+    before, join, after = bounds[half - 1 : half + 2].tolist()
+    return (before + join) / 2, (join + after) / 2
+
+
+def crossed(times: Float64Array, start: float, end: float) -> Float32Array:
+    """Return half a cosine from 0 at one time to 1 at another one, float32, shape (n_times,)."""
+    progress = np.clip((times - start) / max(end - start, 1e-9), 0.0, 1.0)
+    return (0.5 - 0.5 * np.cos(np.pi * progress)).astype(np.float32)
+
+
+def _spans_of(fades: Sequence[tuple[float, float]], times: Float64Array) -> list[tuple[int, int]]:
+    """Return the numbers of the first time of each unit, and of the one after its last."""
+    firsts = np.searchsorted(times, [start for start, _ in fades])
+    lasts = np.searchsorted(times, [end for _, end in fades])
+    return [*zip([0, *firsts.tolist()], [*lasts.tolist(), len(times)], strict=True)]
+
+
+def _curves_of(placed: Sequence[PlacedUnit], chosen: Sequence[Chosen], bounds: Float64Array) -> MonotoneCubics:
+    """Return the curves from the times of the sentence to those of the recordings, one a unit."""
+    xs = [bounds[unit.unit.first : unit.unit.last + 1] for unit in placed]
+    ys = [halves.bounds[example.first : example.last + 1] for halves, example in chosen]
+    starts: IndexArray = np.cumsum([0, *map(len, xs[:-1])])
+    return MonotoneCubics(np.concatenate(xs), np.concatenate(ys), starts)
+
 
 SYLLABLE_CUTOFF, WORD_CUTOFF = 0.5, 0.7
 """Cut-off frequencies within syllables and words, beside the number of phones a second."""

@@ -9,7 +9,7 @@ import numpy as np
 from phonemeengine.analyser import Analyser
 from phonemeengine.arrays import Float32Array
 from phonemeengine.labels.utterance import Utterance, Word, shifted
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.transcript import Prosody
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.head_driver import HeadDriver

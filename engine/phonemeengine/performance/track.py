@@ -15,18 +15,17 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
-from phonemeengine.performance.fit import crossed
 from phonemeengine.performance.halves import weights_at
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import CHANNELS
 from phonemeengine.performance.recording import HEAD
 from phonemeengine.performance.sentence import Sentence, joined, performed_phones, sentences_in
-from phonemeengine.performance.smoothing import TO_REST
+from phonemeengine.performance.smoothing import TO_REST, crossed
 from phonemeengine.performance.table_file import PerformanceTable
 
 RATE = 60.0

@@ -1,21 +1,86 @@
 """Preset files: TOML, and the old PhonemeData text."""
 
 import os
+import re
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import fields, replace
 from importlib import resources
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
+
+from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.encoder.head import load_head, save_head
 from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
 from phonemeengine.files import read_text_file, write_file
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
-from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import load_model, save_model
+from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 from phonemeengine.recognition.spec import spec_of
+
+# PhonemeData files: 21 numbers as text, the thesis's own format.
+
+_NUMBERS = tuple(name for line in LAYOUT for name in line)
+_SPELLING = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?|[-+]?(nan|inf|infinity)", re.IGNORECASE)
+
+
+def parse_phoneme_data(text: str) -> PhonemeData:
+    """Read the 21 numbers from the text of a PhonemeData file.
+
+    Commas, semicolons, spaces and line breaks may stand between them in any mix; a byte order mark is passed over.
+
+    Raises
+    ------
+    PresetError : a wrong count, a word, NaN or infinity; names the line, the field and what was found.
+    """
+    found = [
+        (number, word)
+        for number, line in enumerate(text.removeprefix("\ufeff").splitlines(), 1)
+        for word in re.split(r"[,;\s]+", line)
+        if word
+    ]
+    values = {name: _number(word, line, name) for name, (line, word) in zip(_NUMBERS, found, strict=False)}
+    if len(found) < len(_NUMBERS):
+        raise PresetError(
+            f"a PhonemeData file holds {len(_NUMBERS)} numbers, found {len(found)}; "
+            f"the first one missing after line {found[-1][0] if found else 1} is {_NUMBERS[len(found)]}"
+        )
+    if len(found) > len(_NUMBERS):
+        line, word = found[len(_NUMBERS)]
+        raise PresetError(
+            f"a PhonemeData file holds {len(_NUMBERS)} numbers and ends with {_NUMBERS[-1]}, "
+            f"found {len(found)}; line {line} goes on with {_shown(word)}"
+        )
+    return PhonemeData(**values)
+
+
+def format_phoneme_data(data: PhonemeData) -> str:
+    """Write the 21 numbers as six lines, each with the fewest digits that keep its float32 value."""
+    return "".join(",".join(_shortest(getattr(data, name)) for name in line) + "\n" for line in LAYOUT)
+
+
+def _number(word: str, line: int, name: str) -> float:
+    if not _SPELLING.fullmatch(word):
+        raise PresetError(f"line {line}: {name} must be a number, found {_shown(word)}")
+    value = float(word)
+    if not abs(value) <= LARGEST_FLOAT32:
+        raise PresetError(f"line {line}: {name} must be a finite number, found {_shown(word)}")
+    return value
+
+
+def _shown(word: str) -> str:
+    return repr(word if len(word) <= 20 else word[:20] + "...")
+
+
+def _shortest(value: float) -> str:
+    return np.format_float_positional(np.float32(value), trim="-")
+
+
+assert {field.name for field in fields(PhonemeData)} == set(_NUMBERS)
+
 
 _SHIPPED = Path(str(resources.files("phonemeengine.presets"))) / "factory"
 FACTORY = _SHIPPED if _SHIPPED.is_dir() else Path(__file__).resolve().parents[3] / "presets"

@@ -8,9 +8,8 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.features.measure import Features
 from phonemeengine.recognition.learned import LearnedRecogniser
-from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.scores import SCORES, Sensitivity, deficits_of_scores, trace_of_scores
-from phonemeengine.recognition.trace import Trace
 from phonemeengine.settings import HOP, WINDOW
 from phonemeengine.visemes import Viseme
 

@@ -69,7 +69,7 @@ class Model(ShortRepr):
     layers : the network.
     heads : one for each look-ahead, 0, 1, ... frames.
     warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; what is heard with
-        each is mixed, see `phonemeengine.recognition.vtln`.
+        each is mixed, see `phonemeengine.recognition.learned`.
     anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
         shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.

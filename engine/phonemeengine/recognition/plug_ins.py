@@ -23,8 +23,7 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.trace import RuleComparison, Trace
+from phonemeengine.recognition.recognition import Recognition, RuleComparison, Trace
 
 GROUP = "phonemeanalyser.recognisers"
 """The group of entry points in which packages offer recognisers."""

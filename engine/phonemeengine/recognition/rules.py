@@ -12,8 +12,7 @@ from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.trace import RuleComparison, Trace
+from phonemeengine.recognition.recognition import Recognition, RuleComparison, Trace
 
 
 @dataclass(frozen=True)

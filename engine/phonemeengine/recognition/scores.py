@@ -14,7 +14,7 @@ from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import RuleComparison, Trace
+from phonemeengine.recognition.recognition import RuleComparison, Trace
 
 __all__ = ["SCORES", "Sensitivity", "check_sensitivities", "deficits_of_scores", "scores_in", "trace_of_scores"]
 

@@ -20,11 +20,10 @@ from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.plug_ins import PlugIn, call_foreign, package_of, plug_ins
-from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.rules import RULES, Rule, RuleRecogniser, ThesisRules
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES
 from phonemeengine.recognition.templates import TemplateRecogniser, Templates
-from phonemeengine.recognition.trace import Trace
 
 
 @dataclass(frozen=True)

@@ -7,12 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import LARGEST_FLOAT32, Float32Array, ShortRepr
-from phonemeengine.dsp.cepstra import N_CEPSTRA, cepstra_of
-from phonemeengine.dsp.log_mel import log_mels
+from phonemeengine.dsp.log_mel import N_CEPSTRA, cepstra_of, log_mels
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
     SCORES,
@@ -20,7 +19,6 @@ from phonemeengine.recognition.scores import (
     deficits_of_scores,
     trace_of_scores,
 )
-from phonemeengine.recognition.trace import Trace
 
 UNTEMPLATED = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
 """What has no template."""

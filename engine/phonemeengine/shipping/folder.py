@@ -8,9 +8,7 @@ from phonemeengine.errors import ExportError, remedy
 from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
-from phonemeengine.shipping.binary import is_ear_file, join_sections
-from phonemeengine.shipping.mouth_section import mouth_section
-from phonemeengine.shipping.recogniser_sections import recogniser_sections
+from phonemeengine.shipping.sections import is_ear_file, join_sections, mouth_section, recogniser_sections
 from phonemeengine.shipping.targets import TARGETS
 
 USUAL_TABLES = ("arkit", "rhubarb")

@@ -19,8 +19,7 @@ from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import USUAL_RATE
 from phonemeengine.speech.synthesis import SpokenTokens, Token, speak_tokens
 from phonemeengine.text import mandarin
-from phonemeengine.text.clauses import clauses_of, sentences_of, tokens_of
-from phonemeengine.text.cleaning import speakable
+from phonemeengine.text.cleaning import clauses_of, sentences_of, speakable, tokens_of
 from phonemeengine.text.espeak import VOICE_RATE, Language, check_voice, language_of
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import MARKS, check_script

@@ -9,8 +9,7 @@ from dataclasses import dataclass, replace
 from phonemeengine.errors import TextError, VoiceError
 from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.text import espeak, mandarin
-from phonemeengine.text.clauses import clauses_of, tokens_of
-from phonemeengine.text.cleaning import speakable
+from phonemeengine.text.cleaning import clauses_of, speakable, tokens_of
 from phonemeengine.text.espeak import Language, language_of, phone_names, symbols_of
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.syllables import SpokenSyllable, syllables_of

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import RuleComparison, Trace
+from phonemeengine.recognition.recognition import RuleComparison, Trace
 
 ROW = 15
 """Height of a line of the trace in pixels."""

@@ -19,10 +19,9 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import LANGUAGES, Sentence, sentences_in
-from phonemeengine.calibration.takes.onset import onset_in, quiet_at_end
 from phonemeengine.calibration.takes.quality import check_take
 from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
-from phonemeengine.calibration.takes.spoken import keep_sentence
+from phonemeengine.calibration.takes.spoken import keep_sentence, onset_in, quiet_at_end
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.phonemes import Phoneme

@@ -11,8 +11,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room
-from phonemeengine.calibration.takes.room_takes import speech_in
+from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room, speech_in
 from phonemeengine.errors import EngineError
 from phonemeengine.live.capture import to_mono_44k
 from phonemeengine.presets.preset import Preset

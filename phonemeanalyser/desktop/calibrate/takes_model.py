@@ -14,9 +14,8 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.takes.project import TakeProject
+from phonemeengine.calibration.takes.project import TakeProject, read_mono, room_level, take_report, take_reports
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
-from phonemeengine.calibration.takes.reports import read_mono, room_level, take_report, take_reports
 from phonemeengine.calibration.takes.take import TAKES, Take
 from phonemeengine.errors import TakeError
 from phonemeengine.live.capture import to_mono_44k

@@ -149,7 +149,7 @@ def _clips() -> ModuleType:
 
 
 def _make_clip(source: Path, target: Path, order: ExportOrder, progress: Progress) -> None:
-    from phonemeanalyser.rendering.subdivision import subdivided  # noqa: PLC0415 - as below
+    from phonemeanalyser.rendering.surface import subdivided  # noqa: PLC0415 - as below
 
     guard = Guard(overwrite=order.overwrite)
     clips = _clips()

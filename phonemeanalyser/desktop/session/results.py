@@ -12,7 +12,7 @@ from phonemeengine.analyser import Analysis, analyse_range
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.trace import Trace
+from phonemeengine.recognition.recognition import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
 AGAIN = 1000

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
-from phonemeengine.performance.expression_file import read_expression
+from phonemeengine.performance.livelink import read_expression
 
 USUAL_PRIORITY = 0.5
 """Each has all that it asks for."""

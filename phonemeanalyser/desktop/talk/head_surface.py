@@ -15,7 +15,7 @@ from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 GL_RENDERER = 0x1F01

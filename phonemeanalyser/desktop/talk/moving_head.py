@@ -5,7 +5,7 @@ import numpy as np
 from phonemeanalyser.desktop.talk.face_model import FaceModel
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.gaze import Gaze, gaze_weights
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
 

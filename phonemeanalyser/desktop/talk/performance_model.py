@@ -15,7 +15,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import PerformanceError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit

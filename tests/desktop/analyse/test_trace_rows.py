@@ -2,7 +2,7 @@
 
 from phonemeanalyser.desktop.analyse.phoneme_view import N_ROWS, rows_of
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.trace import RuleComparison, Trace
+from phonemeengine.recognition.recognition import RuleComparison, Trace
 
 
 def compared(rule: str, margin: float, limit: float = 1.0, variable: str = "energy") -> RuleComparison:

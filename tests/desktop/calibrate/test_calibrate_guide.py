@@ -11,10 +11,10 @@ from PySide6.QtCore import Qt
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS, Phase
 from phonemeengine.calibration.calibrate import calibrate
-from phonemeengine.calibration.guard import loss_of
+from phonemeengine.calibration.held_back import loss_of
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES
-from phonemeengine.calibration.takes.onset import onset_in
+from phonemeengine.calibration.takes.spoken import onset_in
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeengine.settings import SAMPLE_RATE

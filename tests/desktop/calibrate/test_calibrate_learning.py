@@ -12,7 +12,7 @@ from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.templates import adapt_to_takes
-from phonemeengine.calibration.guard import MOST_LOSS, loss_of
+from phonemeengine.calibration.held_back import MOST_LOSS, loss_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of

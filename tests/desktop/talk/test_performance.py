@@ -11,10 +11,9 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.mouth.scripted_transcript import scripted_transcript_of
-from phonemeengine.mouth.transcript import Transcript
-from phonemeengine.performance.building import build_table
+from phonemeengine.mouth.transcript import Transcript, scripted_transcript_of
 from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.corpus import build_table
 from phonemeengine.performance.driver import FACE
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.track import PerformanceTrack, face_table, format_units

@@ -31,7 +31,7 @@ from phonemeengine.mouth.gaze import EYES
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.movestate_set import Mode
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET

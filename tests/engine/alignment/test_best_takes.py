@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from phonemeengine.alignment.best_takes import best_marked, scored_take
+from phonemeengine.alignment.align import best_marked, scored_take
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 

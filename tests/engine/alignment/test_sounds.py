@@ -6,8 +6,16 @@ import numpy as np
 import pytest
 
 from phonemeengine.alignment.evidence import SHARES, Evidence, shortfalls_of, spoken_in
-from phonemeengine.alignment.manners import MANNERS, Manner, levels_of, log_likelihoods, measured_of
-from phonemeengine.alignment.sounds import KINDS, kind_of, least_frames_of
+from phonemeengine.alignment.manners import (
+    KINDS,
+    MANNERS,
+    Manner,
+    kind_of,
+    least_frames_of,
+    levels_of,
+    log_likelihoods,
+    measured_of,
+)
 from phonemeengine.labels.phone_sets import IPA, ipa_phoneme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, WINDOW

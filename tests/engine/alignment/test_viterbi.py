@@ -5,17 +5,18 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from phonemeengine.alignment.lattice import Lattice, lattice_of
 from phonemeengine.alignment.viterbi import (
     SILENT,
     SKIPPED,
     SOUND,
     STRANGE,
+    Lattice,
     LeastFrames,
     Prices,
     Way,
     WayStep,
     cheapest_way,
+    lattice_of,
 )
 
 QUIET, A, B, C = range(4)

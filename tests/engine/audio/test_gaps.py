@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeengine.audio.chapters import ROOM
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.gaps import MOST_MARKED, Gap, gaps_in_words
 from phonemeengine.audio.journal import interrupted_recordings
+from phonemeengine.audio.libsndfile import ROOM
 from phonemeengine.audio.recording import MOST_WAITING
 from phonemeengine.audio.wav import HEADER, WavEncoder
 from phonemeengine.live import listener as live
@@ -210,7 +210,7 @@ def test_silence_longer_than_may_wait_for_the_disk_takes_the_place_of_a_gap(suff
 
 
 def test_the_takes_of_a_calibration_have_no_room_for_marks(tmp_path: Path) -> None:
-    from phonemeengine.audio.flac import write_flac
+    from phonemeengine.audio.recording_file import write_flac
 
     write_flac(tmp_path / "take.flac", samples_of_16_bits(0, 441)[:, 0], SAMPLE_RATE)
     assert (tmp_path / "take.flac").stat().st_size < ROOM

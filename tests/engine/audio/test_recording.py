@@ -14,8 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.pcm import to_integers
-from phonemeengine.audio.wav import HEADER, WavEncoder
+from phonemeengine.audio.wav import HEADER, WavEncoder, to_integers
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.recorders import begun, digest, samples_in, samples_of_16_bits
 

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.audio.ring import Ring
+from phonemeengine.audio.output import Ring
 
 CAPACITY = 16
 

@@ -9,9 +9,8 @@ import soundfile
 from phonemeengine.calibration.alignment import aligned, read_sentence
 from phonemeengine.calibration.scores.corpus import frame_labels_of, read_recordings
 from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES, Sentence, sentences_in
-from phonemeengine.calibration.takes.onset import quiet_at_end
 from phonemeengine.calibration.takes.project import TakeProject
-from phonemeengine.calibration.takes.spoken import keep_sentence
+from phonemeengine.calibration.takes.spoken import keep_sentence, quiet_at_end
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, TakeError
 from phonemeengine.labels.label import Label

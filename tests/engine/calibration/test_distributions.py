@@ -5,14 +5,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.calibration.workbench.distributions import N_BINS, distribution_of, ranked_variables
-from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.calibration.workbench.separability import (
+from phonemeengine.calibration.workbench.distributions import (
+    N_BINS,
     best_threshold,
+    distribution_of,
     mean_separability,
+    ranked_variables,
     separabilities,
     separability,
 )
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme

@@ -5,8 +5,7 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.fits.cross_validation import cross_validate, groups_of
-from phonemeengine.calibration.fits.fitting import fit_preset
+from phonemeengine.calibration.fits.fitting import cross_validate, fit_preset, groups_of
 from phonemeengine.calibration.fits.limit_search import LimitSearch
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.scores.gain import gains_beyond_chance
+from phonemeengine.calibration.held_back import gains_beyond_chance
 from phonemeengine.phonemes import Phoneme
 
 CODES = {"_": Phoneme.SILENCE, "a": Phoneme.A, "e": Phoneme.E, "i": Phoneme.I, "o": Phoneme.O, "u": Phoneme.U,

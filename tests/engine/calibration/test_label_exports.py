@@ -11,9 +11,9 @@ import pytest
 from parselmouth.praat import call
 
 from phonemeengine.calibration.scores.corpus import read_recordings
-from phonemeengine.calibration.takes.label_exports import COPY_SUFFIXES
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import check_take
+from phonemeengine.calibration.takes.storage import COPY_SUFFIXES
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label

@@ -6,12 +6,16 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeengine.calibration.fits.spectrum_sample import MOST_FRAMES, sampled_spectra
-from phonemeengine.calibration.fits.suggestions import MOST_SUGGESTIONS, suggested_variables, suggestions_from
+from phonemeengine.calibration.fits.suggestions import (
+    MOST_FRAMES,
+    MOST_SUGGESTIONS,
+    sampled_spectra,
+    suggested_variables,
+    suggestions_from,
+)
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.workbench.distributions import distribution_of
+from phonemeengine.calibration.workbench.distributions import distribution_of, separability
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.calibration.workbench.separability import separability
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.variables import Spectrum, Variable, check_user_variables
 from phonemeengine.labels.label import Label

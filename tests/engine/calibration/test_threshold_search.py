@@ -7,7 +7,7 @@ import pytest
 
 from phonemeengine.calibration.fits.threshold_search import LEAST_FOUND, Fit, ThresholdSearch
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
-from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
+from phonemeengine.calibration.workbench.batch_smoother import counted_table, last_identified, successors_of
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds

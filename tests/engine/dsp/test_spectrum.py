@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 import scipy.signal.windows
 
-from phonemeengine.dsp.spectrum import SpectrumAnalyser, decimate
-from phonemeengine.dsp.windows import window_of
+from phonemeengine.dsp.spectrum import SpectrumAnalyser, decimate, window_of
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, tone
 

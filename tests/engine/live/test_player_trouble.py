@@ -11,7 +11,7 @@ import pytest
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, DeviceError
-from phonemeengine.live import playback_queue as waiting
+from phonemeengine.live import player as live_player
 from phonemeengine.live.player import Player
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from tests.bad_files import BAD_FILES
@@ -157,7 +157,7 @@ def test_a_player_that_waits_says_why_there_is_no_card(path: Path) -> None:
 
 
 def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(waiting, "MOST_WAITING", 5)
+    monkeypatch.setattr(live_player, "MOST_WAITING", 5)
     rig.output.ahead = 10 * len(SPEECH)
     rig.player.play()
     rig.settle()

@@ -15,7 +15,7 @@ from phonemeengine.errors import ExportError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_face
-from phonemeengine.mouth.files.glb import chunks_of
+from phonemeengine.mouth.files.gltf_document import chunks_of
 from phonemeengine.mouth.performer import IdleMotion
 from tests.engine.mouth.speaking import DURATION, speech
 from tests.glb_faces import face_with_targets, glb_of

@@ -5,7 +5,7 @@ import pytest
 
 from phonemeengine import load_head
 from phonemeengine.mouth.gaze import EYES, FARTHEST, HIGH, SIDEWAYS, WIDE, Gaze, GazeDirection, gaze_weights
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 
 TIMES = np.arange(0, 120, 0.01)
 

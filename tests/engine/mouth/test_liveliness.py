@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.mouth.blinks import CLOSING, OPENING, Blinker
-from phonemeengine.mouth.head_motion import FOLLOWING, NOD, PER_SEMITONE, HeadMotion
+from phonemeengine.mouth.idle_motion import CLOSING, FOLLOWING, NOD, OPENING, PER_SEMITONE, Blinker, HeadMotion
 
 
 def closures(rate: float, seconds: float, seed: int = 0) -> np.ndarray:

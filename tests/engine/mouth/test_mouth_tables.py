@@ -13,8 +13,15 @@ from hypothesis import strategies as st
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, VRM
 from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
-from phonemeengine.mouth.table import SPEAKING, TABLES, MouthTable, load_table, shipped_tables, table_of
-from phonemeengine.mouth.table_writing import table_to_toml
+from phonemeengine.mouth.table import (
+    SPEAKING,
+    TABLES,
+    MouthTable,
+    load_table,
+    shipped_tables,
+    table_of,
+    table_to_toml,
+)
 from phonemeengine.phonemes import MOUTH_SHAPES, Phoneme
 
 GOOD = (TABLES / "vrm.toml").read_text(encoding="utf-8")

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.coarticulation import OPENED
-from phonemeengine.mouth.head_motion import HeadPose
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.percentages import Mode
+from phonemeengine.mouth.movestate_set import Mode
 from phonemeengine.mouth.performer import CLOSE_AFTER, MOUTH_ALONE, FaceState, IdleMotion, Performer, TimedFrame
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import Transcript

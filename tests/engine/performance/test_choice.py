@@ -7,10 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine.performance.choice import ExampleChoice, chosen_examples
+from phonemeengine.performance.choice import ExampleChoice, PlacedUnit, chosen_examples
 from phonemeengine.performance.halves import TRAITS, Recordings, traits_of
 from phonemeengine.performance.recording import Performance
-from phonemeengine.performance.search import PlacedUnit
 from phonemeengine.performance.sentence import Sentence
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind, units_of

@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.performance.choice import Chosen
-from phonemeengine.performance.fit import crossed, fitted
+from phonemeengine.performance.choice import Chosen, PlacedUnit
 from phonemeengine.performance.halves import RecordedHalves, bounds_of, traits_of
-from phonemeengine.performance.search import PlacedUnit
+from phonemeengine.performance.smoothing import crossed, fitted
 from phonemeengine.performance.table_file import Example
 from phonemeengine.performance.units import Unit, UnitKind
 from tests.engine.performance.sentences import phones_in

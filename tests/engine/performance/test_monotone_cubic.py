@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.performance.monotone_cubic import MonotoneCubics
+from phonemeengine.performance.smoothing import MonotoneCubics
 
 ZERO = np.zeros(1, np.intp)
 

@@ -9,7 +9,7 @@ import pytest
 from phonemeengine.errors import PerformanceError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
-from phonemeengine.performance.building import build_table
+from phonemeengine.performance.corpus import build_table
 from phonemeengine.performance.original import RecordedFace, original_sound
 from phonemeengine.performance.recording import HEAD
 from phonemeengine.performance.table_file import PerformanceTable, write_table

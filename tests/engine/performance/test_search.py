@@ -2,8 +2,8 @@
 
 import pytest
 
+from phonemeengine.performance.choice import Inventory, likest, notes_on, placed_units
 from phonemeengine.performance.recording import SILENCE, Performance, PerformedPhone
-from phonemeengine.performance.search import Inventory, likest, notes_on, placed_units
 from phonemeengine.performance.units import UnitKind, units_of
 from tests.engine.performance.sentences import performance_of, phones_in
 

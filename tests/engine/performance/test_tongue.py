@@ -4,9 +4,9 @@ import pytest
 from phonemeengine.arrays import Float32Array
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS
 from phonemeengine.mouth.blendshape_names import TONGUE
+from phonemeengine.performance.driver import USUAL_TONGUE, tongue_weights
 from phonemeengine.performance.poses import load_poses
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
-from phonemeengine.performance.tongue import USUAL_TONGUE, tongue_weights
 
 POSES = load_poses(USUAL_TONGUE)
 FRAME = 1 / 60

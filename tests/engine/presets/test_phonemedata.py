@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import PresetError
-from phonemeengine.presets.phonemedata import format_phoneme_data, parse_phoneme_data
+from phonemeengine.presets.files import format_phoneme_data, parse_phoneme_data
 from phonemeengine.recognition.phoneme_data import PhonemeData
 
 NAMES = (

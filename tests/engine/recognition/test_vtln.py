@@ -11,8 +11,8 @@ from phonemeengine.dsp.log_mel import N_BANDS, log_mels, mel_powers, warped_mel_
 from phonemeengine.errors import ModelError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.learned import VtlnMixer, mixed
 from phonemeengine.recognition.model import load_model, save_model
-from phonemeengine.recognition.vtln import VtlnMixer, mixed
 from phonemeengine.settings import WINDOW, AnalysisSettings
 from tests.models import tone_model
 from tests.sounds import noise, tone

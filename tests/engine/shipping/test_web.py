@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table, ship
-from phonemeengine.shipping import npm, zig
+from phonemeengine.shipping import targets
 from phonemeengine.visemes import VISEME_PHONES, Viseme
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, says_several, speech
 from tests.sounds import silence, tone
@@ -117,7 +117,7 @@ def test_a_module_with_its_model_is_small_and_makes_a_package(folder: Path) -> N
 
 def test_a_compiler_that_is_not_there_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    monkeypatch.setattr(zig, "find_spec", lambda name: None)
+    monkeypatch.setattr(targets, "find_spec", lambda name: None)
     with pytest.raises(ExportError, match=r"compiled by zig, which is not installed; install zig, or pip install"):
         ship(load_preset("thesis"), tmp_path / "new", "web-module")
     assert not (tmp_path / "new").exists()
@@ -137,13 +137,13 @@ def test_a_compiler_that_fails_is_a_sentence(tmp_path: Path, monkeypatch: pytest
 def test_a_page_without_npm_or_network_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(ExportError, match=r"there is no npm; install Node.js, or ship the target web-module"):
-        npm.three_files()
+        targets.three_files()
     script(tmp_path / "npm", "exit 1")
     with pytest.raises(ExportError, match=r"npm cannot fetch three@\S+; connect to the network, or ship"):
-        npm.three_files()
+        targets.three_files()
     script(tmp_path / "npm", 'printf x > "$5/three.tgz"')
     with pytest.raises(ExportError, match="npm fetched another three@"):
-        npm.three_files()
+        targets.three_files()
 
 
 def script(path: Path, line: str) -> None:

@@ -1,7 +1,7 @@
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.text.clauses import LONGEST, clauses_of, sentences_of
+from phonemeengine.text.cleaning import LONGEST, clauses_of, sentences_of
 
 
 def test_a_sentence_ends_at_its_mark_and_at_the_end_of_a_line() -> None:

@@ -3,9 +3,15 @@ import pytest
 from pypinyin.contrib.tone_convert import to_tone3
 
 from phonemeengine.labels.phone_sets import ipa_class
-from phonemeengine.text.chinese_numbers import read_number
 from phonemeengine.text.espeak import Event, EventKind, language_of, synthesise
-from phonemeengine.text.mandarin import PinyinWord, read_characters, read_pinyin, spelt_for_voice, syllable_of
+from phonemeengine.text.mandarin import (
+    PinyinWord,
+    read_characters,
+    read_number,
+    read_pinyin,
+    spelt_for_voice,
+    syllable_of,
+)
 from phonemeengine.text.pronunciation import words_of
 
 FIRST, LAST = 0x4E00, 0x9FFF

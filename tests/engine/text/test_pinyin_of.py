@@ -5,9 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine import Voice, pinyin_track, words_of
-from phonemeengine.text.chinese_numbers import numbers_spelt
-from phonemeengine.text.mandarin import pinyin_of
-from phonemeengine.text.simplified import simplified
+from phonemeengine.text.mandarin import numbers_spelt, pinyin_of, simplified
 
 
 @pytest.mark.parametrize(

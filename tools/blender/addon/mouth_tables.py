@@ -6,8 +6,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from phonemeengine.errors import MouthError
-from phonemeengine.mouth.table import MouthTable, table_of
-from phonemeengine.mouth.table_writing import table_to_toml
+from phonemeengine.mouth.table import MouthTable, table_of, table_to_toml
 
 Movement = tuple[str, float]
 """A shape key, and the percentage of it."""

@@ -18,8 +18,8 @@ from phonemeengine.calibration.scores.scoring import (
     confusion_of,
     macro_f1_of,
 )
+from phonemeengine.calibration.workbench.batch_smoother import last_identified
 from phonemeengine.calibration.workbench.rule_cache import RuleCache
-from phonemeengine.calibration.workbench.successors import last_identified
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress, no_progress, report_progress

@@ -14,9 +14,8 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
-from phonemeengine.dsp.cepstra import cepstra_of
 from phonemeengine.dsp.framing import Framer
-from phonemeengine.dsp.log_mel import log_mels
+from phonemeengine.dsp.log_mel import cepstra_of, log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme

@@ -24,7 +24,7 @@ from phonemeengine.arrays import (
     UInt32Array,
 )
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
-from phonemeengine.calibration.workbench.successors import counted_table, last_identified, successors_of
+from phonemeengine.calibration.workbench.batch_smoother import counted_table, last_identified, successors_of
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.progress import Progress, no_progress, report_progress, subrange

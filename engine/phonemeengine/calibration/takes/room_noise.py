@@ -4,24 +4,84 @@ The denoise threshold is set for every recogniser. Silence is told by the thresh
 with rules of its own gets one before them; recognisers by templates or scores get what `room_silence` finds.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from phonemeengine.analyser import BLOCK, Analyser
-from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.takes.room_silence import sensitivity_for, silence_level_for
+from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.dsp.framing import Framer
+from phonemeengine.dsp.log_mel import log_mels
 from phonemeengine.errors import TakeError
 from phonemeengine.features.front_end import FrontEnd, concatenate
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule
+from phonemeengine.recognition.scores import MOST_LOG_ODDS, scores_in
 from phonemeengine.recognition.spec import Tuning, spec_of
+from phonemeengine.recognition.templates import levels_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW, Filter
+
+# What makes a room silence for recognisers by scores: a sensitivity of the learned one, a level of templates.
+#
+# Both only rise: a room that is silence already changes nothing. Where there is speech, they rise no further than it
+# bears.
+
+SILENT_SHARE = 0.99
+"""Share of the room's frames that shall be silence, and of the speech's that shall not."""
+MARGIN_LOG_ODDS = 1.1
+"""By how much silence is likelier in the room than anything else: three to one, in nats."""
+MARGIN_LEVEL = 3.0
+"""By how much the level of silence lies above the room, and below speech, dB."""
+HIGHEST_LEVEL = -10.0
+"""No room is so loud that what reaches this level is silence, dB."""
+LEAST_LIKELY = 1e-7
+
+
+def sensitivity_for(room: Float32Array, preset: Preset, speech: Float32Array | None = None) -> float:
+    """Return the sensitivity for silence, nats, with which the learned recogniser takes a room for silence.
+
+    Parameters
+    ----------
+    room : float32, shape (n,), 44.1 kHz.
+    preset : of the learned recogniser; the sensitivity that it has is the least.
+    speech : without pauses, in the same form.
+    """
+    now = preset.sensitivities.get(Phoneme.SILENCE, 0.0)
+    found = MARGIN_LOG_ODDS - float(np.quantile(_log_odds_of(room, preset), 1 - SILENT_SHARE))
+    if speech is not None and len(speech):
+        found = min(found, -float(np.quantile(_log_odds_of(speech, preset), SILENT_SHARE)))
+    return round(min(max(now, found), MOST_LOG_ODDS), 2)
+
+
+def silence_level_for(room: Float32Array, now: float, speech: Float32Array | None = None) -> float:
+    """Return the level below which templates take a frame for silence, dB; at least what it is `now`."""
+    found = float(np.quantile(_levels_in(room), SILENT_SHARE)) + MARGIN_LEVEL
+    if speech is not None and len(speech):
+        found = min(found, float(np.quantile(_levels_in(speech), 1 - SILENT_SHARE)) - MARGIN_LEVEL)
+    return round(min(max(now, found), HIGHEST_LEVEL), 1)
+
+
+def _log_odds_of(sound: Float32Array, preset: Preset) -> Float64Array:
+    """Return how much likelier silence is than the likeliest other phoneme, nats, without its own sensitivity."""
+    others = {**preset.sensitivities, Phoneme.SILENCE: 0.0}
+    analyser = Analyser(replace(preset, sensitivities=others), phonemes_only=True)
+    parts = [scores_in(a.features) for a in (analyser.push(sound), analyser.finish())]
+    scores = np.log(np.maximum(np.concatenate([p for p in parts if p is not None]), LEAST_LIKELY), dtype=np.float64)
+    silence = scores[:, Phoneme.SILENCE].copy()
+    scores[:, Phoneme.SILENCE] = -np.inf
+    return np.asarray(silence - scores.max(axis=1))
+
+
+def _levels_in(sound: Float32Array) -> Float32Array:
+    return levels_of(log_mels(Framer().cut_frames(sound)))
+
 
 LEAST_SECONDS = 1.0
 """A measurement needs this much silence, seconds."""
@@ -254,3 +314,51 @@ def _notes(samples: Float32Array) -> list[str]:
     if above > DISTURBED:
         return [f"Something was heard that lies {above:.0f} dB above the room; keep quiet and measure it again."]
     return []
+
+
+# What takes say of the room they were recorded in, and of the speech in it.
+
+BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
+"""What is no speech to measure by: puffs are mostly the room."""
+
+
+def room_in(takes: Sequence[LabelledUtterance]) -> Float32Array | None:
+    """Return the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    for take in reversed(takes):
+        phonemes = {label.phoneme for label in take.labels if label.certainty == CORE}
+        if phonemes == {Phoneme.SILENCE}:
+            room = _joined(_stretches(take))
+            if len(room) >= LEAST_SECONDS * SAMPLE_RATE:
+                return room
+    return None
+
+
+def speech_in(takes: Sequence[LabelledUtterance]) -> Float32Array | None:
+    """Return what is surely said in takes, without pauses and p, one after the other; None where nothing is.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    """
+    found = _joined(part for take in takes for part in _stretches(take, without=BRIEF | {Phoneme.SILENCE}))
+    return found if len(found) else None
+
+
+def _stretches(take: LabelledUtterance, without: frozenset[Phoneme] = BRIEF) -> Iterator[Float32Array]:
+    """Return the sound of each label that is certain."""
+    wanted = [label for label in take.labels if label.certainty == CORE and label.phoneme not in without]
+    if not wanted:
+        return
+    with SoundReader(take.path, as_it_is=True) as reader:
+        sound = reader.read_mono()
+    for label in wanted:
+        yield sound[round(label.start * SAMPLE_RATE) : round(label.end * SAMPLE_RATE)]
+
+
+def _joined(parts: Iterable[Float32Array]) -> Float32Array:
+    return np.concatenate([np.zeros(0, np.float32), *parts])

@@ -21,15 +21,15 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
-from phonemeengine.calibration.workbench.measuring import (
+from phonemeengine.calibration.workbench.retuner import (
     Measurement,
+    Retuner,
     front_end_key,
     measure,
     names_of,
     recogniser_key,
     rules_in,
 )
-from phonemeengine.calibration.workbench.retuner import Retuner
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import DEFICITS

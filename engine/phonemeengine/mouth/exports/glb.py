@@ -7,8 +7,17 @@ from urllib.parse import unquote
 
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.files import printable_name, read_file
-from phonemeengine.mouth.files.glb import MAGIC, Table, chunks_of, document_of, glb_of
-from phonemeengine.mouth.files.gltf_document import Beside, Document, tables_of, whole_of
+from phonemeengine.mouth.files.gltf_document import (
+    MAGIC,
+    Beside,
+    Document,
+    Table,
+    chunks_of,
+    document_of,
+    glb_of,
+    tables_of,
+    whole_of,
+)
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, files_beside, load_morph_mesh
 from phonemeengine.mouth.head import HEAD, load_head

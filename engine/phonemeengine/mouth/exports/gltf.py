@@ -16,7 +16,7 @@ from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
-from phonemeengine.mouth.files.glb import chunks_of, document_of
+from phonemeengine.mouth.files.gltf_document import chunks_of, document_of
 from phonemeengine.mouth.files.gltf_writing import GENERATOR
 from phonemeengine.mouth.head import HEAD
 

@@ -5,12 +5,88 @@ A small reader of our own: Python's libraries for glTF either know no morph targ
 
 import base64
 import binascii
+import json
 import math
-from collections.abc import Callable
+import struct
+from collections.abc import Callable, Iterable
+from typing import Any, Final
 from urllib.parse import unquote
 
+import numpy as np
+from numpy.typing import NDArray
+
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.glb import MAGIC, Table, chunks_of, document_of
+from phonemeengine.mouth.mesh import MOST_TRIANGLES
+
+# The container of a .glb file: a JSON document, and one block of bytes.
+#
+# See section 4 of the glTF 2.0 specification.
+
+MAGIC, VERSION = b"glTF", 2
+JSON_CHUNK, BINARY_CHUNK = 0x4E4F534A, 0x004E4942
+HEADER, CHUNK_HEADER = 12, 8
+
+Table = dict[str, Any]
+
+
+def chunks_of(content: bytes) -> tuple[bytes, memoryview]:
+    """Return the JSON and the bytes of a .glb file; the latter are no copy, and empty where there are none.
+
+    Raises
+    ------
+    MeshError : it is cut off, or says something impossible.
+    """
+    if len(content) < HEADER + CHUNK_HEADER:
+        raise MeshError("it ends within its header; it is cut off, export or copy it again")
+    version, length = struct.unpack_from("<II", content, len(MAGIC))
+    if version != VERSION or length != len(content):
+        raise MeshError(
+            f"its header says version {version} and {length} bytes, and it has {len(content)}; export it again"
+        )
+    chunks: dict[int, memoryview] = {}
+    at = HEADER
+    while at + CHUNK_HEADER <= length:
+        size, kind = struct.unpack_from("<II", content, at)
+        at += CHUNK_HEADER
+        if size > length - at:
+            raise MeshError(f"a part of it is said to have {size} bytes, and {length - at} are left; export it again")
+        chunks.setdefault(kind, memoryview(content)[at : at + size])
+        at += size
+    if JSON_CHUNK not in chunks:
+        raise MeshError("it has no JSON part; export it again")
+    return bytes(chunks[JSON_CHUNK]), chunks.get(BINARY_CHUNK, memoryview(b""))
+
+
+def document_of(text: bytes, largest: int) -> Table:
+    """Read the JSON of a glTF, of so many bytes at most.
+
+    Raises
+    ------
+    MeshError : it is too large, or no JSON table.
+    """
+    if len(text) > largest:
+        raise MeshError(f"its JSON is larger than {largest >> 20} MB; export a .glb, with less in it")
+    try:
+        found = json.loads(text.rstrip(b"\0 "))
+    except (ValueError, RecursionError) as error:
+        raise MeshError("this is no glTF: its JSON cannot be read; choose another file") from error
+    if not isinstance(found, dict):
+        raise MeshError("this is no glTF: its JSON is no table; choose another file")
+    return found
+
+
+def glb_of(document: Table, parts: Iterable[bytes]) -> bytes:
+    """Return a .glb file of a document, and of parts that follow each other in its buffer 0."""
+    words = json.dumps(document, ensure_ascii=False, separators=(",", ":"))
+    text = words.encode(errors="replace")  # damaged names may hold halves of letters
+    chunks = _chunk(JSON_CHUNK, text, b" ") + _chunk(BINARY_CHUNK, b"".join(parts), b"\0")
+    return MAGIC + struct.pack("<II", VERSION, HEADER + len(chunks)) + chunks
+
+
+def _chunk(kind: int, content: bytes, filling: bytes) -> bytes:
+    content += filling * (-len(content) % 4)
+    return struct.pack("<II", len(content), kind) + content
+
 
 LARGEST_JSON = 4 << 20
 """Bytes; Python's objects take twenty times as many."""
@@ -157,3 +233,78 @@ def _shown(found: object) -> str:
     if isinstance(found, float) and not math.isfinite(found):
         return "a number that is not finite"
     return repr(found)[:40] if not isinstance(found, int) or abs(found) < 1 << 64 else "a huge number"
+
+
+# Accessors of a glTF: arrays within its buffers, plain, interleaved, whole numbers as fractions, and sparse.
+
+COMPONENTS: Final = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
+WIDTHS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+MOST_ENTRIES = 3 * MOST_TRIANGLES
+
+Array = NDArray[Any]
+
+
+def array_of(document: Document, place: int) -> Array:
+    """Return the array of an accessor, shape (count, width); floats are float32, fractions are made floats.
+
+    Raises
+    ------
+    MeshError : the accessor says what its buffer does not hold.
+    """
+    accessor = document.entry("accessors", place)
+    n, dtype, width = _form_of(accessor)
+    viewed = "bufferView" in accessor
+    found = _viewed(document, accessor, n, dtype, width) if viewed else np.zeros((n, width), dtype)
+    if "sparse" in accessor:
+        found = _with_sparse(document, table_of(accessor, "sparse"), found)
+    if accessor.get("normalized") is True and dtype.kind in "iu":
+        most = (1 << (8 * dtype.itemsize - (dtype.kind == "i"))) - 1
+        return np.maximum(found.astype(np.float32) / most, -1).astype(np.float32)
+    return found
+
+
+def count_of(document: Document, place: int) -> int:
+    """Return how many entries an accessor says it has."""
+    return _form_of(document.entry("accessors", place))[0]
+
+
+def _form_of(accessor: Table) -> tuple[int, np.dtype[Any], int]:
+    n = whole_of(accessor, "count")
+    kind, shape = whole_of(accessor, "componentType"), text_of(accessor, "type")
+    if kind not in COMPONENTS or shape not in WIDTHS:
+        raise MeshError(f"an accessor is of type {kind} {shape[:20]!r}, which no vertex has; export it again")
+    if n > MOST_ENTRIES:
+        raise MeshError(f"an accessor has at most {MOST_ENTRIES} entries, got {n}; make the mesh coarser")
+    return n, np.dtype(COMPONENTS[kind]), WIDTHS[shape]
+
+
+def _viewed(document: Document, table: Table, n: int, dtype: np.dtype[Any], width: int) -> Array:
+    """Look at a part of a buffer as an array, after checking that it is long enough; copies nothing."""
+    view = document.entry("bufferViews", whole_of(table, "bufferView"))
+    content = document.buffer(whole_of(view, "buffer"))
+    begin, length = whole_of(view, "byteOffset", 0), whole_of(view, "byteLength")
+    offset, row = whole_of(table, "byteOffset", 0), dtype.itemsize * width
+    stride = whole_of(view, "byteStride", row)
+    needed = offset + (stride * (n - 1) + row if n else 0)
+    if stride < row or needed > length or begin + length > len(content):
+        raise MeshError(
+            f"an accessor needs {needed} bytes at {begin}, and its buffer has {len(content)}; it is damaged, "
+            "export it again"
+        )
+    return np.ndarray((n, width), dtype, content, begin + offset, (stride, dtype.itemsize))
+
+
+def _with_sparse(document: Document, sparse: Table, base: Array) -> Array:
+    n = whole_of(sparse, "count")
+    if n > len(base):
+        raise MeshError(f"a sparse accessor changes {n} of {len(base)} entries; it is damaged, export it again")
+    places = table_of(sparse, "indices")
+    kind = whole_of(places, "componentType")
+    if kind not in (5121, 5123, 5125):
+        raise MeshError(f"the indices of a sparse accessor are of type {kind}; export it again")
+    where = _viewed(document, places, n, np.dtype(COMPONENTS[kind]), 1)[:, 0].astype(np.int64)
+    if n and where.max() >= len(base):
+        raise MeshError(f"a sparse accessor changes entry {where.max()}, and it has {len(base)}; export it again")
+    changed = base.copy()
+    changed[where] = _viewed(document, table_of(sparse, "values"), n, base.dtype, base.shape[1])
+    return changed

@@ -8,10 +8,8 @@ from itertools import takewhile
 
 from phonemeengine.labels.pinyin import is_sound
 from phonemeengine.speech.pinyin.table import FULL_FORMS, PinyinTable
-from phonemeengine.text.chinese_numbers import numbers_spelt
-from phonemeengine.text.clauses import LONGEST, clauses_of
-from phonemeengine.text.cleaning import without_controls
-from phonemeengine.text.mandarin import HANZI, PINYIN_TAG, PinyinWord, pinyin_of, read_pinyin
+from phonemeengine.text.cleaning import LONGEST, clauses_of, without_controls
+from phonemeengine.text.mandarin import HANZI, PINYIN_TAG, PinyinWord, numbers_spelt, pinyin_of, read_pinyin
 from phonemeengine.text.pronunciation import ScriptWord
 from phonemeengine.text.syllables import SpokenSyllable
 

@@ -13,7 +13,7 @@ from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.speech.pinyin.plan import Plan, PlanKind, PlanRow
 from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable, WrittenWord, mark_after
 from phonemeengine.speech.pinyin.table import FULL_FORMS, LEAST_SHARE, MOST_SHARE, REST, PinyinTable
-from phonemeengine.text.clauses import tokens_of
+from phonemeengine.text.cleaning import tokens_of
 from phonemeengine.text.pronunciation import MARKS
 
 USUAL_RATE = 4.0

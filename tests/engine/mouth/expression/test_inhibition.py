@@ -2,7 +2,7 @@
 
 import pytest
 
-from phonemeengine.mouth.expression.inhibition import Inhibition, InhibitionTimes
+from phonemeengine.mouth.expression.composer import Inhibition, InhibitionTimes
 
 
 def test_it_rises_in_a_tenth_of_a_second_and_falls_in_half_a_second():

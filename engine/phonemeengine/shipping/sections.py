@@ -1,14 +1,15 @@
-"""What a preset recognises with, as sections of an ``.ear`` file."""
+"""The sections of an ``.ear`` file: the mouth, and what a preset recognises with."""
 
-from collections.abc import Iterator
+import struct
+import zlib
+from collections.abc import Iterable, Iterator
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from phonemeengine.dsp.cepstra import cepstral_cosines
-from phonemeengine.dsp.log_mel import FLOOR, short_window, warped_mel_bank
+from phonemeengine.dsp.log_mel import FLOOR, cepstral_cosines, short_window, warped_mel_bank
 from phonemeengine.dsp.mel import mel_bank, mel_edges
-from phonemeengine.dsp.spectrum import SpectrumAnalyser
-from phonemeengine.dsp.windows import window_of
+from phonemeengine.dsp.spectrum import SpectrumAnalyser, window_of
 from phonemeengine.errors import PresetError
 from phonemeengine.features.front_end import shaper_of
 from phonemeengine.features.measure import reach_of
@@ -20,6 +21,7 @@ from phonemeengine.features.variables import (
     Spectrum,
     Variable,
 )
+from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
@@ -30,7 +32,124 @@ from phonemeengine.recognition.smoothing import frames_held
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning, spec_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
-from phonemeengine.shipping.binary import SectionWriter
+from phonemeengine.visemes import VISEME_PHONES, Viseme
+
+# The bytes of an ``.ear`` file: little-endian numbers of 32 bits, in sections that say how long they are.
+
+MAGIC = b"EAR\x1a"
+VERSION = 1
+"""Of the layout; an ear refuses newer ones."""
+
+
+class SectionWriter:
+    """Collects the content of one section."""
+
+    def __init__(self) -> None:
+        self._parts: list[bytes] = []
+
+    def whole(self, *numbers: int) -> None:
+        """Write whole numbers, 0 or more."""
+        self._parts.append(struct.pack(f"<{len(numbers)}I", *numbers))
+
+    def floats(self, numbers: ArrayLike) -> None:
+        """Write numbers of single precision."""
+        self._parts.append(np.asarray(numbers, "<f4").tobytes())
+
+    def doubles(self, *numbers: float) -> None:
+        """Write numbers of double precision."""
+        self._parts.append(struct.pack(f"<{len(numbers)}d", *numbers))
+
+    def halves(self, numbers: ArrayLike) -> None:
+        """Write numbers of half precision, up to a whole 32 bits."""
+        self._padded(np.asarray(numbers, "<f2").tobytes())
+
+    def text(self, text: str) -> None:
+        """Write a text in UTF-8 with its length."""
+        content = text.encode(errors="replace")
+        self.whole(len(content))
+        self._padded(content)
+
+    def filters(self, bank: ArrayLike) -> None:
+        """Write filters, shape (n_bins, n_filters): of each the stretch of bins that it weighs."""
+        for weights in np.asarray(bank, np.float32).T:
+            weighed = np.flatnonzero(weights)
+            first, stop = (int(weighed[0]), int(weighed[-1]) + 1) if len(weighed) else (0, 0)
+            self.whole(first, stop - first)
+            self.floats(weights[first:stop])
+
+    def _padded(self, content: bytes) -> None:
+        self._parts.append(content + bytes(-len(content) % 4))
+
+    @property
+    def content(self) -> bytes:
+        """All that was written."""
+        return b"".join(self._parts)
+
+
+def join_sections(sections: Iterable[tuple[str, SectionWriter]]) -> bytes:
+    """Return a file of sections, each with the four letters of its name."""
+    parts = [(name.encode(), section.content) for name, section in sections]
+    body = b"".join(name + struct.pack("<I", len(content)) + content for name, content in parts)
+    return MAGIC + struct.pack("<III", VERSION, 16 + len(body), zlib.crc32(body)) + body
+
+
+def is_ear_file(content: bytes) -> bool:
+    """Return whether a file's content begins as an ``.ear`` file."""
+    return content.startswith(MAGIC)
+
+
+# A mouth table as a section of an ``.ear`` file.
+
+SIDES = ("Right", "Left")
+
+
+def mouth_section(name: str, table: MouthTable) -> tuple[str, SectionWriter]:
+    """Return the section of a table that an ear knows by a name."""
+    section = SectionWriter()
+    shapes = list(table.shapes)
+    section.text(name)
+    section.doubles(table.motion.loudness, table.motion.minimum_opening, table.motion.randomness)
+    section.whole(len(table.movestates))
+    for movestate in table.movestates:
+        section.text(movestate)
+    section.whole(*_left_sides(table.movestates), len(shapes))
+    for shape in shapes:
+        section.text(shape)
+    section.floats(table.weights())
+    section.floats(table.shape_weights())
+    section.whole(*_looseness(table))
+    for phoneme in Phoneme:
+        for look in (*Viseme, None):
+            _entry(section, table, shapes, phoneme, VISEME_PHONES.get(look, "") if look is not None else "")
+    return "MOUT", section
+
+
+def _entry(section: SectionWriter, table: MouthTable, shapes: list[str], phoneme: Phoneme, phone: str) -> None:
+    """Write which shape a sound has, where its weights stand, and how fast the mouth is."""
+    shape, silent = table.shape_of(phoneme, phone), phoneme is Phoneme.SILENCE
+    row = int(phoneme) if shape == table.phonemes[phoneme] else len(Phoneme) + shapes.index(shape)
+    section.whole(shapes.index(shape), row)
+    times = None if silent else table.times_of(phoneme, phone)
+    section.doubles(times.to_shape if times else 0.0, times.to_rest if times else 0.0)
+    section.whole(silent or table.closes(phoneme, phone))
+
+
+def _left_sides(movestates: tuple[str, ...]) -> list[int]:
+    """Return for each movestate of the right side that of the left, and itself for all others."""
+    columns = {name: k for k, name in enumerate(movestates)}
+    right, left = SIDES
+    lefts = (f"{name.removesuffix(right)}{left}" if name.endswith(right) else name for name in movestates)
+    return [columns.get(name, k) for k, name in enumerate(lefts)]
+
+
+def _looseness(table: MouthTable) -> list[bool]:
+    """Return of which rows of weights the habits of a mouth may change something: not those at which lips meet."""
+    firm = {table.phones[name] for name in table.closed_phones}
+    phonemes = [phoneme not in {*table.closed_phonemes, Phoneme.SILENCE} for phoneme in Phoneme]
+    return [*phonemes, *(shape not in firm for shape in table.shapes)]
+
+
+# What a preset recognises with, as sections of an ``.ear`` file.
 
 BY_RULES, BY_NETWORK, BY_TEMPLATES = range(3)
 ZERO_CROSSINGS, VOLUME, NOTHING, BAND = range(4)

@@ -1,14 +1,16 @@
-"""Small movements of the head that go with speech.
-
-The head rises with the voice's pitch and nods with its loudness (Yehia, Kuratate and Vatikiotis-Bateson 2002,
-"Linking facial animation, head motion and speech acoustics"), and never stands quite still.
-"""
+"""What a face does by itself: small movements of the head, and blinks."""
 
 import math
 import random
+from collections import deque
 from typing import NamedTuple
 
-from phonemeengine.mouth.low_pass import LowPass
+from phonemeengine.mouth.movements import LowPass
+
+# Small movements of the head that go with speech.
+#
+# The head rises with the voice's pitch and nods with its loudness (Yehia, Kuratate and Vatikiotis-Bateson 2002,
+# "Linking facial animation, head motion and speech acoustics"), and never stands quite still.
 
 PER_SEMITONE = 0.5
 """Degrees that the head rises when the pitch lies a semitone above the usual one."""
@@ -65,3 +67,50 @@ class HeadMotion:
         ]
         voice = PER_SEMITONE * self._rise.at(time) - NOD * self._loudness.at(time)
         return HeadPose(yaw, pitch + voice, roll)
+
+
+# Blinks at human intervals.
+#
+# People blink about every three to four seconds, at irregular times, now and then twice in a row; the lids close
+# faster than they open (Stern, Walrath and Goldstein 1984, "The endogenous eyeblink").
+
+INTERVAL = 3.4
+"""The middle of the times from one blink to the next, seconds."""
+SPREAD = 0.5
+"""By how much those times vary: the standard deviation of their logarithm."""
+SHORTEST, LONGEST = 0.9, 11.0
+"""Seconds from one blink to the next, unless it is a double one."""
+DOUBLE = 0.12
+"""Share of blinks that another one follows at once."""
+CLOSING, OPENING = 0.08, 0.16
+"""Seconds in which the lids close and open again."""
+
+
+class Blinker:
+    """Closes the lids now and then; the same seed blinks at the same times."""
+
+    def __init__(self, seed: int = 0) -> None:
+        self._random = random.Random(seed)  # noqa: S311 - nothing secret depends on it
+        self._blinks = deque([self._random.uniform(0.5, INTERVAL)])
+
+    def closure(self, time: float) -> float:
+        """Return how far the lids are closed at a time, 0..1; times never go back."""
+        while self._blinks[-1] <= time:
+            self._blinks.append(self._blinks[-1] + self._pause())
+        while len(self._blinks) > 1 and self._blinks[1] <= time:
+            self._blinks.popleft()
+        return _lids(time - self._blinks[0])
+
+    def _pause(self) -> float:
+        if self._random.random() < DOUBLE:
+            return CLOSING + OPENING + 0.05
+        return min(max(self._random.lognormvariate(math.log(INTERVAL), SPREAD), SHORTEST), LONGEST)
+
+
+def _lids(since: float) -> float:
+    """Return how far the lids are closed so long after a blink began."""
+    if 0.0 < since < CLOSING:
+        return 0.5 - 0.5 * math.cos(math.pi * since / CLOSING)
+    if CLOSING <= since < CLOSING + OPENING:
+        return 0.5 + 0.5 * math.cos(math.pi * (since - CLOSING) / OPENING)
+    return 0.0
