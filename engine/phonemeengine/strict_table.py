@@ -1,17 +1,23 @@
 """Tables of files that people edit, read strictly: what does not fit is refused in one sentence, never guessed at."""
 
+import os
 import reprlib
 import textwrap
 import tomllib
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Iterator, Mapping
 from enum import Enum
+from pathlib import Path
 from typing import Any, TypeVar, cast
 
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.errors import EngineError
+from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 
 T = TypeVar("T")
+
+LARGEST_FILE = 1 << 20
+"""Bytes: no person writes a longer one."""
 
 _WORDS: dict[type, str] = {
     str: "text",
@@ -61,8 +67,13 @@ class StrictTable:
         self.check_keys([key for key in kinds if key not in optional], optional)
         return {key: self.value(key, kind) for key, kind in kinds.items() if key in self.entries}
 
-    def value(self, key: str, kind: type[T]) -> T:
-        """Return an entry: text, a truth, a number, a list, a table or a member of an enumeration, as `kind` says."""
+    def value(self, key: str, kind: type[T], default: T | None = None) -> T:
+        """Return an entry: text, a truth, a number, a list, a table or a member of an enumeration, as `kind` says.
+
+        Where there is a default, it stands for an entry that is not there.
+        """
+        if default is not None and key not in self:
+            return default
         value = self.entries[key]
         if issubclass(kind, Enum):
             return cast("T", self._member(key, value, kind))
@@ -82,8 +93,10 @@ class StrictTable:
             raise self.refusal(key, "a list of numbers within ±3.4e38", values)
         return tuple(map(float, values))
 
-    def limited(self, key: str, low: float, high: float, what: str) -> float:
-        """Return a number that must lie in ``low..high``; `what` says so."""
+    def limited(self, key: str, low: float, high: float, what: str, default: float | None = None) -> float:
+        """Return a number that must lie in ``low..high``, as `what` says, or the default of one that is not there."""
+        if default is not None and key not in self:
+            return default
         value = self.entries[key]
         if not _is_number(value) or not low <= value <= high:
             raise self.refusal(key, what, value)
@@ -91,12 +104,16 @@ class StrictTable:
 
     def table(self, key: str) -> "StrictTable":
         """Return a table in this one; an empty one where there is none."""
-        entries = self.value(key, dict) if key in self else {}
+        entries = self.value(key, dict, {})
         return StrictTable(entries, f"{self.name[:-1]}.{key}]" if self._prefix else f"[{key}]", self._error)
+
+    def tables_by_name(self) -> Iterator[tuple[str, "StrictTable"]]:
+        """Return all entries, which must be tables, with their names."""
+        return ((key, self.table(key)) for key in self.entries)
 
     def tables(self, key: str) -> list["StrictTable"]:
         """Return a list of tables; an empty one where there is none."""
-        entries = self.value(key, list) if key in self else []
+        entries = self.value(key, list, [])
         if any(type(entry) is not dict for entry in entries):
             raise self.refusal(key, "a list of tables", entries)
         return [StrictTable(entry, f"[{key}]", self._error) for entry in entries]
@@ -141,6 +158,29 @@ def parse_toml(text: str, name: str, form: str, error: type[EngineError]) -> Str
             f"{name} begins with format = {form!r}, found {shown(document.get('format'))}; choose another file"
         )
     return StrictTable({key: value for key, value in document.items() if key != "format"}, name, error)
+
+
+def load_text(
+    path: str | os.PathLike[str], what: str, error: type[EngineError], parse: Callable[[str], T],
+    largest: int = LARGEST_FILE,
+) -> T:  # fmt: skip
+    """Return what is written in a text file of one of our formats.
+
+    Parameters
+    ----------
+    what : what such a file is called where another is chosen, such as ``a mouth table (.toml)``.
+    parse : reads the text.
+    largest : bytes.
+
+    Raises
+    ------
+    EngineError : `error`, because it cannot be read, or `parse` refuses its text; the message names the file.
+    """
+    text = read_text_file(Path(path), largest, what, error)
+    try:
+        return parse(text)
+    except error as refused:
+        raise error(f"{printable_name(Path(path))}: {refused}") from refused
 
 
 def _is_number(value: Any) -> bool:

@@ -1,10 +1,12 @@
 """The strict reader: what fits is given, everything else is refused in one sentence that says what to do."""
 
 from enum import StrEnum
+from pathlib import Path
 
 import pytest
 
 from phonemeengine.errors import MouthError
+from phonemeengine.mouth.expression.streams import load_expressions
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.strict_table import parse_toml
 
@@ -99,3 +101,22 @@ def test_a_number_that_is_none_is_refused(number: str, kind: type) -> None:
 def test_another_format_is_refused(text: str) -> None:
     with pytest.raises(MouthError, match="a file of colours begins with format = 'colours 1', found"):
         parse_toml(text, "a file of colours", "colours 1", MouthError)
+
+
+def test_a_refusal_of_a_file_names_it(tmp_path: Path) -> None:
+    path = tmp_path / "mine.toml"
+    path.write_text('format = "phonemeanalyser expressions 1"\n[expressions.glad]\nmouthSmile = 101\n')
+    with pytest.raises(
+        MouthError, match=r"^mine.toml: \[expressions.glad\] mouthSmile must be percent, 0..100, found"
+    ):
+        load_expressions(path)
+    with pytest.raises(MouthError, match=r"^none.toml: "):
+        load_expressions(tmp_path / "none.toml")
+
+
+def test_a_default_stands_for_what_is_not_there_and_for_nothing_else() -> None:
+    assert TABLE.value("none", bool, False) is False
+    assert TABLE.value("on", bool, False) is True
+    assert TABLE.limited("none", 0, 1, "a share in 0..1", 0.0) == 0
+    with pytest.raises(MouthError, match="count must be a share"):
+        TABLE.limited("count", 0, 1, "a share in 0..1", 0.5)

@@ -5,16 +5,15 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.files import MEGABYTE, printable_name, read_text_file
+from phonemeengine.files import MEGABYTE
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.strict_table import StrictTable, shown
+from phonemeengine.strict_table import StrictTable, load_text, shown
 
 FORMAT = "phonemeanalyser curves 1"
 HEAD = ("yaw", "pitch", "roll")
@@ -64,11 +63,7 @@ def read_curves(path: str | os.PathLike[str]) -> ExportedCurves:
     ------
     MouthError : it cannot be read, or says something impossible; the message begins with the file's name.
     """
-    text = read_text_file(Path(path), LARGEST, "a file of curves (.curves.json)", MouthError)
-    try:
-        return parse_curves(text)
-    except MouthError as error:
-        raise MouthError(f"{printable_name(Path(path))}: {error}") from error
+    return load_text(path, "a file of curves (.curves.json)", MouthError, parse_curves, LARGEST)
 
 
 def parse_curves(text: str) -> ExportedCurves:

@@ -19,19 +19,18 @@ import tomli_w
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.errors import MouthError, remedy
-from phonemeengine.files import printable_name, read_text_file
+from phonemeengine.files import printable_name
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.mouth.motion_settings import LIMITS, MotionSettings, TransitionTimes
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.strict_table import StrictTable, parse_toml, shown
+from phonemeengine.strict_table import StrictTable, load_text, parse_toml, shown
 
 FORMAT = "phonemeanalyser mouth 1"
 TABLES = Path(__file__).resolve().parent / "tables"
 """The folder of the tables that ship with the program."""
 USUAL_TABLE = "arkit"
 """What heads and their receivers move by, unless told otherwise."""
-LARGEST_FILE = 1 << 20
 MOST_MOVESTATES = 1000
 STRONGEST = 400.0
 """Percent: a shape may exaggerate, but not without end."""
@@ -144,15 +143,11 @@ def load_table(name: str | os.PathLike[str]) -> MouthTable:
     """
     shipped = TABLES / f"{name}.toml"
     path = shipped if str(name) in shipped_tables() else Path(name)
-    shown = printable_name(path)
     if not os.path.lexists(path):
-        words = remedy(shown, shipped_tables(), "name a file, or one of {}")
-        raise MouthError(f"{shown}: there is no such mouth table; {words}")
-    text = read_text_file(path, LARGEST_FILE, "a mouth table (.toml)", MouthError)
-    try:
-        return table_of(text)
-    except MouthError as error:
-        raise MouthError(f"{shown}: {error}") from error
+        file = printable_name(path)
+        words = remedy(file, shipped_tables(), "name a file, or one of {}")
+        raise MouthError(f"{file}: there is no such mouth table; {words}")
+    return load_text(path, "a mouth table (.toml)", MouthError, table_of)
 
 
 def table_of(text: str) -> MouthTable:
@@ -165,27 +160,24 @@ def table_of(text: str) -> MouthTable:
     top = parse_toml(text, "a mouth table", FORMAT, MouthError)
     top.check_keys(_REQUIRED, _OPTIONAL)
     movestates = movestates_of(top)
-    tables = top.table("shapes")
-    shapes = {name: shape_of(tables.table(name), movestates) for name in tables.entries}
+    shapes = shapes_in(top, movestates)
     closed = frozenset(top.members("firm", Phoneme)) if "firm" in top else MouthTable.closed_phonemes
     general, motion = _motion_of(top.table("manner"))
     phones = _phones_of(top.table("phones"))
     return MouthTable(
-        name=top.value("name", str) if "name" in top else "untitled",
+        name=top.value("name", str, "untitled"),
         movestates=movestates,
         phonemes=shapes_of_phonemes(top.table("phonemes"), shapes),
         shapes=shapes,
         times=_times_of(top.table("times"), general, closed),
         closed_phonemes=closed,
         motion=motion,
-        notes=top.value("notes", str) if "notes" in top else "",
+        notes=top.value("notes", str, ""),
         phones={
-            name: _shape_named("[phones]", name, entry.entries["shape"], shapes) for name, entry in phones.items()
+            name: shape_named(f"[phones] {name}", entry.entries["shape"], shapes) for name, entry in phones.items()
         },
         phone_times={name: times for name, entry in phones.items() for times in _phone_times(entry)},
-        closed_phones=frozenset(
-            name for name, entry in phones.items() if "firm" in entry and entry.value("firm", bool)
-        ),
+        closed_phones=frozenset(name for name, entry in phones.items() if entry.value("firm", bool, False)),
     )
 
 
@@ -204,8 +196,12 @@ def movestates_of(top: StrictTable) -> tuple[str, ...]:
     return tuple(names)
 
 
-def shape_of(table: StrictTable, movestates: tuple[str, ...]) -> dict[str, float]:
-    """Return the percentages of a mouth shape; a name without a side stands for both."""
+def shapes_in(top: StrictTable, movestates: tuple[str, ...]) -> dict[str, dict[str, float]]:
+    """Return the percentages of each mouth shape of a file; a name without a side stands for both."""
+    return {name: _shape_of(table, movestates) for name, table in top.table("shapes").tables_by_name()}
+
+
+def _shape_of(table: StrictTable, movestates: tuple[str, ...]) -> dict[str, float]:
     percentages: dict[str, float] = {}
     for name in table.entries:
         percent = table.limited(name, -STRONGEST, STRONGEST, f"a percentage in -{STRONGEST:g}..{STRONGEST:g}")
@@ -227,14 +223,15 @@ def shapes_of_phonemes(table: StrictTable, shapes: Collection[str]) -> dict[Phon
         if phoneme not in found:
             raise MouthError(f"[phonemes] lacks {phoneme.label}; name its mouth shape")
     return {
-        phoneme: _shape_named("[phonemes]", phoneme.label, table.entries[phoneme.label], shapes)
+        phoneme: shape_named(f"[phonemes] {phoneme.label}", table.entries[phoneme.label], shapes)
         for phoneme in Phoneme
     }
 
 
-def _shape_named(table: str, sound: str, shape: object, shapes: Collection[str]) -> str:
+def shape_named(place: str, shape: object, shapes: Collection[str]) -> str:
+    """Return a shape that is named at a place of a file, or refuse one that is none of these."""
     if not isinstance(shape, str) or shape not in shapes:
-        raise MouthError(f"{table} {sound} has the shape {shown(shape)}, which [shapes] lacks; add it there")
+        raise MouthError(f"{place} has the shape {shown(shape)}, which [shapes] lacks; add it there")
     return shape
 
 

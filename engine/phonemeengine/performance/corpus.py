@@ -11,6 +11,7 @@ import os
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -19,7 +20,7 @@ from phonemeengine.audio.files import SoundReader, is_sound, once_each
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.errors import AudioError, CorpusError, PerformanceError
-from phonemeengine.files import printable_name, read_text_file
+from phonemeengine.files import printable_name
 from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
 from phonemeengine.labels.table import rows_of
 from phonemeengine.labels.text_io import read_text
@@ -33,7 +34,7 @@ from phonemeengine.performance.table_file import TableAbout, check_fits, write_t
 from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.settings import HOP, SAMPLE_RATE
-from phonemeengine.strict_table import parse_toml
+from phonemeengine.strict_table import load_text, parse_toml
 from phonemeengine.text.syllables import syllables_of
 
 # How loud and how high each phone is spoken.
@@ -190,12 +191,13 @@ def _about(folder: Path) -> tuple[str, bool]:
     path = folder / ABOUT
     if not path.is_file():
         return folder.resolve().name, False
-    try:
-        table = parse_toml(read_text_file(path, 1 << 16, "a text", CorpusError), "such a file", FORMAT, CorpusError)
-        entries = table.read({"name": str, "synthetic": bool}, optional=("name", "synthetic"))
-    except CorpusError as error:
-        raise CorpusError(f"{ABOUT}: {error}") from error
+    entries = load_text(path, "a text", CorpusError, _entries_of_about, 1 << 16)
     return entries.get("name", folder.resolve().name), entries.get("synthetic", False)
+
+
+def _entries_of_about(text: str) -> dict[str, Any]:
+    table = parse_toml(text, "such a file", FORMAT, CorpusError)
+    return table.read({"name": str, "synthetic": bool}, optional=("name", "synthetic"))
 
 
 def _recording_of(sound: Path, files: dict[str, Path]) -> RecordingFiles | str:

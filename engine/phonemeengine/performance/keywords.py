@@ -7,16 +7,16 @@ import os
 import unicodedata
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.arrays import Float64Array
 from phonemeengine.errors import PerformanceError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.mouth.blendshape_names import BROWS, SHOULDERS, both_sides
 from phonemeengine.performance.recording import HEAD
-from phonemeengine.strict_table import StrictTable, parse_toml
+from phonemeengine.strict_table import StrictTable, load_text, parse_toml
 from phonemeengine.text import mandarin
 
 FORMAT = "phonemeanalyser keywords 1"
@@ -26,7 +26,6 @@ CHANNELS = (*HEAD, *BROWS, *SHOULDERS)
 CONJUNCTIONS = "conjunctions"
 MOST_WORDS = 5
 """Of an entry at most; in Chinese each character is a word."""
-LARGEST_FILE = 1 << 20
 LONGEST, MOST_VALUES = 5.0, 50
 """Seconds of a gesture, and values of a channel, at most."""
 WIDEST = 60.0
@@ -107,12 +106,9 @@ def load_keywords(*paths: str | os.PathLike[str]) -> Keywords:
     PerformanceError : a file cannot be read, or says something impossible; the message names it and the entry.
     """
     keywords = Keywords({}, {}, {})
-    for path in (USUAL_KEYWORDS, *map(Path, paths)):
-        text = read_text_file(path, LARGEST_FILE, "a file of key words (.toml)", PerformanceError)
-        try:
-            keywords = keywords.with_others(keywords_of(text, keywords.gestures))
-        except PerformanceError as error:
-            raise PerformanceError(f"{printable_name(path)}: {error}") from error
+    for path in (USUAL_KEYWORDS, *paths):
+        parse = partial(keywords_of, known=keywords.gestures)
+        keywords = keywords.with_others(load_text(path, "a file of key words (.toml)", PerformanceError, parse))
     return keywords
 
 
@@ -131,8 +127,8 @@ def keywords_of(text: str, known: Mapping[str, Gesture] | None = None) -> Keywor
     top.read({"gestures": dict, "languages": dict, "notes": str}, optional=("gestures", "languages", "notes"))
     tables = top.table("gestures")
     tables.check_keys((), [name for name in tables.entries if name != CONJUNCTIONS])
-    gestures = {name: _gesture_of(tables.table(name)) for name in tables.entries}
-    languages = {name: top.table("languages").table(name) for name in top.table("languages").entries}
+    gestures = {name: _gesture_of(table) for name, table in tables.tables_by_name()}
+    languages = dict(top.table("languages").tables_by_name())
     names = {*(known or {}), *gestures}
     return Keywords(
         gestures,
@@ -198,7 +194,7 @@ def _gestured(table: StrictTable, gestures: Collection[str]) -> dict[str, str]:
 
 
 def _plain_words(table: StrictTable, key: str) -> Iterator[str]:
-    words = table.value(key, list) if key in table else []
+    words = table.value(key, list, [])
     for word in words:
         if not isinstance(word, str) or not plain(word):
             raise table.refusal(key, "a list of words", words)

@@ -13,12 +13,11 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import MouthError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.articulation import articulations_of, letters_of
-from phonemeengine.mouth.table import LARGEST_FILE, movestates_of, phone_named, shape_of
+from phonemeengine.mouth.table import movestates_of, phone_named, shape_named, shapes_in
 from phonemeengine.performance.recording import SILENCE
 from phonemeengine.performance.sentence import Sentence
-from phonemeengine.strict_table import StrictTable, parse_toml, shown
+from phonemeengine.strict_table import StrictTable, load_text, parse_toml
 
 FORMAT = "phonemeanalyser poses 1"
 USUAL_POSES = Path(__file__).with_name("poses.toml")
@@ -133,11 +132,7 @@ def load_poses(path: str | os.PathLike[str] = USUAL_POSES) -> PoseTable:
     ------
     MouthError : it cannot be read, or says something impossible; the message names the file and the entry.
     """
-    text = read_text_file(Path(path), LARGEST_FILE, "a file of poses (.toml)", MouthError)
-    try:
-        return poses_of(text)
-    except MouthError as error:
-        raise MouthError(f"{printable_name(Path(path))}: {error}") from error
+    return load_text(path, "a file of poses (.toml)", MouthError, poses_of)
 
 
 def poses_of(text: str) -> PoseTable:
@@ -149,26 +144,23 @@ def poses_of(text: str) -> PoseTable:
     """
     top = parse_toml(text, "a file of poses", FORMAT, MouthError)
     top.check_keys(("movestates", "phones", "shapes"), ("name", "notes"))
-    movestates, tables = movestates_of(top), top.table("shapes")
-    shapes = {name: shape_of(tables.table(name), movestates) for name in tables.entries}
-    entries = top.table("phones")
+    movestates = movestates_of(top)
+    shapes = shapes_in(top, movestates)
     phones: dict[str, Pose] = {}
-    for key in entries.entries:
+    for key, entry in top.table("phones").tables_by_name():
         name = phone_named(key)
         if name in phones:
             raise MouthError(f"[phones] says twice what {name} is; remove one")
-        phones[name] = _pose_of(entries.table(key), shapes)
-    return PoseTable(top.value("name", str) if "name" in top else "untitled", movestates, phones, shapes)
+        phones[name] = _pose_of(entry, shapes)
+    return PoseTable(top.value("name", str, "untitled"), movestates, phones, shapes)
 
 
 def _pose_of(entry: StrictTable, shapes: Mapping[str, Mapping[str, float]]) -> Pose:
     entry.check_keys(("shape",), ("priority", "firm"))
-    shape = entry.value("shape", str)
-    if shape not in shapes:
-        raise MouthError(f"{entry.name} has the shape {shown(shape)}, which [shapes] lacks; add it there")
+    shape = shape_named(entry.name, entry.value("shape", str), shapes)
     what = f"a number in 0..{MOST_PRIORITY:g}"
-    priority = entry.limited("priority", 0, MOST_PRIORITY, what) if "priority" in entry else Pose.priority
-    return Pose(shape, priority, entry.value("firm", bool) if "firm" in entry else Pose.firm)
+    priority = entry.limited("priority", 0, MOST_PRIORITY, what, Pose.priority)
+    return Pose(shape, priority, entry.value("firm", bool, Pose.firm))
 
 
 def _curve(sentence: Sentence, k: int, pose: Pose, times: Float64Array, frame: float) -> Float64Array:

@@ -119,7 +119,7 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         file_model=file_model,
         encoder_head=encoder_head,
-        file_ear=top.value("file_ear", Ear) if "file_ear" in top else Ear.WHISPER,
+        file_ear=top.value("file_ear", Ear, Ear.WHISPER),
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
         templates=_templates_of_table(top.table("templates")) if "templates" in top else None,
         sensitivities=_sensitivities_of(top.table("sensitivities")),

@@ -4,19 +4,17 @@ import html
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 
 from phonemeengine.errors import TextError
-from phonemeengine.files import read_text_file
-from phonemeengine.strict_table import parse_toml
+from phonemeengine.strict_table import load_text, parse_toml
 
 FORMAT = "phonemeanalyser notation 1"
 SHIPPED = Path(__file__).resolve().parent / "notation.toml"
 """The words by which notation is known, by language."""
 EVERYWHERE = "en"
 """The language whose words count in all others, too."""
-LARGEST = 1 << 20
 
 _ALIAS = re.compile(
     r"<sub\s[^<>]{0,200}?\balias\s*=\s*[\"']([^\"'<>]{1,200})[\"'][^<>]{0,200}>[^<>]{0,200}</sub\s*>", re.IGNORECASE
@@ -127,7 +125,8 @@ def _is_direction(remark: str, notation: Notation) -> bool:
 
 @lru_cache(maxsize=16)
 def _notation_of(language: str) -> Notation:
-    top = parse_toml(read_text_file(SHIPPED, LARGEST, "notation (.toml)", TextError), "notation", FORMAT, TextError)
+    parse = partial(parse_toml, name="notation", form=FORMAT, error=TextError)
+    top = load_text(SHIPPED, "notation (.toml)", TextError, parse)
     tables = [top.table(name).entries for name in dict.fromkeys((EVERYWHERE, language)) if name in top]
     directions, spoken = (
         frozenset(word for table in tables for word in table[key]) for key in ("directions", "spoken")

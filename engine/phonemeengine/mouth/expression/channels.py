@@ -9,13 +9,11 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.mouth.blendshape_names import ARKIT, both_sides
-from phonemeengine.strict_table import StrictTable, parse_toml, shown
+from phonemeengine.strict_table import load_text, parse_toml, shown
 
 FORMAT = "phonemeanalyser expression channels 1"
 SHIPPED = Path(__file__).resolve().parent / "channels.toml"
-LARGEST_FILE = 1 << 20
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,20 +45,14 @@ def load_channels(path: str | os.PathLike[str]) -> ExpressionChannels:
     ------
     MouthError : the file cannot be read, or does not put each of them into one class.
     """
-    path = Path(path)
-    text = read_text_file(path, LARGEST_FILE, "expression channels (.toml)", MouthError)
-    try:
-        return _channels_in(parse_toml(text, "a file of expression channels", FORMAT, MouthError))
-    except MouthError as error:
-        raise MouthError(f"{printable_name(path)}: {error}") from error
+    return load_text(path, "expression channels (.toml)", MouthError, _channels_in)
 
 
-def _channels_in(top: StrictTable) -> ExpressionChannels:
+def _channels_in(text: str) -> ExpressionChannels:
+    top = parse_toml(text, "a file of expression channels", FORMAT, MouthError)
     top.check_keys(("classes",), ("notes",))
-    classes = top.table("classes")
     speech, reductions = np.full(len(ARKIT), np.nan, np.float32), np.zeros(len(ARKIT), np.float32)
-    for name in classes.entries:
-        entry = classes.table(name)
+    for _, entry in top.table("classes").tables_by_name():
         entry.check_keys(("speech", "reduction", "channels"))
         share, reduction = (entry.limited(key, 0, 1, "a number in 0..1") for key in ("speech", "reduction"))
         for column in [k for channel in entry.value("channels", list) for k in columns_of(channel)]:

@@ -11,14 +11,12 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import MouthError, remedy
-from phonemeengine.files import read_text_file
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.channels import columns_of
-from phonemeengine.strict_table import parse_toml
+from phonemeengine.strict_table import load_text, parse_toml
 
 FORMAT = "phonemeanalyser expressions 1"
 SHIPPED = Path(__file__).resolve().parent / "presets.toml"
-LARGEST_FILE = 1 << 20
 
 
 class ExpressionStream(Protocol):
@@ -119,15 +117,17 @@ def load_expressions(path: str | os.PathLike[str]) -> Mapping[str, Float32Array]
 
     Raises
     ------
-    MouthError : the file cannot be read, or says something impossible.
+    MouthError : the file cannot be read, or says something impossible; the message names the file.
     """
-    text = read_text_file(Path(path), LARGEST_FILE, "expressions (.toml)", MouthError)
+    return load_text(path, "expressions (.toml)", MouthError, _expressions_in)
+
+
+def _expressions_in(text: str) -> Mapping[str, Float32Array]:
     top = parse_toml(text, "a file of expressions", FORMAT, MouthError)
     top.check_keys(("expressions",), ("notes",))
-    expressions = top.table("expressions")
     found = {}
-    for name in expressions.entries:
-        shape, weights = expressions.table(name), np.zeros(len(ARKIT), np.float32)
+    for name, shape in top.table("expressions").tables_by_name():
+        weights = np.zeros(len(ARKIT), np.float32)
         for channel in shape.entries:
             weights[columns_of(channel)] = shape.limited(channel, 0, 100, "percent, 0..100") / 100
         found[name] = weights

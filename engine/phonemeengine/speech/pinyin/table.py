@@ -8,24 +8,21 @@ from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-import numpy as np
-
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.pinyin import FINALS, INITIALS, initial_and_final, sound_of
 from phonemeengine.mouth.motion_settings import TransitionTimes
 from phonemeengine.mouth.table import (
-    LARGEST_FILE,
     SPEAKING,
     USUAL_TIMES,
     MouthTable,
     movestates_of,
-    shape_of,
+    shape_named,
+    shapes_in,
     shapes_of_phonemes,
 )
 from phonemeengine.speech.pinyin.spring import LARGEST, Spring
-from phonemeengine.strict_table import StrictTable, parse_toml, shown
+from phonemeengine.strict_table import StrictTable, load_text, parse_toml, shown
 
 FORMAT = "phonemeanalyser pinyin 1"
 USUAL_PINYIN_TABLE = Path(__file__).with_name("pinyin.toml")
@@ -98,12 +95,7 @@ class PinyinTable:
 
     def weights(self) -> dict[str, Float32Array]:
         """Return the weights of each shape, shape (n_movestates,), 1 for the whole movement."""
-        columns = {name: k for k, name in enumerate(self.mouth.movestates)}
-        rows = np.zeros((len(self.mouth.shapes), len(columns)), np.float32)
-        for row, percentages in zip(rows, self.mouth.shapes.values(), strict=True):
-            for movestate, percent in percentages.items():
-                row[columns[movestate]] = percent / 100
-        return dict(zip(self.mouth.shapes, rows, strict=True))
+        return dict(zip(self.mouth.shapes, self.mouth.shape_weights(), strict=True))
 
 
 def load_pinyin_table(path: str | os.PathLike[str] = USUAL_PINYIN_TABLE) -> PinyinTable:
@@ -113,11 +105,7 @@ def load_pinyin_table(path: str | os.PathLike[str] = USUAL_PINYIN_TABLE) -> Piny
     ------
     MouthError : it cannot be read, or says something impossible; the message names the file and the entry.
     """
-    text = read_text_file(Path(path), LARGEST_FILE, "a pinyin table (.toml)", MouthError)
-    try:
-        return pinyin_table_of(text)
-    except MouthError as error:
-        raise MouthError(f"{printable_name(Path(path))}: {error}") from error
+    return load_text(path, "a pinyin table (.toml)", MouthError, pinyin_table_of)
 
 
 def pinyin_table_of(text: str) -> PinyinTable:
@@ -141,7 +129,7 @@ def pinyin_table_of(text: str) -> PinyinTable:
         syllables=_syllables_of(top.table("syllables"), mouth.shapes),
         variants=_parts_of(top.table("variants"), (*INITIALS, *FINALS), mouth.shapes),
         onset_shares=_onset_shares_of(weights, mouth.shapes),
-        variation=weights.limited("variation", 0, 1, "a share in 0..1") if "variation" in weights else 0.0,
+        variation=weights.limited("variation", 0, 1, "a share in 0..1", 0.0),
         marks=_marks_of(marks),
         pause=marks.limited("syllables", 0, MOST_SYLLABLES, f"a number of syllables in 0..{MOST_SYLLABLES:g}"),
         reach=transition.limited("reach", 0.05, 1, "a share in 0.05..1"),
@@ -152,17 +140,17 @@ def pinyin_table_of(text: str) -> PinyinTable:
 
 def _mouth_of(top: StrictTable) -> MouthTable:
     """Return the shapes, as a table that whoever shows a face can move it by."""
-    movestates, tables = movestates_of(top), top.table("shapes")
-    shapes = {name: shape_of(tables.table(name), movestates) for name in tables.entries}
+    movestates = movestates_of(top)
+    shapes = shapes_in(top, movestates)
     if REST not in shapes:
         raise MouthError(f'[shapes] lacks {REST}, the mouth at rest; add [shapes."{REST}"]')
     return MouthTable(
-        name=top.value("name", str) if "name" in top else "untitled",
+        name=top.value("name", str, "untitled"),
         movestates=movestates,
         phonemes=shapes_of_phonemes(top.table("phonemes"), shapes),
         shapes=shapes,
         times=dict.fromkeys(SPEAKING, TransitionTimes(USUAL_TIMES["attack"], USUAL_TIMES["release"])),
-        notes=top.value("notes", str) if "notes" in top else "",
+        notes=top.value("notes", str, ""),
     )
 
 
@@ -182,7 +170,7 @@ def _parts_of(table: StrictTable, parts: Collection[str], shapes: Collection[str
     """Return the shape of initials and finals, which stand in lists under its name."""
     found: dict[str, str] = {}
     for shape in table.entries:
-        _check_shape(table, shape, shapes)
+        shape_named(table.name, shape, shapes)
         for part in table.value(shape, list):
             if not isinstance(part, str) or part not in parts:
                 raise MouthError(f"{table.name} {shape} does not know {shown(part)}; known are {', '.join(parts)}")
@@ -190,11 +178,6 @@ def _parts_of(table: StrictTable, parts: Collection[str], shapes: Collection[str
                 raise MouthError(f"{table.name} names {part!r} twice; remove one")
             found[part] = shape
     return found
-
-
-def _check_shape(table: StrictTable, shape: str, shapes: Collection[str]) -> None:
-    if shape not in shapes:
-        raise MouthError(f"{table.name} has the shape {shown(shape)}, which [shapes] lacks; add it there")
 
 
 def _syllables_of(table: StrictTable, shapes: Collection[str]) -> dict[str, str]:
@@ -220,10 +203,7 @@ def _onset_shares_of(table: StrictTable, shapes: Collection[str]) -> dict[str, f
     table.check_keys(("ws",), ("variation", *letters))
     what = f"a share in {LEAST_SHARE:g}..{MOST_SHARE:g}"
     usual = table.limited("ws", LEAST_SHARE, MOST_SHARE, what)
-    return {
-        letter: table.limited(letter, LEAST_SHARE, MOST_SHARE, what) if letter in table else usual
-        for letter in letters
-    }
+    return {letter: table.limited(letter, LEAST_SHARE, MOST_SHARE, what, usual) for letter in letters}
 
 
 def _marks_of(table: StrictTable) -> dict[str, float]:
@@ -238,7 +218,7 @@ def _marks_of(table: StrictTable) -> dict[str, float]:
 def _spring_of(table: StrictTable) -> Spring | None:
     numbers = {key: table.limited(key, 0, LARGEST, f"a number in 0..{LARGEST:g}") for key in _SPRING if key in table}
     spring = Spring(**numbers)
-    return spring if "spring" in table and table.value("spring", bool) else None
+    return spring if table.value("spring", bool, False) else None
 
 
 def _doubts_of(table: StrictTable) -> dict[str, str]:
