@@ -13,13 +13,14 @@ from .audio.files import sounds_under as sounds_under
 from .audio.incoming import Encoding as Encoding
 from .audio.incoming import StreamFormat as StreamFormat
 from .audio.stream import devices as devices
-from .batch.conversion_work import convert_all as convert_all
 from .calibration.alignment import aligned as aligned
 from .calibration.calibrate import calibrate as calibrate
 from .calibration.scores.corpus import LabelledUtterance as LabelledUtterance
 from .calibration.scores.corpus import read_recordings as read_recordings
 from .calibration.scores.evaluation import score as score
-from .conversion import convert as convert
+from .conversion.work import convert as convert
+from .conversion.work import convert_all as convert_all
+from .conversion.work import export as export
 from .dsp.filters import denoise as denoise
 from .dsp.filters import high_pass_gains as high_pass_gains
 from .dsp.filters import low_pass_gains as low_pass_gains
@@ -75,7 +76,6 @@ from .mouth.files.io import load_morph_targets as load_morph_targets
 from .mouth.files.io import save_morph_targets as save_morph_targets
 from .mouth.head import load_head as load_head
 from .mouth.lip_sync import cues as cues
-from .mouth.lip_sync import export as export
 from .mouth.lip_sync import export_transcript as export_transcript
 from .mouth.lip_sync import transcribe as transcribe
 from .mouth.morph_mesh import MorphMesh as MorphMesh

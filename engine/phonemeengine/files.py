@@ -88,6 +88,14 @@ def is_device(path: Path) -> bool:
     return not stat.S_ISDIR(mode)
 
 
+def is_folder(path: Path) -> bool:
+    """Return whether a path is a folder; one that cannot be asked is none, and whoever opens it says why."""
+    try:
+        return path.is_dir()
+    except OSError:  # a name too long, or a folder that may not be entered
+        return False
+
+
 def write_file(path: Path, content: bytes, error: type[EngineError], *, durable: bool = False) -> None:
     """Write a file whole or not at all, see `atomic_write`.
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, add_preset, add_script, file_place
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
-from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, spoken_texts
+from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeengine import (
     Channel,
     LabelledUtterance,
@@ -27,6 +27,7 @@ from phonemeengine.calibration.alignment import labels_of, read_sentence
 from phonemeengine.calibration.calibrate import CalibrationResult
 from phonemeengine.calibration.sentences import LANGUAGES, sentences_in
 from phonemeengine.calibration.takes.room_noise import measure_room
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
 from phonemeengine.replacing import Guard, nothing_is_own
 from phonemeengine.settings import SAMPLE_RATE
 

@@ -6,20 +6,19 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TextIO
 
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
-from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, open_sound, work_through
-from phonemeanalyser.cli.output_files import write_whole
-from phonemeanalyser.cli.scripts import SpokenTexts, made_of, spoken_texts
+from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, work_through
+from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.alignment.align import ScoredTake, best_marked, scored_take
 from phonemeengine.analyser import analyse_file
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
+from phonemeengine.conversion.spoken_texts import SpokenTexts, made_of, open_sound
 from phonemeengine.files import begins_like
 from phonemeengine.progress import Progress
-from phonemeengine.replacing import Guard
+from phonemeengine.replacing import Guard, guarded_text
 
 COLUMNS = ("file", "text", "score", "skipped", "unknown", "best")
 OTHER_TEXT = "another text"
@@ -91,12 +90,10 @@ class AlignmentWork:
 
 
 def _write(takes: Sequence[ScoredTake], out: Path | None, guard: Guard) -> None:
-    def write(file: TextIO) -> None:
+    with guarded_text(out, guard) as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(COLUMNS)
         rows.writerows(_row(take) for take in takes)
-
-    write_whole(out, write, guard)
 
 
 def _row(take: ScoredTake) -> tuple[str, ...]:

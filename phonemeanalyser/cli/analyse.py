@@ -5,7 +5,6 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO
 
 from phonemeanalyser.cli.arguments import (
     add_batch,
@@ -16,60 +15,18 @@ from phonemeanalyser.cli.arguments import (
     add_script,
     add_sounds,
 )
-from phonemeanalyser.cli.jobs import (
-    file_preset,
-    finish_jobs,
-    is_single,
-    jobs_of,
-    open_sound,
-    share_paths,
-)
-from phonemeanalyser.cli.output_files import write_whole
-from phonemeanalyser.cli.scripts import NO_TEXTS, SpokenTexts, made_of, spoken_texts
+from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, share_paths
+from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeengine import Channel, EngineError, Preset, difference
-from phonemeengine.analyser import analyse_file
-from phonemeengine.analysis_tables import TABLES, TableFormat, Writer
+from phonemeengine.analysis_tables import TABLES
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, open_sound
+from phonemeengine.conversion.work import ConversionWork
 from phonemeengine.files import begins_like, printable_name
 from phonemeengine.preset_difference import DIFFERENCE_COLUMNS, format_difference
 from phonemeengine.progress import Progress
-from phonemeengine.replacing import Guard
-
-
-@dataclass(frozen=True)
-class AnalysisTable:
-    """What is written.
-
-    Attributes
-    ----------
-    kind : ``csv``, ``json``, ``textgrid`` (labels for Praat) or ``audacity`` (labels for Audacity).
-    features : every frame with its variables, not runs of equal phonemes.
-
-    Raises
-    ------
-    EngineError : labels hold no variables.
-    """
-
-    kind: str
-    features: bool
-
-    def __post_init__(self) -> None:
-        if self.features and self.format.write_frames is None:
-            raise EngineError(
-                f"a file of labels ({self.format.ending}) has no place for the variables of every frame; leave out "
-                "--features, or write them with --format csv or json"
-            )
-
-    @property
-    def format(self) -> TableFormat:
-        """Its kind, as the engine knows it."""
-        return TABLES[self.kind]
-
-    @property
-    def write(self) -> Writer:
-        """What writes it."""
-        return (self.format.write_frames if self.features else None) or self.format.write_runs
+from phonemeengine.replacing import Guard, guarded_text
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -92,13 +49,19 @@ def run(options: argparse.Namespace) -> int:
     share_paths(options)
     if options.against is not None:
         return _compare(options)
-    table = AnalysisTable(options.kind or kind_for(options.inputs, options.out), options.features)
+    table = options.kind or kind_for(options.inputs, options.out)
+    if options.features and TABLES[table].write_frames is None:
+        raise EngineError(
+            f"a file of labels ({TABLES[table].ending}) has no place for the variables of every frame; leave out "
+            "--features, or write them with --format csv or json"
+        )
     preset = file_preset(options.preset, options.ear)
-    jobs = jobs_of(options.inputs, options.out, table.format.ending)
+    jobs = jobs_of(options.inputs, options.out, TABLES[table].ending)
     texts = spoken_texts(options, [job.source for job in jobs])
-    if texts is not NO_TEXTS and table.features:
+    if texts is not NO_TEXTS and options.features:
         options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
-    work = AnalysisWork(table, preset, options.channel, texts, options.overwrite)
+    kind = f"frames-{table}" if options.features else f"phonemes-{table}"
+    work = ConversionWork(kind, preset, None, options.channel, texts, overwrite=options.overwrite)
     return finish_jobs(jobs, work, options)
 
 
@@ -147,7 +110,8 @@ class DifferenceWork:
                 duration = reader.duration
             found = difference(job.source, self.first, self.second, channel=self.channel, progress=progress)
             say(printable_name(job.source), f"the presets differ in {100 * found.share:.1f} % of the frames")
-            write_whole(job.target, lambda file: file.writelines([format_difference(found)]), guard)
+            with guarded_text(job.target, guard) as file:
+                file.write(format_difference(found))
             return Made(duration)
 
         yield act
@@ -158,54 +122,3 @@ def kind_for(inputs: list[Path], out: Path | None) -> str:
     if out is None or not is_single(inputs, out):
         return "csv"
     return {form.ending.lower(): kind for kind, form in TABLES.items()}.get(out.suffix.lower(), "csv")
-
-
-@dataclass(frozen=True)
-class AnalysisWork:
-    """Writes tables of phonemes.
-
-    Attributes
-    ----------
-    table : what is written.
-    preset, channel : what is recognised with, and of what.
-    texts : what is said in the sounds.
-    overwrite : whether whatever is there is replaced.
-    """
-
-    table: AnalysisTable
-    preset: Preset
-    channel: Channel
-    texts: SpokenTexts
-    overwrite: bool
-
-    def fingerprint(self) -> str:
-        """Return what tells it from other work."""
-        return fingerprint_of("analyse", self.table, self.preset, self.channel)
-
-    def known_of(self, job: Job) -> str:
-        """Return what is said in a sound."""
-        return self.texts.known_of(job.sound)
-
-    @contextmanager
-    def opened(self) -> Iterator[Act]:
-        """Give what analyses one file."""
-        yield self._analyse
-
-    def _analyse(self, job: Job, say: Say, progress: Progress) -> Made:
-        guard = Guard(self.table.format.owns, self.overwrite, job.earlier)
-        guard.check(job.target)
-        with open_sound(job.source, self.channel, say) as reader:
-            made = made_of(reader, None)
-
-            def write(file: TextIO) -> None:
-                nonlocal made
-                analyses = analyse_file(reader, self.preset, pitch=self.table.features, progress=progress)
-                found = self.texts.aligned(reader, job.sound, analyses, say)
-                if found is None:
-                    self.table.write(file, analyses, reader, self.preset)
-                else:
-                    self.table.format.write_words(file, *found, self.preset)
-                    made = made_of(reader, found[0], self.texts.language)
-
-            write_whole(job.target, write, guard)
-        return made

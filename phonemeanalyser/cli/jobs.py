@@ -1,34 +1,23 @@
 """Files that a command works through: where each goes, how far it is, and what is said of those that fail."""
 
 import argparse
-import math
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.output_files import STANDARD_OUTPUT
 from phonemeanalyser.cli.progress_bar import batch_bar
 from phonemeanalyser.reports.batch_report import write_batch_report
-from phonemeengine import (
-    AudioError,
-    Channel,
-    Ear,
-    EngineError,
-    LabelledUtterance,
-    Preset,
-    SoundReader,
-    for_files,
-    load_preset,
-)
+from phonemeengine import Ear, EngineError, LabelledUtterance, Preset, for_files, load_preset
 from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, run_batch
-from phonemeengine.batch.work import Job, JobState, Outcome, Say, Work
-from phonemeengine.files import is_device, printable, printable_name
+from phonemeengine.batch.work import Job, JobState, Outcome, Work
+from phonemeengine.files import is_device, is_folder, printable, printable_name
 from phonemeengine.presets.ears import ear_in_words
+from phonemeengine.replacing import STANDARD_OUTPUT
 
 SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
 """Arguments that name files which are opened where the work is done."""
@@ -49,7 +38,7 @@ def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
     """
     found = [(file, relative) for path in inputs for file, relative in _files_under(path)]
     if out is None or out == STANDARD_OUTPUT:
-        if len(found) > 1 or any(_is_folder(path) for path in inputs):
+        if len(found) > 1 or any(is_folder(path) for path in inputs):
             raise EngineError("several files need a folder for what is written of them; name one with -o")
         return [Job(file, None) for file, _ in found]
     single = is_single(inputs, out)
@@ -67,14 +56,14 @@ def is_single(inputs: list[Path], out: Path | None) -> bool:
         out is not None
         and len(inputs) == 1
         and (out.suffix != "" or is_device(out))
-        and not _is_folder(inputs[0])
-        and not _is_folder(out)
+        and not is_folder(inputs[0])
+        and not is_folder(out)
     )
 
 
 def is_batch(inputs: list[Path]) -> bool:
     """Return whether there may be so many files that it is noted what was done of them."""
-    return len(inputs) > 1 or _is_folder(inputs[0])
+    return len(inputs) > 1 or is_folder(inputs[0])
 
 
 def share_paths(options: argparse.Namespace) -> None:
@@ -112,10 +101,11 @@ def work_through(
     options = options or BatchOptions(jobs=1)
 
     seen: list[Outcome] = []
+    told: set[tuple[str, str]] = set()
 
     def take(outcome: Outcome) -> None:
         seen.append(outcome)
-        _say_outcome(outcome)
+        _say_outcome(outcome, told)
         then(outcome)
 
     try:
@@ -171,26 +161,6 @@ def file_preset(path: Path, ear: str | None) -> Preset:
     return preset
 
 
-@contextmanager
-def open_sound(path: Path, channel: Channel, say: Say, longest: float = math.inf) -> Iterator[SoundReader]:
-    """Open a sound to analyse one of its channels, and say what is odd about it.
-
-    Raises
-    ------
-    AudioError : it cannot be read, or lacks the channel, or there is none, or it lasts longer than so many seconds.
-    """
-    name = printable_name(path)
-    if _is_folder(path):
-        raise AudioError(f"{name}: there is no sound file in this folder; name another")
-    with SoundReader(path, channel) as reader:
-        if reader.duration > longest:
-            lasts = f"it lasts {reader.duration:.0f} s, and at most {longest:g} s are taken"
-            raise AudioError(f"{name}: {lasts}; cut it into shorter ones")
-        for note in reader.notes:
-            say(name, note)
-        yield reader
-
-
 def say_cut_off(utterances: Iterable[LabelledUtterance]) -> None:
     """Return of which recordings a part is missing."""
     for utterance in utterances:
@@ -203,24 +173,20 @@ def say_note(name: str, note: str) -> None:
     tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
 
-def _say_outcome(outcome: Outcome) -> None:
+def _say_outcome(outcome: Outcome, told: set[tuple[str, str]]) -> None:
+    """Say what is odd; what is not of a sound itself, but of a table, once for all sounds."""
     if outcome.state is not JobState.SKIPPED:
         for name, note in outcome.notes:
-            say_note(name, note)
+            if (name, note) not in told or name == printable_name(outcome.job.source):
+                say_note(name, note)
+        told.update(outcome.notes)
     if outcome.words and not outcome.is_fatal:  # of a full disk, the batch tells as it ends
         tqdm.write(f"phonemeanalyser: {outcome.words}", file=sys.stderr)
 
 
 def _files_under(path: Path) -> Iterator[tuple[Path, str]]:
-    found = sounds_under(path) if _is_folder(path) else []
+    found = sounds_under(path) if is_folder(path) else []
     if found:
         yield from ((file, str(file.relative_to(path))) for file in found)
     else:
         yield path, path.name or "folder"
-
-
-def _is_folder(path: Path) -> bool:
-    try:
-        return path.is_dir()
-    except OSError:  # a name too long, or a folder that may not be entered: whoever opens it says so
-        return False

@@ -8,14 +8,13 @@ from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, number
 from phonemeanalyser.cli.jobs import file_preset
-from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path, write_whole
 from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.averaged_spectrum import FORMAT, format_averaged_spectrum
 from phonemeengine.dsp.formants import CEILING
 from phonemeengine.files import begins_like
 from phonemeengine.measurement import MEASUREMENT_COLUMNS, average_spectrum, format_measurement, save_stretch
-from phonemeengine.replacing import Guard, nothing_is_own
+from phonemeengine.replacing import STANDARD_OUTPUT, Guard, guarded_text, nothing_is_own, output_path
 
 HEADING = ",".join(MEASUREMENT_COLUMNS).encode()
 
@@ -55,12 +54,14 @@ def run(options: argparse.Namespace) -> int:
             progress=lambda share: bool(bar.update(100 * share - bar.n)) or True,
         )  # fmt: skip
     if options.out is not None or STANDARD_OUTPUT not in (options.sound_out, options.spectrum_out):
-        write_whole(options.out, lambda file: print(format_measurement(found), file=file, end=""), table)
+        with guarded_text(options.out, table) as file:
+            file.write(format_measurement(found))
     if options.sound_out is not None:
         with output_path(options.sound_out) as path:
             save_stretch(*stretch, path, channel=options.channel)
     if options.spectrum_out is not None:
         name = options.spectrum_out.stem
         text = format_averaged_spectrum(average_spectrum(*stretch, preset, name, channel=options.channel))
-        write_whole(options.spectrum_out, lambda file: print(text, file=file, end=""), spectrum)
+        with guarded_text(options.spectrum_out, spectrum) as file:
+            file.write(text)
     return 0

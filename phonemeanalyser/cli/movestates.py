@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_overwrite, file_place, number_in
-from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine import (
     MeshError,
     MorphMesh,
@@ -23,7 +22,7 @@ from phonemeengine import (
 from phonemeengine.mouth.files.io import TARGET_SUFFIXES
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 from phonemeengine.mouth.movestate import LONGEST_NAME
-from phonemeengine.replacing import Guard, nothing_is_own
+from phonemeengine.replacing import Guard, guarded_text, nothing_is_own
 
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""
@@ -59,7 +58,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Run the command; returns its exit code."""
     lines: list[str] = list(options.act(options))
-    print_whole(lambda file: file.writelines(f"{line}\n" for line in lines))
+    with guarded_text(None) as file:
+        file.writelines(f"{line}\n" for line in lines)
     return 0
 
 

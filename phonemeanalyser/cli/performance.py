@@ -11,12 +11,11 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_clip, add_overwrite, file_place, number, number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.output_files import print_whole
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
 from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.performance.making import sentences
 from phonemeengine.performance.table_file import TableAbout
-from phonemeengine.replacing import Guard, nothing_is_own
+from phonemeengine.replacing import Guard, guarded_text, nothing_is_own
 
 USUAL_MINUTES, MOST_MINUTES = 15.0, 600.0
 BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"
@@ -61,7 +60,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Run the command; returns its exit code."""
     lines: list[str] = list(options.act(options))
-    print_whole(lambda file: file.writelines(f"{line}\n" for line in lines))
+    with guarded_text(None) as file:
+        file.writelines(f"{line}\n" for line in lines)
     return 0
 
 

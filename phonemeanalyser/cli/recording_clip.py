@@ -5,8 +5,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from phonemeanalyser.cli.clips import clip_options, frames_bar
-from phonemeanalyser.cli.jobs import open_sound, say_note
-from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, output_path
+from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.rendering.clip import check_clip, sound_track, write_clip
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
@@ -23,10 +22,11 @@ from phonemeengine import (
     load_head,
     original_sound,
 )
+from phonemeengine.conversion.spoken_texts import open_sound
 from phonemeengine.files import printable
 from phonemeengine.mouth.animation import animation_by
 from phonemeengine.performance.recording import Performance
-from phonemeengine.replacing import Guard
+from phonemeengine.replacing import STANDARD_OUTPUT, Guard, output_path
 
 MILLISECOND = 0.001
 """The times of units are written as exactly."""

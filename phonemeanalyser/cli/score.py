@@ -6,7 +6,6 @@ import sys
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO
 
 from tqdm import tqdm
 
@@ -22,7 +21,6 @@ from phonemeanalyser.cli.arguments import (
     whole_in,
 )
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
-from phonemeanalyser.cli.output_files import write_whole
 from phonemeanalyser.cli.prediction_work import PredictionWork
 from phonemeanalyser.cli.scripts import words_to_score
 from phonemeanalyser.reports.numbers import json_of
@@ -49,7 +47,7 @@ from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.evaluation import CorpusScores, corpus_scores_of
 from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
 from phonemeengine.files import printable, printable_name
-from phonemeengine.replacing import Guard, nothing_is_own
+from phonemeengine.replacing import Guard, guarded_text, nothing_is_own
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""
@@ -128,8 +126,7 @@ def run(options: argparse.Namespace) -> int:
 
 def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
     """Write the errors of each preset, recording by recording."""
-
-    def write(file: TextIO) -> None:
+    with guarded_text(path) as file:
         rows = csv.writer(file, lineterminator="\n")
         rows.writerow(("preset", "sound", *ERROR_COLUMNS))
         for preset in scored:
@@ -137,8 +134,6 @@ def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
                 rows.writerows(
                     (preset.title, p.utterance.path, *found.row()) for found in label_errors(p.labels, p.phonemes)
                 )
-
-    write_whole(path, write)
 
 
 def _recordings_in(
@@ -191,7 +186,8 @@ def _presets_of(first: Path, against: Path | None, ear: str) -> list[Named]:
 
 def _write(report: Report, kind: str, by: str, out: Path | None) -> None:
     parts = _parts_of(report, kind, by)
-    write_whole(out, lambda file: file.writelines(parts))
+    with guarded_text(out) as file:
+        file.writelines(parts)
 
 
 def _parts_of(report: Report, kind: str, by: str) -> Iterator[str]:

@@ -7,14 +7,13 @@ import argparse
 import re
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_channel, add_literal, add_overwrite, add_preset, number
-from phonemeanalyser.cli.driving import add_driver, driving, pinyin_table_of
+from phonemeanalyser.cli.driving import add_driver, driver_of
 from phonemeanalyser.cli.expression import add_expression
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.performing import labelled
-from phonemeanalyser.cli.scripts import say_misfits
 from phonemeanalyser.cli.speech_files import SpeechFiles
 from phonemeengine import (
     FORMATS,
@@ -22,7 +21,9 @@ from phonemeengine import (
     EngineError,
     Lexicon,
     SilentText,
+    SoundReader,
     TextError,
+    Transcript,
     Utterance,
     Voice,
     VoiceError,
@@ -30,9 +31,13 @@ from phonemeengine import (
     load_preset,
     notes_on,
     speak_by_program,
+    transcribe,
 )
 from phonemeengine.audio.output import Output, open_output
+from phonemeengine.conversion.driving import Driving
+from phonemeengine.conversion.spoken_texts import say_misfits
 from phonemeengine.files import printable, read_text_file
+from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.live.player import Player
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.speech.pinyin.timing import FASTEST, SLOWEST, USUAL_RATE
@@ -70,15 +75,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Speak as the command line asks."""
     text = _text_of(options)
-    with driving(options) as moved:
-        files = SpeechFiles.of(options, moved)
+    with driver_of(options).opened() as driving:
+        driving.say_notes(say_note)
+        files = SpeechFiles.of(options, driving)
         if options.silent or options.recording is not None:
             _check_without_voice(options, files)
             _move_without_voice(options, files, text)
         elif files.nothing:
-            play_aloud(_spoken(options, text))
+            play_aloud(_spoken(options, text, driving))
         else:
-            files.write_spoken(_spoken(options, text), _language_of(options, text), text)
+            files.write_spoken(_spoken(options, text, driving), _language_of(options, text), text)
     return 0
 
 
@@ -119,11 +125,11 @@ def _language_of(options: argparse.Namespace, text: str) -> str:
     return options.language or ("cmn" if chinese else "")
 
 
-def _spoken(options: argparse.Namespace, text: str) -> Iterator[SpokenSentence]:
+def _spoken(options: argparse.Namespace, text: str, driving: Driving) -> Iterator[SpokenSentence]:
     """Return what a voice or a program says, and say what of the text it does not."""
     language, lexicon = _language_of(options, text), load_lexicon(options.lexicon) if options.lexicon else Lexicon()
     if options.program is None:
-        voice = Voice(language, options.voice, options.rate, lexicon, pinyin_table_of(options))
+        voice = Voice(language, options.voice, options.rate, lexicon, driving.pinyin)
         sentences = _with_notes(voice.speak(text, literal=options.literal), language)
     else:
         sentence = speak_by_program(
@@ -201,15 +207,24 @@ def _check_without_voice(options: argparse.Namespace, files: SpeechFiles) -> Non
 def _move_without_voice(options: argparse.Namespace, files: SpeechFiles, text: str) -> None:
     """Write the mouth of a text without sound, or of a recording with its labels."""
     if options.recording is not None:
-        files.write_said(*labelled(options))
+        files.write_said(*_labelled(options))
         return
     lexicon = load_lexicon(options.lexicon) if options.lexicon else Lexicon()
     silent = SilentText(
-        text, _language_of(options, text), files.driving.table, options.rate, options.seed, lexicon, options.literal
+        text, _language_of(options, text), files.driving.pinyin, options.rate, options.seed, lexicon, options.literal
     )
     if skipped := files.write_silent(silent, options.file.name if options.file else "text"):
         named = ", ".join(repr(word[:20]) for word in skipped[:SHOWN]) + (" ..." if len(skipped) > SHOWN else "")
         say_note("the text", f"{named} has no sound that is known, and is left out{_missing(skipped)}")
+
+
+def _labelled(options: argparse.Namespace) -> tuple[Utterance, Transcript]:
+    """Return what is said in ``--recording``, as the TextGrid beside it has it, and how loud and high."""
+    with SoundReader(options.recording, options.channel) as reader:
+        labels = read_utterance(options.recording.with_suffix(".TextGrid"), reader.duration)
+    utterance = replace(labels, language=options.language or "")
+    preset = load_preset(options.preset)
+    return utterance, transcribe(options.recording, preset, channel=options.channel, pitch=True, script=utterance)
 
 
 def _missing(skipped: Sequence[str]) -> str:

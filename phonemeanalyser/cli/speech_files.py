@@ -10,18 +10,18 @@ from pathlib import Path
 from typing import BinaryIO
 
 from phonemeanalyser.cli.arguments import format_of
-from phonemeanalyser.cli.driving import Driving, FaceTrack
 from phonemeanalyser.cli.expression import idle_of
-from phonemeanalyser.cli.output_files import STANDARD_OUTPUT, print_bytes
+from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import EngineError, ExportOptions, SilentText, Transcript, Utterance, spoken_text
 from phonemeengine.audio.wav import check_wav_name
+from phonemeengine.conversion.driving import Driving, FaceTrack
 from phonemeengine.files import begins_like
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.utterance import shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.replacing import Guard, guarded_write, nothing_is_own
+from phonemeengine.replacing import STANDARD_OUTPUT, Guard, guarded_write, nothing_is_own, write_guarded
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, PlanRow, plan_lines
 from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, has_pinyin, plan_of, says_pinyin
@@ -83,8 +83,7 @@ class SpeechFiles:
     @property
     def nothing(self) -> bool:
         """Whether nothing is written."""
-        units = self.driving.performer and self.driving.performer.units
-        return not any((self.sound, self.labels, self.export, self.plan, units))
+        return not any((self.sound, self.labels, self.export, self.plan, self.driving.asked.units))
 
     def write_spoken(self, sentences: Iterator[SpokenSentence], language: str, text: str) -> None:
         """Write what a voice says of a text, as it says it; its sound and its words are not kept for that."""
@@ -98,7 +97,7 @@ class SpeechFiles:
 
     def write_said(self, utterance: Utterance, speech: Transcript) -> None:
         """Write what is said in a recording, and `speech`, how loud and high."""
-        plan = plan_of(utterance, self.driving.table, seed=self.driving.seed)
+        plan = plan_of(utterance, self.driving.pinyin, seed=self.driving.asked.seed)
         with self._opened() as files:
             self._write_plan(files, plan.rows)
             self._export(files, speech, self._track_of(utterance, speech) if self._moves else None)
@@ -125,7 +124,7 @@ class SpeechFiles:
     @property
     def _moves(self) -> bool:
         """Whether a face moves, so that all that is said has to be there at once."""
-        return self.exporter is not None or self.driving.performer is not None
+        return self.exporter is not None or self.driving.recorded is not None
 
     @property
     def _guards(self) -> list[tuple[Path, Guard]]:
@@ -150,13 +149,13 @@ class SpeechFiles:
                 target: stack.enter_context(guarded_write(target, guard)) for target, guard in self._guards
             }
             yield files | {STANDARD_OUTPUT: printed}
-        print_bytes([printed.getvalue()])
+        write_guarded(None, [printed.getvalue()], Guard(), is_text=False)
 
     def _noted(
         self, sentences: Iterable[SpokenSentence], files: dict[Path | None, BinaryIO]
     ) -> Iterator[SpokenSentence]:
         """Return sentences as they come, and write their plan and labels."""
-        planner, n, letters = SentencePlanner(self.driving.table, self.driving.seed), 0, False
+        planner, n, letters = SentencePlanner(self.driving.pinyin, self.driving.asked.seed), 0, False
         self._write_plan(files, ())
         with UtteranceSpool(SILENCE) as labels:
             for sentence in sentences:
@@ -169,7 +168,7 @@ class SpeechFiles:
                 self._write_plan(files, planner.rows_of(sentence.text, words, n / SAMPLE_RATE), header=False)
                 yield sentence
             self.driving.check_letters(
-                self.driving.driver, self.sound.name if self.sound else "text", letters=letters
+                self.driving.asked.driver, self.sound.name if self.sound else "text", letters=letters
             )
             if self.labels is not None:
                 files[self.labels].writelines(line.encode() for line in labels.lines(n / SAMPLE_RATE))
@@ -183,7 +182,7 @@ class SpeechFiles:
             else:
                 letters = letters or (part.word is not None and says_pinyin(part.word))
                 yield from part.rows
-        self.driving.check_letters(self.driving.driver, name, letters=letters)
+        self.driving.check_letters(self.driving.asked.driver, name, letters=letters)
 
     def _track_of(
         self, utterance: Utterance, speech: Transcript, text: str = "", letters: PinyinTrack | None = None
@@ -193,11 +192,11 @@ class SpeechFiles:
         driver = self.driving.chosen(utterance, speech.name, takes)
         if driver is FaceDriver.PINYIN and letters is not None:
             return letters
-        return self.driving.track(driver, utterance, speech, text)
+        return self.driving.track(driver, utterance, speech, say_note, text)
 
     def _export(self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None) -> None:
         if self.exporter is not None:
-            movement = self.driving.movement(track, speech, self.exporter)
+            movement = self.driving.movement(track, speech, self.exporter, say_note)
             files[self.export].writelines(self.exporter.chunks_of(speech, movement))
 
     def _write_plan(

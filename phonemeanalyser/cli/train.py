@@ -9,9 +9,9 @@ from shutil import rmtree
 from tqdm import tqdm
 
 from phonemeanalyser.cli.arguments import add_channel, file_place, whole_in
-from phonemeanalyser.cli.output_files import write_whole
 from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.presets.files import DEFAULT_PRESET
+from phonemeengine.replacing import guarded_text
 from phonemetraining.model_card import model_card, validations_of
 from phonemetraining.pipeline import TrainedModel, TrainingResult, train_and_validate
 from phonemetraining.training import TrainingConfig
@@ -93,7 +93,8 @@ def run(options: argparse.Namespace) -> int:
     )
     save_preset(named, preset)
     text = model_card(options.out.stem, result, options.variations)
-    write_whole(card, lambda file: print(text, file=file, end=""))
+    with guarded_text(card) as file:
+        file.write(text)
     rmtree(work)
     print(f"{options.out}: {options.out.stat().st_size / 1000:.0f} kB; {card}; {preset} uses it")
     for ear, found in validations_of(result).items():

@@ -30,11 +30,11 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, check_order
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, work_of
 from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
-from phonemeengine.conversion import targets_of
+from phonemeengine.conversion.kinds import targets_of
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.animation import HIGHEST_RATE
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION
@@ -369,7 +369,7 @@ class ExportDialog(QDialog):
         """Return what the sounds are turned into; None, after saying why, where that cannot be done."""
         try:
             order = self.order()
-            check_order(order)
+            work_of(order)
         except EngineError as error:
             self.told.setText(str(error))
             return None

@@ -21,7 +21,7 @@ from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.movestate_set import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.progress import Progress, no_progress, report_progress
-from phonemeengine.replacing import Guard, guarded_write
+from phonemeengine.replacing import REPLACING, Guard, guarded_write
 from phonemeengine.settings import SAMPLE_RATE
 
 # A mesh that plays an animation, frame by frame.
@@ -156,9 +156,6 @@ ASIDE, ABOVE = 0.22, 0.03
 """Where the camera is, radians: lips that come forwards are seen from a little aside."""
 BLOCK = SAMPLE_RATE // 10
 """Samples of the sound that are encoded at a time."""
-
-
-REPLACING = Guard(overwrite=True)
 
 
 def check_clip(out: Path, size: tuple[int, int]) -> None:

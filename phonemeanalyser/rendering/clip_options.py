@@ -24,3 +24,6 @@ class ClipOptions:
     size: tuple[int, int] = USUAL_CLIP_SIZE
     rate: float = USUAL_CLIP_RATE
     theme: Theme = LIGHT
+
+
+USUAL_CLIP = ClipOptions()

@@ -1,13 +1,25 @@
 """Sounds that are turned into files: as the commands do it, whole or not at all."""
 
+import shutil
 from pathlib import Path
 
 import pytest
 
 import phonemeanalyser
 from phonemeanalyser.__main__ import main
-from phonemeengine import AudioError, Cancelled, ExportError, ExportOptions, MouthError, convert, load_preset
-from phonemeengine.conversion import CONVERSIONS, check_options, targets_of
+from phonemeengine import (
+    FORMATS,
+    AudioError,
+    Cancelled,
+    ExportError,
+    ExportOptions,
+    MouthError,
+    convert,
+    convert_all,
+    load_preset,
+    words_of,
+)
+from phonemeengine.conversion.kinds import CONVERSIONS, check_options, targets_of
 
 DEMO = Path(phonemeanalyser.__file__).parent / "demo" / "demo.flac"
 PRESET = load_preset("thesis")
@@ -29,6 +41,33 @@ def test_it_is_what_the_command_writes(tmp_path: Path, kind: str, command: list[
     name, *options = command
     assert main([name, str(DEMO), *options, "--preset", "thesis", "-o", str(tmp_path / f"cli{ending}")]) == 0
     assert (tmp_path / f"api{ending}").read_bytes() == (tmp_path / f"cli{ending}").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["livelink-csv", "textgrid"])
+def test_a_text_says_the_same_to_the_command(tmp_path: Path, name: str) -> None:
+    text, api, cli = "hello world", tmp_path / "api", tmp_path / "cli"
+    convert(DEMO, api, name, PRESET, script=words_of(text, "en-us"))
+    words = ["--format", name, "--text", text, "--language", "en-us", "--preset", "thesis"]
+    assert main(["export", str(DEMO), *words, "-o", str(cli / DEMO.with_suffix(FORMATS[name].full_ending).name)]) == 0
+    assert [path.read_bytes() for path in cli.iterdir()] == [api.read_bytes()]
+
+
+def test_a_table_of_frames_takes_no_words(tmp_path: Path) -> None:
+    with pytest.raises(ExportError, match="no place for words"):
+        convert(DEMO, tmp_path / "x.csv", "frames-csv", PRESET, script=words_of("hello", "en-us"))
+
+
+def test_what_a_program_made_in_a_folder_the_command_does_not_make_again(tmp_path: Path, sound: Path) -> None:
+    sounds, out = tmp_path / "sounds", tmp_path / "out"
+    sounds.mkdir()
+    copy = shutil.copy(sound, sounds)
+    assert convert_all([copy], out, "rhubarb-json", PRESET) == {}
+    (made,) = out.glob("*.json")
+    before = made.stat().st_mtime_ns
+    words = ["export", str(sounds), "--format", "rhubarb-json", "-o", str(out)]
+    assert main([*words, "--preset", "thesis"]) == 0
+    assert made.stat().st_mtime_ns == before
+    assert main([*words, "--preset", "extended"]) == 1  # it is other work's
 
 
 def test_all_kinds_are_told_apart() -> None:

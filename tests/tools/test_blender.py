@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 import phonemeengine
+from phonemeengine.conversion.work import export
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.exports.exporter import ExportOptions
-from phonemeengine.mouth.lip_sync import export
 from phonemeengine.mouth.table import load_table, shipped_tables, table_of
 from phonemeengine.presets.files import load_preset
 from tests.conftest import ROOT

@@ -10,9 +10,9 @@ from pathlib import Path
 import numpy as np
 import soundfile
 
-from phonemeengine.batch.conversion_work import ConversionWork
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Job, JobState, Work
+from phonemeengine.conversion.work import ConversionWork
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.batch_works import CopyWork

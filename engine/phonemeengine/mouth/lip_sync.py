@@ -1,7 +1,6 @@
-"""Sound files as mouths, in one call: what is said, cues, and files for other programs."""
+"""Sound files as mouths, in one call: what is said, and cues; and what is known of sounds, for other programs."""
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 from phonemeengine.analyser import analyse_file
@@ -83,61 +82,6 @@ def cues(
     return cues_of(said.runs, table, minimum=minimum, anticipation=anticipation)
 
 
-def export(
-    sound: str | os.PathLike[str],
-    target: str | os.PathLike[str],
-    form: str,
-    preset: Preset,
-    options: ExportOptions | None = None,
-    *,
-    channel: Channel = Channel.MIX,
-    script: Script | None = None,
-    overwrite: bool = False,
-    progress: Progress = no_progress,
-) -> None:
-    """Write what a sound file says, as mouth cues or the movement of a face for another program.
-
-    Parameters
-    ----------
-    sound, preset, channel, script, progress : as in `transcribe`.
-    target : the new file; its folder is made if need be, and an old file stays until the new one is complete.
-    form : name of the format, such as ``rhubarb-json``, ``textgrid``, ``livelink`` or ``gltf``; see `FORMATS`.
-    options : how it shall be written; what suits the format, unless they are given.
-    overwrite : whether to replace a file that is there with other content.
-
-    Raises
-    ------
-    AudioError : the sound cannot be read.
-    MouthError : its table cannot be used.
-    ExportError : there is no such format, it cannot do what is asked for, another file is there, or it cannot be
-        written.
-    Cancelled : `progress` did not want to go on; what was there stays.
-    """
-    guard = _guard_of(target, form, options, overwrite)
-    write_guarded(
-        Path(target),
-        exported(sound, form, preset, options, channel=channel, script=script, progress=progress),
-        guard,
-    )
-
-
-def exported(
-    sound: str | os.PathLike[str],
-    form: str,
-    preset: Preset,
-    options: ExportOptions | None = None,
-    *,
-    channel: Channel = Channel.MIX,
-    script: Script | None = None,
-    progress: Progress = no_progress,
-) -> Iterator[bytes]:
-    """Return the content of the file that `export` writes, in parts; it takes and raises the same."""
-    exporter = Exporter(form, options)
-    pitch = exporter.format.moves_head and exporter.idle.head
-    said = transcribe(sound, preset, channel=channel, pitch=pitch, script=script, progress=progress)
-    return exporter.chunks_of(said)
-
-
 def export_transcript(
     speech: Transcript,
     target: str | os.PathLike[str],
@@ -162,14 +106,7 @@ def export_transcript(
     ExportError : there is no such format, it cannot do what is asked for, another file is there, or it cannot be
         written.
     """
-    guard = _guard_of(target, form, options, overwrite)
-    write_guarded(Path(target), Exporter(form, options).chunks_of(speech, movement), guard)
-
-
-def _guard_of(
-    target: str | os.PathLike[str], form: str, options: ExportOptions | None, overwrite: bool
-) -> Guard:  # fmt: skip
-    """Check the options and the target before any sound is heard."""
-    guard = Guard(Exporter(form, options).format.owns, overwrite, error=ExportError)
+    exporter = Exporter(form, options)
+    guard = Guard(exporter.format.owns, overwrite, error=ExportError)
     guard.check(Path(target))
-    return guard
+    write_guarded(Path(target), exporter.chunks_of(speech, movement), guard)

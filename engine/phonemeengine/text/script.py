@@ -139,8 +139,9 @@ def _name_in_table(sound: str) -> str:
     return posixpath.normpath(sound.strip().strip('"').replace("\\", "/"))
 
 
-TIMED_SUFFIXES = frozenset({".textgrid", ".json"})
-"""Endings, in small letters, of scripts that tell when their words are said."""
+def is_timed(script: Path) -> bool:
+    """Return whether a script, by its ending, tells when its words are said."""
+    return script.suffix.lower() in {".textgrid", ".json"}
 
 
 def timed_script(

@@ -11,14 +11,14 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, ExportOrderWork
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, work_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.runner import in_the_way as jobs_in_the_way
 from phonemeengine.batch.work import Job, JobState, Outcome
-from phonemeengine.conversion import CONVERSIONS
+from phonemeengine.conversion.kinds import CONVERSIONS
 from phonemeengine.measurement import save_stretch
 from phonemeengine.progress import Progress
 from phonemeengine.settings import Channel
@@ -147,7 +147,7 @@ class ExportQueue(QObject):
             return progress(found.share)
 
         options = BatchOptions(folder=folder)
-        outcomes = run_batch(jobs, ExportOrderWork(order), options, on_outcome=self._take, on_progress=show)
+        outcomes = run_batch(jobs, work_of(order), options, on_outcome=self._take, on_progress=show)
         if folder is not None:
             write_batch_report(outcomes, folder)
 
@@ -179,7 +179,7 @@ def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | Non
     targets, order, folder : as in `ExportQueue.start`.
     """
     jobs = [Job(source, target) for source, target in targets.items()]
-    return [job.source for job in jobs_in_the_way(jobs, ExportOrderWork(order), folder)]
+    return [job.source for job in jobs_in_the_way(jobs, work_of(order), folder)]
 
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
@@ -193,7 +193,8 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
             save_stretch(source, 0.0, SECONDS_PREVIEWED, beginning, channel=order.channel)
             source, order = beginning, replace(order, channel=Channel.MIX)
         target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
-        EXPORT_KINDS[order.kind].make(source, target, order, progress)
+        with work_of(order).opened() as act:
+            act(Job(source, target), lambda _name, _note: None, progress)
         content = target.read_bytes()
     try:
         text = content.decode()

@@ -24,7 +24,7 @@ from phonemeengine.speech.spoken_text import spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import timed_words_of, words_of
-from phonemeengine.text.script import TIMED_SUFFIXES, load_script, script_beside
+from phonemeengine.text.script import is_timed, load_script, script_beside
 
 LABELS = ".TextGrid"
 
@@ -163,7 +163,7 @@ def words_in(path: Path, sound: Path, duration: float, speaker: str | None = Non
     ------
     EngineError : it cannot be read, or is of no use.
     """
-    if path.suffix.lower() not in TIMED_SUFFIXES:
+    if not is_timed(path):
         return FoundWords(None, load_script(path).texts_of([sound])[0][sound])
     speakers = speakers_in(path)
     if speaker is None and len(speakers) > 1:

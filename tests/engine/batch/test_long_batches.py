@@ -9,9 +9,9 @@ import pytest
 import soundfile
 
 from phonemeengine import load_preset
-from phonemeengine.batch.conversion_work import ConversionWork
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState
+from phonemeengine.conversion.work import ConversionWork
 from phonemeengine.errors import BatchError
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.dask_cluster import DaskCluster

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from phonemeengine.conversion.work import export
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.curves_file import FORMAT, parse_curves, read_curves
-from phonemeengine.mouth.lip_sync import export
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset
 from tests.conftest import ROOT

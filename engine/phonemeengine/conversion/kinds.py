@@ -1,22 +1,13 @@
 """What a sound file can be turned into: tables of phonemes or of every frame, and mouth cues for other programs."""
 
-import io
-import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from phonemeengine.analyser import analyse_file
 from phonemeengine.analysis_tables import TABLES
-from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import ExportError, remedy
 from phonemeengine.files import Owns
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.lip_sync import exported
-from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress
-from phonemeengine.replacing import Guard, guarded_write, write_guarded
-from phonemeengine.settings import Channel
 
 
 @dataclass(frozen=True)
@@ -79,48 +70,6 @@ def check_options(kind: str, options: ExportOptions | None) -> None:
         raise ExportError(f"there is no kind of file {kind!r}; {remedy(kind, CONVERSIONS)}")
     if CONVERSIONS[kind].moves_mouth:
         Exporter(kind, options)
-
-
-def convert(
-    sound: str | os.PathLike[str], target: str | os.PathLike[str], kind: str, preset: Preset,
-    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, overwrite: bool = False,
-    earlier: bool | None = None, progress: Progress = no_progress,
-) -> None:  # fmt: skip
-    """Turn a sound file into another file; one with other content that is there stays, unless told otherwise.
-
-    Parameters
-    ----------
-    sound : the file.
-    target : the new file; its folder is made if need be, and what was there stays until the new one is complete.
-    kind : see `CONVERSIONS`.
-    preset : what is recognised with, by the best ear that it has for files.
-    options : how mouth cues are written.
-    channel : what is recognised of a file of several channels.
-    overwrite : whether to replace whatever is there.
-    earlier : whether the same work made what is there, as batches note it; see `Guard`.
-    progress : called with the share that is done, 0..1.
-
-    Raises
-    ------
-    AudioError : the sound cannot be read.
-    ExportError, MouthError : as in `check_options`; or another file is there, or it cannot be written.
-    Cancelled : `progress` did not want to go on; what was there stays.
-    """
-    check_options(kind, options)
-    sound, target, form = Path(sound), Path(target), CONVERSIONS[kind]
-    guard = Guard(form.owns, overwrite, earlier, ExportError)
-    guard.check(target)
-    if form.moves_mouth:
-        parts = exported(sound, kind, preset, options, channel=channel, progress=progress)
-        write_guarded(target, parts, guard)
-        return
-    about, _, table = kind.partition("-")
-    write = TABLES[table].write_frames if about == "frames" else TABLES[table].write_runs
-    assert write is not None
-    with SoundReader(sound, channel) as reader, guarded_write(target, guard) as file:
-        text = io.TextIOWrapper(file, encoding="utf-8", newline="")
-        write(text, analyse_file(reader, preset, pitch=about == "frames", progress=progress), reader, preset)
-        text.detach()
 
 
 def targets_of(sounds: list[Path], folder: Path | None, ending: str) -> dict[Path, Path]:

@@ -1,0 +1,220 @@
+"""What moves a face by what is said: recorded faces, letters of pinyin, or rules."""
+
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from phonemeengine.alignment.align import is_other_text
+from phonemeengine.batch.work import Say
+from phonemeengine.errors import EngineError
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
+from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
+from phonemeengine.performance.keywords import load_keywords
+from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.performance.track import PerformanceTrack, format_units, owns
+from phonemeengine.replacing import Guard, write_guarded
+from phonemeengine.speech.pinyin.spring import Spring
+from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
+from phonemeengine.speech.pinyin.timing import has_pinyin
+from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+
+FaceTrack = PerformanceTrack | PinyinTrack
+"""What moves a face that does not follow its phones by rules."""
+Takes = Callable[[tuple[str, ...]], bool]
+"""Whether a face or a file has what a driver moves, by the names of its movestates."""
+
+_NEEDS_WORDS = {
+    FaceDriver.TABLE: "recorded faces are looked up by the phones that are said",
+    FaceDriver.PINYIN: "letters of pinyin are those of the syllables that are said",
+}
+
+
+@dataclass(frozen=True)
+class DriverChoice:
+    """What shall move a face by what is said.
+
+    Attributes
+    ----------
+    driver : what moves it.
+    beside : what moves a second face beside it; None where there is one face.
+    pinyin_table : a pinyin table's file; None for the one that ships.
+    spring : mass, stiffness and damping of a spring that moves the mouth, as ``M,K,D``; None for the table's.
+    seed : of its variation; none varies where it is None.
+    performance : files of tables of recorded faces.
+    use : the name of the table that is used; None where there is one.
+    choice, without : among the examples of a unit, and what is left out; see `PerformanceOptions`.
+    keywords : files of words with gestures.
+    units : where it is written what was taken from which recording; None writes nothing.
+    overwrite : whether whatever is there is replaced.
+
+    Raises
+    ------
+    EngineError : nothing would use the tables of recorded faces, or there are none.
+    """
+
+    driver: FaceDriver = FaceDriver.AUTO
+    beside: FaceDriver | None = None
+    pinyin_table: Path | None = None
+    spring: str | None = None
+    seed: int | None = None
+    performance: tuple[Path, ...] = ()
+    use: str | None = None
+    choice: ExampleChoice = ExampleChoice.VITERBI
+    without: frozenset[PerformancePart] = frozenset()
+    keywords: tuple[Path, ...] = ()
+    units: Path | None = None
+    overwrite: bool = field(default=False, compare=False)
+
+    def __post_init__(self) -> None:
+        drivers = {self.driver, self.beside}
+        if not self.performance and FaceDriver.TABLE in drivers:
+            option = "--text-driver" if self.driver is FaceDriver.TABLE else "--beside"
+            raise EngineError(f"{option} table needs a table of recorded faces; name it with --performance")
+        if self.performance and not drivers & {FaceDriver.AUTO, FaceDriver.TABLE}:
+            words = "leaves the table of --performance unused; leave one of them out"
+            raise EngineError(f"--text-driver {self.driver} {words}")
+
+    @contextmanager
+    def opened(self) -> Iterator["Driving"]:
+        """Open what moves faces.
+
+        Raises
+        ------
+        EngineError : a table cannot be used, or it is not known which; or somebody's file is where the units go.
+        """
+        pinyin = load_pinyin_table(self.pinyin_table) if self.pinyin_table else load_pinyin_table()
+        if self.spring is not None:
+            pinyin = replace(pinyin, spring=Spring.of(self.spring))
+        Guard(owns, self.overwrite).check(self.units)
+        keywords = load_keywords(*self.keywords) if self.performance else None
+        options = PerformanceOptions(self.choice, self.seed or 0, self.without, keywords=keywords)
+        with ExitStack() as stack:
+            tables = [stack.enter_context(PerformanceTable.open(path)) for path in self.performance]
+            yield Driving(self, pinyin, self._chosen(tables) if tables else None, options)
+
+    def _chosen(self, tables: list[PerformanceTable]) -> PerformanceTable:
+        named = [table for table in tables if self.use in {None, table.about.name}]
+        if len(named) != 1:
+            names = ", ".join(repr(table.about.name) for table in tables)
+            raise EngineError(f"one table moves a face, and there are {names}; name one of them with --use")
+        return named[0]
+
+
+USUAL_DRIVER: DriverChoice = DriverChoice()
+"""Letters of pinyin where Chinese is said, else rules."""
+
+
+@dataclass(frozen=True)
+class Driving:
+    """Moves faces by what is said.
+
+    Attributes
+    ----------
+    asked : what shall move them.
+    pinyin : the pinyin table.
+    recorded : the recorded faces; None where they move nothing.
+    options : how these are looked up.
+    """
+
+    asked: DriverChoice
+    pinyin: PinyinTable
+    recorded: PerformanceTable | None
+    options: PerformanceOptions
+
+    def say_notes(self, say: Say) -> None:
+        """Say if no person, but a model of one, moved in the recorded faces."""
+        if self.recorded is not None and self.recorded.about.synthetic:
+            words = "the performer is synthetic: no person moved, but a model of one"
+            say(self.recorded.about.name, words)
+
+    def chosen(
+        self, utterance: Utterance | None, name: str, takes: Takes | None = None, driver: FaceDriver | None = None
+    ) -> FaceDriver:
+        """Return what moves a face that says this.
+
+        Parameters
+        ----------
+        utterance : what is said; None where nobody knows.
+        name : of the sound or the text, for people.
+        takes : whether letters can move the face, for `AUTO`; they can, where it is None.
+        driver : another one than was asked for.
+
+        Raises
+        ------
+        EngineError : the driver cannot move a face by it.
+        """
+        driver = driver or self.asked.driver
+        if driver is FaceDriver.AUTO:
+            letters = utterance is not None and has_pinyin(utterance)
+            moves = takes is None or takes(self.pinyin.mouth.movestates)
+            driver = usual_driver(has_table=self.recorded is not None, has_letters=letters and moves)
+        if driver in _NEEDS_WORDS and (utterance is None or is_other_text(utterance)):
+            raise EngineError(
+                f"{name}: {_NEEDS_WORDS[driver]}, which nobody knows; give the text with --text, or the text or "
+                "labels with --script"
+            )
+        if utterance is not None:
+            self.check_letters(driver, name, letters=has_pinyin(utterance))
+        return driver
+
+    def check_letters(self, driver: FaceDriver, name: str, *, letters: bool) -> None:
+        """Refuse to move a face by letters of pinyin where what is said has none.
+
+        Raises
+        ------
+        EngineError : it is so.
+        """
+        if driver is FaceDriver.PINYIN and not letters:
+            raise EngineError(f"{name}: there is no syllable of pinyin in what is said; choose another driver")
+
+    def track(
+        self, driver: FaceDriver, utterance: Utterance | None, speech: Transcript, say: Say, text: str = ""
+    ) -> FaceTrack | None:
+        """Return how a chosen driver moves a face; None by rules.
+
+        What a table lacks is said, and the units that are asked for are written.
+
+        Parameters
+        ----------
+        utterance, speech : what is said, and how loud and high.
+        say : told what the table lacks.
+        text : the same as it is written, for the marks of its pauses.
+        """
+        if utterance is not None and driver is FaceDriver.PINYIN:
+            return pinyin_track(utterance, self.pinyin, text=text, seed=self.asked.seed)
+        if utterance is None or driver is not FaceDriver.TABLE or self.recorded is None:
+            return None
+        track = PerformanceTrack(utterance, speech, self.recorded, self.options)
+        for note in track.notes:
+            say(self.recorded.about.name, note)
+        if self.asked.units is not None:
+            units = format_units(track.units()).encode()
+            write_guarded(self.asked.units, [units], Guard(owns, self.asked.overwrite))
+        return track
+
+    def movement(
+        self, track: FaceTrack | None, speech: Transcript, exporter: Exporter, say: Say
+    ) -> Animation | None:  # fmt: skip
+        """Return the movement of a face for an export; None by rules, and where the format has its own shapes.
+
+        The latter is said, unless nobody asked for the letters.
+        """
+        if track is None:
+            return None
+        if exporter.takes(track.mouth().movestates):
+            return track.animation(speech, exporter.rate, exporter.idle)
+        if self.asked.driver is not FaceDriver.AUTO or self.recorded is not None:
+            say(exporter.name, "it has shapes of its own, which follow the phones")
+        return None
+
+    def caption(self, driver: FaceDriver) -> str:
+        """Return what people call a chosen driver."""
+        if driver is FaceDriver.TABLE and self.recorded is not None:
+            return self.recorded.about.title
+        return driver.caption

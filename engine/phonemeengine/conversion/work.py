@@ -1,0 +1,214 @@
+"""The one way from sounds to files: one or very many, with what is said in them and what moves a face by it."""
+
+import math
+import os
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from functools import partial
+from pathlib import Path
+
+from phonemeengine.analyser import analyse_file
+from phonemeengine.analysis_tables import TABLES
+from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.runner import BatchOptions, run_batch
+from phonemeengine.batch.work import Act, Job, JobState, Made, Say
+from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
+from phonemeengine.conversion.kinds import CONVERSIONS, check_options, targets_of
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
+from phonemeengine.errors import ExportError
+from phonemeengine.files import printable_name
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.table import load_table
+from phonemeengine.mouth.transcript import Script
+from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.preset import Preset
+from phonemeengine.progress import Progress, no_progress
+from phonemeengine.replacing import Guard, guarded_text, write_guarded
+from phonemeengine.settings import Channel
+
+
+@dataclass(frozen=True)
+class ConversionWork:
+    """Turns sounds into files of a kind; work for `run_batch`.
+
+    Attributes
+    ----------
+    kind : see `CONVERSIONS`.
+    preset : what is recognised with, by the best ear that it has for files.
+    options : how mouth cues are written.
+    channel : what is recognised of files of several channels.
+    texts : what is said in the sounds.
+    driver : what moves a face.
+    longest : seconds that a sound may last.
+    overwrite : whether to replace whatever is there; files that the same work made, as noted, are replaced anyway.
+
+    Raises
+    ------
+    ExportError, MouthError : there is no such kind, or it cannot do what the options say.
+    """
+
+    kind: str
+    preset: Preset
+    options: ExportOptions | None = None
+    channel: Channel = Channel.MIX
+    texts: SpokenTexts = NO_TEXTS
+    driver: DriverChoice = USUAL_DRIVER
+    longest: float = math.inf
+    overwrite: bool = False
+
+    def __post_init__(self) -> None:
+        check_options(self.kind, self.options)
+        if self.kind.startswith("frames-") and self.texts != NO_TEXTS:
+            raise ExportError("a table of frames has no place for words; leave the text out, or choose phonemes")
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        options, moved = self.options or ExportOptions(), CONVERSIONS[self.kind].moves_mouth
+        table = load_table(options.table or FORMATS[self.kind].table) if moved else None
+        mesh = None if options.mesh is None else Path(options.mesh)
+        written = replace(options, table=None, mesh=mesh) if moved else None
+        driver = self.driver if moved else None
+        return fingerprint_of("convert", self.kind, table, written, for_files(self.preset), self.channel, driver)
+
+    def known_of(self, job: Job) -> str:
+        """Return what is said in a sound."""
+        return self.texts.known_of(job.sound)
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Open what moves a face, and give what converts one file."""
+        if not CONVERSIONS[self.kind].moves_mouth:
+            yield self._write_table
+            return
+        exporter = Exporter(self.kind, self.options)
+        with self.driver.opened() as driving:
+            yield partial(self._export, exporter, driving)
+
+    def _write_table(self, job: Job, say: Say, progress: Progress) -> Made:
+        about, _, kind = self.kind.partition("-")
+        table, guard = TABLES[kind], self._guard_of(job)
+        with (
+            open_sound(job.source, self.channel, say, self.longest) as reader,
+            guarded_text(job.target, guard) as file,
+        ):
+            if about == "frames" and table.write_frames is not None:
+                analyses = analyse_file(reader, self.preset, pitch=True, progress=progress)
+                table.write_frames(file, analyses, reader, self.preset)
+                return made_of(reader, None)
+            analyses = analyse_file(reader, self.preset, progress=progress)
+            found = self.texts.aligned(reader, job.sound, analyses, say)
+            if found is None:
+                table.write_runs(file, analyses, reader, self.preset)
+                return made_of(reader, None)
+            table.write_words(file, *found, self.preset)
+            return made_of(reader, found[0], self.texts.language)
+
+    def _export(self, exporter: Exporter, driving: Driving, job: Job, say: Say, progress: Progress) -> Made:
+        guard = self._guard_of(job)
+        driving.say_notes(say)
+        with open_sound(job.source, self.channel, say, self.longest) as reader:
+            pitch = driving.recorded is not None or (exporter.format.moves_head and exporter.idle.head)
+            analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
+            utterance, speech = self.texts.said(reader, job.sound, analyses, say)
+            driver = driving.chosen(utterance, printable_name(job.source), exporter.takes)
+            track = driving.track(driver, utterance, speech, say)
+            movement = driving.movement(track, speech, exporter, say)
+            made = made_of(reader, utterance, self.texts.language)
+        parts = exporter.chunks_of(speech, movement)
+        write_guarded(job.target, parts, guard, is_text=not exporter.format.moves_mesh)
+        return made
+
+    def _guard_of(self, job: Job) -> Guard:
+        """Return what keeps files of others, after looking whether one is there."""
+        guard = Guard(CONVERSIONS[self.kind].owns, self.overwrite, job.earlier, ExportError)
+        guard.check(job.target)
+        return guard
+
+
+def convert(
+    sound: str | os.PathLike[str], target: str | os.PathLike[str], kind: str, preset: Preset,
+    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, script: Script | None = None,
+    driver: DriverChoice = USUAL_DRIVER, overwrite: bool = False, progress: Progress = no_progress,
+) -> None:  # fmt: skip
+    """Turn a sound file into another file; one with other content that is there stays, unless told otherwise.
+
+    Parameters
+    ----------
+    sound : the file.
+    target : the new file; its folder is made if need be, and what was there stays until the new one is complete.
+    kind : see `CONVERSIONS`.
+    preset : what is recognised with, by the best ear that it has for files.
+    options : how mouth cues are written.
+    channel : what is recognised of a file of several channels.
+    script : what is said in it, where that is known; see `transcribe`.
+    driver : what moves a face.
+    overwrite : whether to replace whatever is there.
+    progress : called with the share that is done, 0..1.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read.
+    ExportError, MouthError : there is no such kind, or it cannot do what the options say; or another file is there,
+        or it cannot be written.
+    CorpusError : there is no word in the script.
+    Cancelled : `progress` did not want to go on; what was there stays.
+    """
+    source = Path(sound)
+    texts = NO_TEXTS if script is None else SpokenTexts(scripts={source: script})
+    work = ConversionWork(
+        kind, preset, options, channel, texts, driver, overwrite=overwrite
+    )  # fmt: skip
+    with work.opened() as act:
+        act(Job(source, Path(target)), lambda _name, _note: None, progress)
+
+
+def export(
+    sound: str | os.PathLike[str], target: str | os.PathLike[str], form: str, preset: Preset,
+    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, script: Script | None = None,
+    overwrite: bool = False, progress: Progress = no_progress,
+) -> None:  # fmt: skip
+    """Write what a sound file says, as mouth cues or the movement of a face for another program; see `convert`.
+
+    Parameters
+    ----------
+    form : name of the format, such as ``rhubarb-json``, ``textgrid``, ``livelink`` or ``gltf``; see `FORMATS`.
+    """
+    Exporter(form, options)  # refuses what is another kind of file
+    convert(
+        sound, target, form, preset, options, channel=channel, script=script, overwrite=overwrite, progress=progress
+    )
+
+
+def convert_all(
+    sounds: Iterable[str | os.PathLike[str]], folder: str | os.PathLike[str], kind: str, preset: Preset,
+    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, overwrite: bool = False,
+    processes: int | None = None, cluster: str | None = None, progress: Progress = no_progress,
+) -> dict[Path, str]:  # fmt: skip
+    """Turn sound files into files in a folder; return what was wrong with those that failed, a sentence each.
+
+    What fails stops nothing, and what was done before and is unchanged is not done again. A script that has several
+    processes work begins below ``if __name__ == "__main__":``, as `multiprocessing` wants it.
+
+    Parameters
+    ----------
+    sounds : the files; a number tells the outputs of equal names apart.
+    folder : where the new files go, and what was done is noted.
+    kind, preset, options, channel, overwrite : as in `convert`.
+    processes : files at a time; None for as many as there are cores, where that is worth it.
+    cluster : the address of a Dask cluster's scheduler, which works in place of this machine.
+    progress : called with the share that is done, 0..1.
+
+    Raises
+    ------
+    ExportError, MouthError : there is no such kind, or it cannot do what the options say.
+    BatchError : another batch is at work in the folder, the disk is full, or the cluster cannot be used.
+    Cancelled : `progress` did not want to go on; what is complete stays.
+    """
+    work, folder = ConversionWork(kind, preset, options, channel, overwrite=overwrite), Path(folder)
+    targets = targets_of([*map(Path, sounds)], folder, CONVERSIONS[kind].ending)
+    jobs = [Job(source, target) for source, target in targets.items()]
+    how = BatchOptions(processes, folder, cluster)
+    outcomes = run_batch(jobs, work, how, on_progress=lambda found: progress(found.share))
+    return {outcome.job.source: outcome.words for outcome in outcomes if outcome.state is JobState.FAILED}
