@@ -9,8 +9,6 @@ from contextlib import contextmanager, suppress
 LARGEST_BLOCK = 32 << 20
 """Bytes of an array whose memory is kept."""
 _M_TRIM_THRESHOLD, _M_MMAP_THRESHOLD = -1, -3  # malloc.h
-ENDS_WITH_INPUT = "PHONEMEANALYSER_ENDS_WITH_INPUT"
-"""What a program of this project has in its environment that was started by another one, see `end_with_input`."""
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 """What libraries of matrices ask for how many threads they have."""
 

@@ -12,7 +12,6 @@ from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.logs import logged_to
 from phonemeengine import EngineError
 from phonemeengine.errors import meant_by
-from phonemeengine.processes import ENDS_WITH_INPUT, end_with_input
 
 COMMANDS = {
     "adapt": "Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone.",
@@ -45,8 +44,6 @@ SPELLINGS = {"analyze": "analyse"}
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run the program; returns the exit code: 0, 1 something failed, 2 wrong usage, 3 no display."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    if os.environ.pop(ENDS_WITH_INPUT, ""):
-        end_with_input()
     try:
         command, rest = _command_in(words)
         module, parser = _module_of(command), _parser_of(command)

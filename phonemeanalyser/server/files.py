@@ -1,20 +1,22 @@
-"""Whole files over HTTP: a sound comes in, and what the command ``export`` makes of it goes out.
+"""Whole files over HTTP: a sound comes in, and what `ConversionWork` makes of it goes out.
 
-Each is exported by that command, in a process of its own: a damaged file, a huge one or a client that has gone takes
-nothing with it, and live streams go first.
+Each is made in a process of its own: a damaged file, a huge one or a client that has gone takes nothing with it, and
+live streams go first.
 """
 
 import asyncio
 import contextlib
+import json
 import logging
 import math
 import os
+import pickle
 import subprocess
 import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator, Awaitable, Callable, Collection
 from contextlib import asynccontextmanager
 from dataclasses import dataclass, field
 from functools import partial
@@ -23,11 +25,16 @@ from typing import TypeVar
 
 from aiohttp import BodyPartReader, web
 
+from phonemeanalyser.server.file_process import CODE, CRASHED, NO_MEMORY, REFUSED
 from phonemeanalyser.server.limits import MEGABYTE, ServerLimits
 from phonemeanalyser.server.refused import FAILED, RefusedError
-from phonemeengine import FORMATS
+from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion
+from phonemeengine.batch.work import Job
+from phonemeengine.conversion.driving import DriverChoice
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
+from phonemeengine.conversion.work import ConversionWork
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.processes import ENDS_WITH_INPUT
 
 # Whose file is exported: addresses take turns, and a file that takes long gives its place to those that wait.
 
@@ -119,8 +126,13 @@ class FileTurns:
 
 CHUNK = 1 << 16
 SOUND = "sound"
-FIELDS = ("format", "table", "fps", "text", "language")
+OF_TEXTS = ("language", "literal", "accept-text")
+FIELDS = (
+    "format", "table", "fps", "minimum", "anticipation", "detail", "no-blinks", "no-head", "seed", "channel",
+    "text-driver", "text", *OF_TEXTS,
+)  # fmt: skip
 """What may stand beside the sound, each as the option of ``export`` of that name."""
+DRIVERS = (FaceDriver.AUTO.value, FaceDriver.PINYIN.value, FaceDriver.RULES.value)
 NICE, NICEST = 1, 19
 LONGEST_FIELD = 64
 """Characters of a field other than the text."""
@@ -150,32 +162,73 @@ class FileRequest:
     sound: Path
     words: dict[str, str] = field(default_factory=dict)
 
-    def arguments(self, preset: Path, out: Path) -> list[str]:
-        """Return the arguments of ``export``.
+    def work(self, longest: float) -> Callable[..., ConversionWork]:
+        """Return what makes the work of exporting it with a preset; a sound lasts at most so many seconds.
 
         Raises
         ------
-        RefusedError : the client asks for what is not there.
+        EngineError : the client asks for what is not there, or sends no text.
         """
-        words = self.words
         if not self.sound.exists():
             raise RefusedError(f"there is no sound in the request; send it as the field {SOUND}")
-        if words.get("format") not in FORMATS:
-            raise RefusedError(f"there is no format {words.get('format', '')!a}; ask for one of {', '.join(FORMATS)}")
-        if words.get("table", shipped_tables()[0]) not in shipped_tables():
-            raise RefusedError(
-                f"there is no mouth table {words['table']!a}; choose one of {', '.join(shipped_tables())}"
-            )
-        if "language" in words and "text" not in words:
-            raise RefusedError("language is that of a text; send the text, too, or leave the language out")
-        given = [f"--{name}={words[name]}" for name in ("format", "table", "language") if name in words]
-        if "fps" in words:
-            given.append(f"--fps={_number(words['fps'])}")
-        if "text" in words:
-            script = self.sound.with_name("text.txt")
-            script.write_text(words["text"].replace("\t", " "), encoding="utf-8")
-            given.append(f"--script={script}")
-        return [str(self.sound), f"--preset={preset}", f"--out={out}", *given]
+        kind = self._one_of("format", "format", FORMATS)
+        table = self._one_of("table", "mouth table", shipped_tables()) if "table" in self.words else None
+        texts, seed = self._texts(), self._number("seed")
+        if seed is not None and (seed < 0 or seed % 1):
+            raise RefusedError(f"seed must be a whole number, 0 or more, got {seed:g}")
+        rate, minimum, ahead = self._number("fps"), self._number("minimum"), self._number("anticipation")
+        detail = self._one_of("detail", "detail", [d.value for d in Detail], Detail.PHONEMES.value)
+        driver = self._one_of("text-driver", "driver of a face", DRIVERS, FaceDriver.AUTO.value)
+        idle = IdleMotion(not self._flag("no-blinks"), not self._flag("no-head"), int(seed or 0), Detail(detail))
+        return partial(
+            ConversionWork, kind, options=ExportOptions(rate, minimum, ahead, table, idle=idle),
+            channel=self._channel(), texts=texts, longest=longest,
+            driver=DriverChoice(FaceDriver(driver), seed=None if seed is None else int(seed)),
+        )  # fmt: skip
+
+    def _texts(self) -> SpokenTexts:
+        if "text" not in self.words:
+            for name in OF_TEXTS:
+                if name in self.words:
+                    raise RefusedError(f"{name} is that of a text; send the text, too, or leave the {name} out")
+            return NO_TEXTS
+        script = self.sound.with_name("text.txt")
+        script.write_text(self.words["text"].replace("\t", " "), encoding="utf-8")
+        known = SpokenTexts(
+            language=self.words.get("language"), literal=self._flag("literal"), accepted=self._flag("accept-text")
+        )
+        return known.of_script(script, [self.sound], lambda _name, _note: None)
+
+    def _one_of(self, name: str, what: str, known: Collection[str], usual: str = "") -> str:
+        words = self.words.get(name, usual)
+        if words not in known:
+            raise RefusedError(f"there is no {what} {words!a}; ask for one of {', '.join(known)}")
+        return words
+
+    def _number(self, name: str) -> float | None:
+        if name not in self.words:
+            return None
+        try:
+            value = float(self.words[name])
+        except ValueError:
+            value = math.nan
+        if not math.isfinite(value):
+            unit = " of frames per second" if name == "fps" else ""
+            raise RefusedError(f"{name} must be a number{unit}, got {self.words[name]!a}")
+        return value
+
+    def _flag(self, name: str) -> bool:
+        words = self.words.get(name, "false")
+        if words not in {"true", "false"}:
+            raise RefusedError(f"{name} must be true or false, got {words!a}")
+        return words == "true"
+
+    def _channel(self) -> Channel:
+        words = self.words.get("channel", Channel.MIX.value)
+        try:
+            return Channel(words)
+        except ValueError:
+            raise RefusedError(f"channel must be mix, left, right, or a number from 1, got {words!a}") from None
 
 
 class FileExporter:
@@ -207,13 +260,16 @@ class FileExporter:
             async with asyncio.timeout(self._limits.file_seconds):
                 with tempfile.TemporaryDirectory(prefix="phonemeanalyser-") as folder:
                     asked = await self._received(request, Path(folder))
-                    form = FORMATS.get(asked.words.get("format", ""))
-                    out = Path(folder) / f"mouth{form.ending if form else ''}"
-                    arguments = asked.arguments(self._preset, out)
-                    limit = f"--longest={self._limits.longest_file:g}"
+                    work = asked.work(self._limits.longest_file)
+                    out = Path(folder) / f"mouth{FORMATS[asked.words['format']].ending}"
+                    order = pickle.dumps((self._preset, work, Job(asked.sound, out)))
                     async with self._turns.turn(address) as turn:
-                        await _run(["export", limit, *arguments], turn, self._limits.file_memory)
+                        await _make(order, turn, self._limits.file_memory)
                     return await _sent(request, out)
+        except RefusedError:
+            raise
+        except EngineError as error:
+            raise RefusedError(str(error)) from error
         except TimeoutError:
             raise RefusedError(
                 f"the file took longer than {self._limits.file_seconds:g} s; send a shorter one, or try later", 503
@@ -270,41 +326,53 @@ class FileExporter:
         return words
 
 
-async def _run(arguments: list[str], turn: FileTurn, memory: float) -> None:
-    """Run a command of this program in its turn, with so many MB of memory; what it refuses is refused.
+async def _make(order: bytes, turn: FileTurn, memory: float) -> None:
+    """Have a process make a file in its turn, with so many MB of memory; what it refuses is refused.
 
     The process is killed where nobody waits for it any more.
     """
-    words = [sys.executable, "-m", "phonemeanalyser", *arguments]
     pipe = asyncio.subprocess.PIPE
     process = await asyncio.create_subprocess_exec(
-        *words, stdin=pipe, stdout=asyncio.subprocess.DEVNULL, stderr=pipe, creationflags=GENTLY,
-        env=os.environ | {ENDS_WITH_INPUT: "1"},
-    )  # fmt: skip
+        sys.executable, "-c", CODE, stdin=pipe, stdout=pipe, stderr=pipe, creationflags=GENTLY
+    )
     _set_priority(process.pid, NICE)
     limit_memory(process.pid, round(memory * MEGABYTE))
     turn.give_way = partial(_set_priority, process.pid, NICEST)
     try:
+        assert process.stdin is not None
+        assert process.stdout is not None
         assert process.stderr is not None
-        said = await process.stderr.read()  # its input stays open as long as this process is there
+        process.stdin.write(order)  # it stays open as long as this process is there
+        answer, said = await asyncio.gather(process.stdout.read(), process.stderr.read())
         await process.wait()
     finally:
         if process.returncode is None:
             process.kill()
             await process.wait()
-    if process.returncode:
-        raise refusal_of(said.decode(errors="replace").strip(), memory)
+    check_answer(answer, said.decode(errors="replace"), memory)
 
 
-def refusal_of(said: str, memory: float) -> RefusedError:
-    """Return why a command has failed, by what it said last."""
-    last = said.rpartition("\n")[2]
-    if last.startswith("phonemeanalyser"):
-        return RefusedError(last.removeprefix("phonemeanalyser: "))
-    if "MemoryError" in said[-2000:]:
-        return RefusedError(f"the file needs more than {memory:g} MB of memory; send a shorter one", 413)
-    _log.error("a file could not be exported: %s", said[-2000:])
-    return RefusedError(FAILED, 500)
+def check_answer(answer: bytes, said: str, memory: float) -> None:
+    """Refuse what a process could not make.
+
+    Parameters
+    ----------
+    answer : of the process; nothing where it died.
+    said : what it wrote on standard error.
+    memory : MB that it had.
+
+    Raises
+    ------
+    RefusedError : the file was refused, or the process has failed at it.
+    """
+    state, words = json.loads(answer) if answer else (NO_MEMORY if "MemoryError" in said else CRASHED, said)
+    if state == REFUSED:
+        raise RefusedError(words)
+    if state == NO_MEMORY:
+        raise RefusedError(f"the file needs more than {memory:g} MB of memory; send a shorter one", 413)
+    if state == CRASHED:
+        _log.error("a file could not be exported: %s", words[-2000:])
+        raise RefusedError(FAILED, 500)
 
 
 def _set_priority(process: int, nice: int) -> None:
@@ -334,13 +402,3 @@ async def _sent(request: web.Request, path: Path) -> web.StreamResponse:
             await answer.write(chunk)
     await answer.write_eof()
     return answer
-
-
-def _number(words: str) -> float:
-    try:
-        value = float(words)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise RefusedError(f"fps must be a number of frames per second, got {words!a}")
-    return value

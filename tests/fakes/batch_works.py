@@ -13,6 +13,7 @@ from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.errors import ExportError
 from phonemeengine.files import atomic_write
+from phonemeengine.presets.preset import Preset
 from phonemeengine.progress import Cancelled, Progress, report_progress
 
 SECONDS = 2.0
@@ -27,6 +28,7 @@ class CopyWork:
     """
 
     word: str = "copy"
+    preset: Preset | None = None
 
     def fingerprint(self) -> str:
         return fingerprint_of(self)
@@ -38,6 +40,8 @@ class CopyWork:
     def opened(self) -> Iterator[Act]:
         if self.word == "closed":
             raise ExportError("what is needed cannot be opened")
+        if self.word == "hungry":
+            bytearray(1 << 30)
         yield self._copy
 
     def _copy(self, job: Job, say: Say, progress: Progress) -> Made:

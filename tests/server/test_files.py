@@ -4,8 +4,10 @@ import asyncio
 import io
 import json
 import os
+import pickle
 import subprocess
 import sys
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +17,15 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.server.files import limit_memory, refusal_of
+from phonemeanalyser.server.file_process import CODE
+from phonemeanalyser.server.files import check_answer, limit_memory
 from phonemeanalyser.server.limits import ServerLimits
-from phonemeanalyser.server.refused import FAILED
+from phonemeanalyser.server.refused import FAILED, RefusedError
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import FORMATS
+from phonemeengine.batch.work import Job
+from phonemeengine.presets.files import DEFAULT_PRESET
+from tests.fakes.batch_works import CopyWork
 from tests.server.conftest import RECORDING, TEXT
 from tests.server.servers import run, served
 
@@ -89,6 +95,11 @@ def test_table_and_rate_are_those_that_were_asked_for(server: str) -> None:
         ({"format": "gltf", "text": "word " * 30_000}, "the field text may have 100000 characters"),
         ({"format": "x" * 1000}, "the field format may have 64 characters"),
         ({"format": "gltf", "preset": "/etc/passwd"}, "there is no such field"),
+        ({"format": "gltf", "no-head": "no"}, "no-head must be true or false, got 'no'"),
+        ({"format": "gltf", "seed": "-1"}, "seed must be a whole number, 0 or more, got -1"),
+        ({"format": "gltf", "channel": "all"}, "channel must be mix, left, right, or a number from 1, got 'all'"),
+        ({"format": "gltf", "text-driver": "table"}, "there is no driver of a face 'table'; ask for one of auto"),
+        ({"format": "gltf", "literal": "true"}, "literal is that of a text; send the text, too"),
     ],
     ids=str,
 )  # fmt: skip
@@ -126,21 +137,69 @@ def test_a_sound_that_is_too_long_is_not_taken_however_small_its_file_is() -> No
         assert exported(address, silent_flac(2), format="rhubarb-tsv")[0] == 200
 
 
+@pytest.mark.parametrize(
+    ("form", "fields"),
+    [
+        ("rhubarb-tsv", {"minimum": "0.2", "channel": "1"}),
+        (
+            "curves-json",
+            {
+                "table": "vrm",
+                "fps": "24",
+                "anticipation": "0.05",
+                "no-blinks": "true",
+                "no-head": "true",
+                "seed": "3",
+            },
+        ),
+        ("livelink-csv", {"text": TEXT, "language": "de", "literal": "true", "accept-text": "true"}),
+        ("livelink-csv", {"text": TEXT, "language": "de", "text-driver": "rules", "seed": "3"}),
+    ],
+)
+def test_each_field_is_the_option_of_the_command(
+    server: str, tmp_path: Path, form: str, fields: dict[str, str]
+) -> None:  # fmt: skip
+    sound, expected = tmp_path / "sound", tmp_path / "expected"
+    sound.write_bytes(SOUND)
+    words = [f"--{name}" if value == "true" else f"--{name}={value}" for name, value in fields.items()]
+    assert main(["export", str(sound), "--format", form, *words, "-o", str(expected)]) == 0
+    assert exported(server, format=form, **fields)[2] in [p.read_bytes() for p in expected.iterdir()]
+
+
+def answered(work: object, tmp_path: Path, memory: int | None = None) -> RefusedError:
+    """Give why a process has failed at work."""
+    order = pickle.dumps((DEFAULT_PRESET, work, Job(tmp_path / "crashes.wav", tmp_path / "out")))
+    with subprocess.Popen(
+        [sys.executable, "-c", CODE], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    ) as process:
+        if memory is not None:
+            limit_memory(process.pid, memory << 20)
+        assert process.stdin is not None
+        assert process.stdout is not None
+        process.stdin.write(order)
+        process.stdin.flush()
+        answer = process.stdout.read()
+    with pytest.raises(RefusedError) as refused:
+        check_answer(answer, "", memory or 0)
+    return refused.value
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems do not limit the memory of other processes")
-def test_a_file_that_needs_too_much_memory_is_given_up_in_a_sentence() -> None:
-    words = [sys.executable, "-c", "input(); bytearray(1 << 30)"]
-    with subprocess.Popen(words, stdin=subprocess.PIPE, stderr=subprocess.PIPE) as process:
-        limit_memory(process.pid, 200 << 20)
-        _, said = process.communicate(b"\n")
-    assert process.returncode == 1
-    refused = refusal_of(said.decode(), 200)
-    assert (refused.status, str(refused)) == (413, "the file needs more than 200 MB of memory; send a shorter one")
+def test_a_file_that_needs_too_much_memory_is_given_up_in_a_sentence(tmp_path: Path) -> None:
+    refused = answered(partial(CopyWork, "hungry"), tmp_path, memory=800)
+    assert (refused.status, str(refused)) == (413, "the file needs more than 800 MB of memory; send a shorter one")
 
 
-def test_a_bug_in_an_export_is_no_traceback(caplog: pytest.LogCaptureFixture) -> None:
-    refused = refusal_of("Traceback (most recent call last):\n  ...\nKeyError: 7", 200)
+def test_a_bug_in_an_export_is_no_traceback(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    refused = answered(partial(CopyWork, "copy"), tmp_path)
     assert (refused.status, str(refused)) == (500, FAILED)
-    assert "KeyError: 7" in caplog.text
+    assert "ZeroDivisionError: a bug" in caplog.text
+
+
+def test_a_process_that_died_has_failed(caplog: pytest.LogCaptureFixture) -> None:
+    with pytest.raises(RefusedError, match="the server has failed"):
+        check_answer(b"", "killed", 200)
+    assert "killed" in caplog.text
 
 
 @pytest.mark.skipif(os.name == "nt", reason="there, processes do not give way")
