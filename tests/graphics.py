@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeengine.mouth.mesh import Mesh, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh

@@ -84,11 +84,11 @@ from .mouth.morph_mesh import matched as matched
 from .mouth.morph_mesh import morph_targets_of as morph_targets_of
 from .mouth.morpher import Detail as Detail
 from .mouth.morpher import Morpher as Morpher
+from .mouth.movestate import Mode as Mode
 from .mouth.movestate import Movestate as Movestate
+from .mouth.movestate import MovestateSet as MovestateSet
 from .mouth.movestate import movestate_at as movestate_at
 from .mouth.movestate import movestate_of as movestate_of
-from .mouth.movestate_set import Mode as Mode
-from .mouth.movestate_set import MovestateSet as MovestateSet
 from .mouth.osc import OscMouth as OscMouth
 from .mouth.osc_expression import OscExpression as OscExpression
 from .mouth.performer import IdleMotion as IdleMotion

@@ -23,10 +23,9 @@ from phonemeanalyser.cli.arguments import (
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
 from phonemeanalyser.cli.prediction_work import PredictionWork
 from phonemeanalyser.cli.scripts import words_to_score
-from phonemeanalyser.reports.numbers import json_of
+from phonemeanalyser.reports.figures import json_of, text_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
-from phonemeanalyser.reports.text import text_of
 from phonemeengine import (
     AudioError,
     Channel,

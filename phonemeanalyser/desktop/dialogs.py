@@ -27,8 +27,14 @@ from phonemeengine.features.variables import Variable
 from phonemeengine.files import free_path
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.paths import presets_folder
-from phonemeengine.presets.entries import PresetEntry, preset_entries
-from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY_PRESETS, load_preset, own_presets
+from phonemeengine.presets.files import (
+    DEFAULT_PRESET,
+    FACTORY_PRESETS,
+    PresetEntry,
+    load_preset,
+    own_presets,
+    preset_entries,
+)
 
 if TYPE_CHECKING:
     from phonemeanalyser.desktop.ship_dialog import ShipOrder

@@ -42,8 +42,7 @@ from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.presets.entries import PresetEntry
-from phonemeengine.presets.files import load_preset
+from phonemeengine.presets.files import PresetEntry, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 

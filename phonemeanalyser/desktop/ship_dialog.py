@@ -23,8 +23,7 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.language import tr
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.presets.entries import PresetEntry
-from phonemeengine.presets.files import load_preset
+from phonemeengine.presets.files import PresetEntry, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.shipping.folder import USUAL_TABLES, ship
 from phonemeengine.shipping.targets import TARGETS

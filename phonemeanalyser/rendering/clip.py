@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.clip_options import ClipOptions
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.video import SoundTrack, why_no_film, why_no_gif, write_film, write_gif, write_pictures
@@ -18,7 +18,7 @@ from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.files import printable
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.idle_motion import HeadPose
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.replacing import REPLACING, Guard, guarded_write

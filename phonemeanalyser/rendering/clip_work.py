@@ -6,9 +6,9 @@ from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.clip import animation_by_rules, sound_track, write_clip
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine import (
     Animation,

@@ -8,8 +8,8 @@ from typing import Any
 import moderngl
 import numpy as np
 
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import LIGHT, Light
 from phonemeanalyser.rendering.renderer import STILL, Colour, HeadRenderer
 from phonemeengine.arrays import Float32Array, UInt8Array

@@ -8,7 +8,7 @@ from typing import Any
 import moderngl
 import numpy as np
 
-from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.light import BoundingSphere
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
 from phonemeengine.mouth.mesh import Mesh

@@ -7,8 +7,8 @@ from typing import Any
 import moderngl
 import numpy as np
 
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera, NeckPivot, rotation_of
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
 from phonemeanalyser.rendering.passes import (
     Backdrop,

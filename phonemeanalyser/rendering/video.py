@@ -11,7 +11,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from PIL import Image
 
-from phonemeanalyser.rendering.errors import RenderingError
+from phonemeanalyser.rendering import RenderingError
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.files import reason_of
 

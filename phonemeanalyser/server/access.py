@@ -14,7 +14,7 @@ from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from phonemeanalyser.server.refused import RefusedError
+from phonemeanalyser.server.limits import RefusedError
 from phonemeengine import EngineError
 from phonemeengine.files import printable_name, read_text_file
 

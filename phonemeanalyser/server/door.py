@@ -10,8 +10,7 @@ from typing import Any
 from aiohttp import web
 
 from phonemeanalyser.server import messages
-from phonemeanalyser.server.limits import ServerLimits
-from phonemeanalyser.server.refused import FAILED, RefusedError
+from phonemeanalyser.server.limits import FAILED, RefusedError, ServerLimits
 
 CLOSING = 2.0
 """Seconds that a client has to take what it is told last."""

@@ -26,8 +26,7 @@ from typing import TypeVar
 from aiohttp import BodyPartReader, web
 
 from phonemeanalyser.server.file_process import CODE, CRASHED, NO_MEMORY, REFUSED
-from phonemeanalyser.server.limits import MEGABYTE, ServerLimits
-from phonemeanalyser.server.refused import FAILED, RefusedError
+from phonemeanalyser.server.limits import FAILED, MEGABYTE, RefusedError, ServerLimits
 from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion
 from phonemeengine.batch.work import Job
 from phonemeengine.conversion.driving import DriverChoice

@@ -3,7 +3,26 @@
 import math
 from dataclasses import dataclass
 
-from phonemeengine import SettingsError
+from phonemeengine import EngineError, SettingsError
+
+# What a server refuses, with the number that HTTP has for it.
+
+FAILED = "the server has failed at this; its log (--log) says where"
+"""What is answered where it is the server's fault."""
+
+
+class RefusedError(EngineError):
+    """A request that is not granted; its text is one sentence for whoever wrote the client.
+
+    Attributes
+    ----------
+    status : of the answer over HTTP.
+    """
+
+    def __init__(self, sentence: str, status: int = 400) -> None:
+        super().__init__(sentence)
+        self.status = status
+
 
 USUAL_HOST, USUAL_PORT = "127.0.0.1", 8765
 MEGABYTE = 1 << 20

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from phonemeanalyser.server.refused import RefusedError
+from phonemeanalyser.server.limits import RefusedError
 from phonemeengine import GrownWords, MouthTable, Phoneme, Viseme, Word, load_table
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat

@@ -15,8 +15,7 @@ from aiohttp import web
 from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_of
 from phonemeanalyser.server.door import CLOSING, Door, refusal
 from phonemeanalyser.server.files import FileExporter
-from phonemeanalyser.server.limits import MEGABYTE, USUAL_HOST, USUAL_PORT, ServerLimits
-from phonemeanalyser.server.refused import FAILED, RefusedError
+from phonemeanalyser.server.limits import FAILED, MEGABYTE, USUAL_HOST, USUAL_PORT, RefusedError, ServerLimits
 from phonemeanalyser.server.session import StreamSession
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import FORMATS, EngineError, ScriptWord, __version__, load_preset, words_of

@@ -12,8 +12,7 @@ import numpy as np
 from aiohttp import WSMsgType, web
 
 from phonemeanalyser.server import messages
-from phonemeanalyser.server.limits import AHEAD, PER_MESSAGE, ServerLimits
-from phonemeanalyser.server.refused import FAILED, RefusedError
+from phonemeanalyser.server.limits import AHEAD, FAILED, PER_MESSAGE, RefusedError, ServerLimits
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, Preset, ScriptWord
 from phonemeengine.arrays import Float32Array

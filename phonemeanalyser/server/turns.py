@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 from typing import Protocol, TypeVar
 
-from phonemeanalyser.server.refused import FAILED
+from phonemeanalyser.server.limits import FAILED
 from phonemeengine import EngineError, GrownWords
 from phonemeengine.arrays import Float32Array
 from phonemeengine.live.incoming_speech import LOOK, HeardPiece, IncomingSpeech, hear_together

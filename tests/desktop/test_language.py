@@ -35,8 +35,7 @@ from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import controls_of
-from phonemeengine.presets.entries import preset_entries
-from phonemeengine.presets.files import FACTORY_PRESETS, load_preset
+from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, preset_entries
 from phonemeengine.recognition.spec import recogniser_names, recogniser_of
 from phonemeengine.settings import LIMITS, Filter
 from tests.desktop.hands import shown

@@ -10,9 +10,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering import offscreen as offscreen_drawing
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.renderer import INSIDE, HeadRenderer, colour_of
@@ -25,7 +25,7 @@ from phonemeengine.mouth.head import HEAD, load_head
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
 from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined, offscreen, seen

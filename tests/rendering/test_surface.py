@@ -9,8 +9,7 @@ from phonemeanalyser.rendering.surface import MOST_TRIANGLES, Surface, specular_
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
-from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet, movestate_of
 from tests.graphics import ball, context, joined
 from tests.meshes import cube, morph_mesh_of_cube, volume
 

@@ -19,8 +19,7 @@ import soundfile
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.server.file_process import CODE
 from phonemeanalyser.server.files import check_answer, limit_memory
-from phonemeanalyser.server.limits import ServerLimits
-from phonemeanalyser.server.refused import FAILED, RefusedError
+from phonemeanalyser.server.limits import FAILED, RefusedError, ServerLimits
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import FORMATS
 from phonemeengine.batch.work import Job

@@ -13,7 +13,7 @@ from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_con
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
 from tools.bench.figures import Absolute, Figure

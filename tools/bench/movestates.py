@@ -5,8 +5,7 @@ import numpy as np
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.mesh import Mesh, mesh_of
 from phonemeengine.mouth.morph_mesh import morph_targets_of
-from phonemeengine.mouth.movestate import Movestate, movestate_of
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import Movestate, MovestateSet, movestate_of
 from tools.bench.figures import Absolute, Figure, interleaved, shown
 
 N_VERTICES, N_ACTIVE, N_STATES = 5000, 12, 100

@@ -33,7 +33,7 @@ from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import morph_targets_of
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions

@@ -14,7 +14,7 @@ from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.idle_motion import HeadPose
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
 

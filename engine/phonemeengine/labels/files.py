@@ -9,7 +9,7 @@ from phonemeengine.files import printable_name
 from phonemeengine.labels import audacity, table
 from phonemeengine.labels.label import Label, RawLabel, in_order
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
-from phonemeengine.labels.text_io import read_text, write_text
+from phonemeengine.labels.table import read_text, write_text
 from phonemeengine.labels.textgrid import Tier, format_textgrid, tiers_of
 
 LABEL_SUFFIXES = (".textgrid", ".csv", ".txt")

@@ -16,8 +16,7 @@ from phonemeengine.errors import CorpusError, UnknownPhonemeError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
-from phonemeengine.labels.table import rows_of
-from phonemeengine.labels.text_io import read_text
+from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 
 FORMAT = "phonemeanalyser mapping 1"

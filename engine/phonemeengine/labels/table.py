@@ -6,9 +6,37 @@ Other tables in CSV, such as the manifest of a corpus, are read by the same door
 import csv
 import io
 from collections.abc import Iterable, Sequence
+from pathlib import Path
 
 from phonemeengine.errors import CorpusError
+from phonemeengine.files import read_text_file, write_file
 from phonemeengine.labels.label import CORE, Label, RawLabel
+
+# Text files of labels: read whatever encoding Praat writes, and written so that a half one never shows.
+
+LARGEST = 64 << 20
+"""Bytes of a label file at most: a day of labels has fewer."""
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a file of labels; see `read_text_file`.
+
+    Raises
+    ------
+    CorpusError : it cannot be read, is no text, or is too large.
+    """
+    return read_text_file(path, LARGEST, "a file of labels", CorpusError)
+
+
+def write_text(text: str, path: Path, encoding: str = "utf-8") -> None:
+    """Write a text file; the old one stays until the new one is complete and on the disk.
+
+    Raises
+    ------
+    CorpusError : it cannot be written.
+    """
+    write_file(path, text.encode(encoding, errors="replace"), CorpusError, durable=True)
+
 
 COLUMNS = ("start_s", "end_s", "phone", "class", "certainty")
 

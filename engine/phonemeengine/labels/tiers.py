@@ -9,7 +9,7 @@ from phonemeengine.files import printable_name
 from phonemeengine.labels import audacity, table
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.labels.label import CORE, ROUNDING, RawLabel, in_order
-from phonemeengine.labels.text_io import read_text, write_text
+from phonemeengine.labels.table import read_text, write_text
 from phonemeengine.labels.textgrid import Tier, format_grid, tiers_of
 
 SHORTEST = 0.005

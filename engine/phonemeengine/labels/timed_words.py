@@ -15,7 +15,7 @@ from phonemeengine.files import printable_name
 from phonemeengine.labels.files import TIER_NAMES
 from phonemeengine.labels.label import in_order
 from phonemeengine.labels.phone_sets import marks_silence
-from phonemeengine.labels.text_io import read_text
+from phonemeengine.labels.table import read_text
 from phonemeengine.labels.textgrid import Tier, tiers_of
 
 WORD_TIER = "word"

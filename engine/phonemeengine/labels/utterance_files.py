@@ -16,7 +16,7 @@ from phonemeengine.labels.label import LONGEST_OVERHANG, ROUNDING, RawLabel, in_
 from phonemeengine.labels.phone_sets import marks_silence
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.pinyin import sound_of, timed_syllable
-from phonemeengine.labels.text_io import read_text
+from phonemeengine.labels.table import read_text
 from phonemeengine.labels.textgrid import Interval, Tier, TierSpool, grid_lines, length_of, tiers_of
 from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER, tiers_of_speaker
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word

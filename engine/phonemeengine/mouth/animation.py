@@ -11,9 +11,8 @@ from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, check_seconds
-from phonemeengine.mouth.motion_settings import LIMITS
 from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
-from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.table import LIMITS, MouthTable
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 

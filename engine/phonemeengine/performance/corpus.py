@@ -22,8 +22,7 @@ from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.errors import AudioError, CorpusError, PerformanceError
 from phonemeengine.files import printable_name
 from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
-from phonemeengine.labels.table import rows_of
-from phonemeengine.labels.text_io import read_text
+from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.labels.utterance import Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QMenu, QPushButton, QSizePolicy
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeengine.presets.entries import PresetEntry
+from phonemeengine.presets.files import PresetEntry
 
 WIDTH = 150
 Sections = dict[str, tuple[PresetEntry, ...]]

@@ -19,11 +19,10 @@ from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.live.capture import SampleCapture
 from phonemeengine.live.heard_sound import HeardSound
-from phonemeengine.live.listener import Listener
+from phonemeengine.live.listener import NOT_LISTENING, Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
-from phonemeengine.live.status import NOT_LISTENING
 from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.presets.preset import Preset
 

@@ -15,7 +15,7 @@ from phonemeengine.files import free_path
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.movestate_set import Mode
+from phonemeengine.mouth.movestate import Mode
 from phonemeengine.performance.choice import ExampleChoice
 
 MESHES = tr_noop("Meshes and movestates ({endings})")

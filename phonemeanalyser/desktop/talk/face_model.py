@@ -16,7 +16,7 @@ from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
 from phonemeengine.mouth.gaze import EYES
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
-from phonemeengine.mouth.movestate_set import MOST_PERCENT, MovestateSet
+from phonemeengine.mouth.movestate import MOST_PERCENT, MovestateSet
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
 
 MOST_WEIGHT = MOST_PERCENT / 100

@@ -11,8 +11,8 @@ from PySide6.QtGui import QGuiApplication, QImage, QOffscreenSurface, QOpenGLCon
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeanalyser.rendering.light import Light
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.idle_motion import HeadPose

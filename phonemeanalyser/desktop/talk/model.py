@@ -19,7 +19,7 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.movestate_set import Mode
+from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.performer import (
     IdleMotion,
     MouthTrack,

@@ -12,7 +12,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.files import atomic_write, is_own, printable_name, reason_of
 from phonemeengine.labels import textgrid
-from phonemeengine.labels.text_io import write_text
+from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord, read_timed_words, speakers_in
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance, tells_sounds

@@ -30,7 +30,7 @@ from phonemeengine.alignment.align import is_other_text
 from phonemeengine.errors import CorpusError
 from phonemeengine.files import printable
 from phonemeengine.labels.boundaries import LabelUnit, with_boundary
-from phonemeengine.labels.text_io import write_text
+from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance

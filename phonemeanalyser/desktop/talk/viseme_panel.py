@@ -22,7 +22,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
-from phonemeengine.mouth.movestate_set import Mode
+from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import MouthTable
 
 MODES = {

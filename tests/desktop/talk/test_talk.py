@@ -19,8 +19,7 @@ from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphTargets
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.movestate_set import Mode
+from phonemeengine.mouth.movestate import Mode, movestate_of
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance

@@ -22,16 +22,15 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering import offscreen as pictures
 from phonemeanalyser.rendering.camera import Camera
-from phonemeanalyser.rendering.errors import RenderingError
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.mouth.files.io import save_morph_targets
 from phonemeengine.mouth.gaze import EYES
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import morph_targets_of
-from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.mouth.movestate_set import Mode
+from phonemeengine.mouth.movestate import Mode, movestate_of
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET

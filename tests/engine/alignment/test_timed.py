@@ -5,8 +5,8 @@ from itertools import pairwise
 
 import pytest
 
+from phonemeengine.alignment.align import align_timed
 from phonemeengine.alignment.evidence import Evidence, joined
-from phonemeengine.alignment.timed import align_timed
 from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.settings import FRAME_PERIOD

@@ -9,9 +9,9 @@ import soundfile
 
 from phonemeengine import SoundReader, convert_all, load_preset, transcribe
 from phonemeengine.audio.mixing import PLAIN, measured_mix
+from phonemeengine.live.listener import status_of
 from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
 from phonemeengine.live.player import Player
-from phonemeengine.live.status import status_of
 from phonemeengine.measurement import save_stretch
 from phonemeengine.settings import SAMPLE_RATE, Channel
 from tests.conftest import CORPUS

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels import text_io as textfile
+from phonemeengine.labels import table as label_table
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
@@ -80,7 +80,7 @@ def test_a_missing_label_file_and_a_folder_are_refused(tmp_path):
 def test_a_huge_file_is_refused_before_it_is_read(tmp_path, monkeypatch):
     path = tmp_path / "x.csv"
     with path.open("wb") as file:
-        file.truncate(textfile.LARGEST + 1)
+        file.truncate(label_table.LARGEST + 1)
     monkeypatch.setattr("pathlib.Path.read_bytes", lambda self: pytest.fail("it was read"))
     with pytest.raises(CorpusError, match="at most 64 MB"):
         read_labels(path)

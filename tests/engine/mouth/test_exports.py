@@ -464,7 +464,7 @@ def test_a_movement_that_a_format_cannot_hold_is_refused(name: str, movement: An
 def test_a_long_face_is_written_in_parts_as_it_is_in_one(form: str, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = b"".join(Exporter(form).chunks_of(speech()))
     monkeypatch.setattr("phonemeengine.mouth.animation.BLOCK", 7)
-    monkeypatch.setattr("phonemeengine.mouth.exports.number_lines.ROWS", 3)
+    monkeypatch.setattr("phonemeengine.mouth.exports.export.ROWS", 3)
     assert b"".join(Exporter(form).chunks_of(speech())) == whole
 
 

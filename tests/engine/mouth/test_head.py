@@ -8,7 +8,7 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth import head
 from phonemeengine.mouth.head import HEAD, load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh
-from phonemeengine.mouth.movestate_set import MovestateSet
+from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.performance.poses import load_poses
 from phonemeengine.phonemes import Phoneme

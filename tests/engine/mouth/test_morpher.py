@@ -12,8 +12,14 @@ from numpy.typing import NDArray
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.animation import animation_of
 from phonemeengine.mouth.morpher import HALF_OPEN, Detail, Morpher
-from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
-from phonemeengine.mouth.table import SPEAKING, MouthTable, load_table, shipped_tables
+from phonemeengine.mouth.table import (
+    SPEAKING,
+    MotionSettings,
+    MouthTable,
+    TransitionTimes,
+    load_table,
+    shipped_tables,
+)
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment

@@ -12,11 +12,12 @@ from hypothesis import strategies as st
 
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS, VRM
-from phonemeengine.mouth.motion_settings import MotionSettings, TransitionTimes
 from phonemeengine.mouth.table import (
     SPEAKING,
     TABLES,
+    MotionSettings,
     MouthTable,
+    TransitionTimes,
     load_table,
     shipped_tables,
     table_of,

@@ -6,8 +6,7 @@ import pytest
 
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.movestate import Movestate, movestate_at, movestate_of
-from phonemeengine.mouth.movestate_set import Mode, MovestateSet
+from phonemeengine.mouth.movestate import Mode, Movestate, MovestateSet, movestate_at, movestate_of
 from tests.meshes import CORNERS, cube, moved_by
 
 UP, RIGHT, BACK = (0, 1, 0), (1, 0, 0), (0, 0, -1)

@@ -11,7 +11,7 @@ from phonemeengine.mouth.animation import Animation, animation_of
 from phonemeengine.mouth.coarticulation import OPENED
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.movestate_set import Mode
+from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.performer import CLOSE_AFTER, MOUTH_ALONE, FaceState, IdleMotion, Performer, TimedFrame
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import Transcript

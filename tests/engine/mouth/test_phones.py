@@ -16,9 +16,8 @@ from phonemeengine.mouth.animation import animation_of
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.morpher import Detail, Morpher
-from phonemeengine.mouth.motion_settings import TransitionTimes
 from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion, Performer, TimedFrame
-from phonemeengine.mouth.table import TABLES, MouthTable, load_table, shipped_tables, table_of
+from phonemeengine.mouth.table import TABLES, MouthTable, TransitionTimes, load_table, shipped_tables, table_of
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD

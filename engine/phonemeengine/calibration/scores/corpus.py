@@ -21,8 +21,7 @@ from phonemeengine.files import printable_name
 from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels
 from phonemeengine.labels.label import CORE, Label, RawLabel
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
-from phonemeengine.labels.table import rows_of
-from phonemeengine.labels.text_io import read_text
+from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, Channel
 from phonemeengine.visemes import NO_VISEME, viseme_of

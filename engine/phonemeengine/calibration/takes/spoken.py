@@ -17,8 +17,7 @@ from phonemeengine.calibration.takes.take import folder_for
 from phonemeengine.errors import TakeError
 from phonemeengine.files import free_path, printable_name, reason_of
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.table import format_table
-from phonemeengine.labels.text_io import write_text
+from phonemeengine.labels.table import format_table, write_text
 
 # When a voice begins in what a microphone hears, and whether it has ended.
 

@@ -19,8 +19,7 @@ from phonemeengine.errors import AudioError, CorpusError, TakeError
 from phonemeengine.files import free_path
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.label import CORE
-from phonemeengine.labels.table import format_table, rows_of, table_of
-from phonemeengine.labels.text_io import read_text, write_text
+from phonemeengine.labels.table import format_table, read_text, rows_of, table_of, write_text
 
 LIST, MANIFEST = "takes.json", "manifest.csv"
 FORMAT, VERSION = "phonemeanalyser takes", 1

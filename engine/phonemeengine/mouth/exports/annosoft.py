@@ -8,8 +8,7 @@ See ".anno file format" in the documentation of Annosoft's SAPI lipsync.
 from collections import deque
 from collections.abc import Iterator
 
-from phonemeengine.mouth.exports.export import Export, one_token
-from phonemeengine.mouth.exports.frames import frame_of
+from phonemeengine.mouth.exports.export import Export, frame_of, one_token
 from phonemeengine.phonemes import Phoneme
 
 STEPS = 1000

@@ -9,9 +9,8 @@ from pathlib import Path
 from phonemeengine.errors import ExportError, remedy
 from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
-from phonemeengine.mouth.exports.export import Export
+from phonemeengine.mouth.exports.export import NEARLY, Export
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.exports.frames import NEARLY
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import Transcript

@@ -11,8 +11,7 @@ import numpy as np
 from phonemeengine.files import begins_like
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
-from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.number_lines import number_lines
+from phonemeengine.mouth.exports.export import Export, number_lines
 
 HEADER = ",".join(LIVE_LINK_COLUMNS)
 COUNT = len(LIVE_LINK_COLUMNS) - 2

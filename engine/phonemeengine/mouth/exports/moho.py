@@ -2,8 +2,7 @@
 
 from collections.abc import Iterator
 
-from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.frames import drawings_on_frames
+from phonemeengine.mouth.exports.export import Export, drawings_on_frames
 from phonemeengine.phonemes import Phoneme
 
 

@@ -4,8 +4,7 @@ from collections.abc import Iterator
 
 from phonemeengine.files import begins_like
 from phonemeengine.mouth.blendshape_names import OCULUS
-from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.number_lines import number_lines
+from phonemeengine.mouth.exports.export import Export, number_lines
 
 HEADER = ",".join(["time_s", *OCULUS]) + "\n"
 

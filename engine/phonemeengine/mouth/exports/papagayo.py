@@ -12,8 +12,7 @@ from itertools import groupby, pairwise
 
 from phonemeengine.labels.utterance import Word
 from phonemeengine.mouth.cues import Cue
-from phonemeengine.mouth.exports.export import Export, one_token
-from phonemeengine.mouth.exports.frames import drawings_on_frames, frame_of
+from phonemeengine.mouth.exports.export import Export, drawings_on_frames, frame_of, one_token
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
 

@@ -10,8 +10,7 @@ from html import escape
 
 from phonemeengine.files import begins_like
 from phonemeengine.mouth.exports.curves import word_entry
-from phonemeengine.mouth.exports.export import Export
-from phonemeengine.mouth.exports.frames import frame_of
+from phonemeengine.mouth.exports.export import Export, frame_of
 from phonemeengine.phonemes import Phoneme
 
 SHAPES = frozenset("ABCDEFGHX")

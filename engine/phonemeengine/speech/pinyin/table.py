@@ -11,11 +11,11 @@ from pathlib import Path
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.labels.pinyin import FINALS, INITIALS, initial_and_final, sound_of
-from phonemeengine.mouth.motion_settings import TransitionTimes
 from phonemeengine.mouth.table import (
     SPEAKING,
     USUAL_TIMES,
     MouthTable,
+    TransitionTimes,
     movestates_of,
     shape_named,
     shapes_in,
