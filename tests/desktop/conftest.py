@@ -28,6 +28,7 @@ from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import WINDOW
 from tests.desktop.hands import shown
+from tests.desktop.lent_window import WindowLender
 from tests.desktop.studio import DESK, Booth, Studio
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.fakes.outputs import Outputs
@@ -53,12 +54,17 @@ def qtbot(qtbot: QtBot) -> QtBot:
     return qtbot
 
 
-@pytest.fixture
-def settings(tmp_path: Path) -> QSettings:
-    """Where a program keeps its choices, for one test only; its window speaks English, whatever the system does."""
-    settings = QSettings(str(tmp_path / "settings" / "phonemeanalyser.ini"), QSettings.Format.IniFormat)
+def settings_in(folder: Path) -> QSettings:
+    """Where a program keeps its choices; its window speaks English, whatever the system does."""
+    settings = QSettings(str(folder / "settings" / "phonemeanalyser.ini"), QSettings.Format.IniFormat)
     settings.setValue("language", "en")
     return settings
+
+
+@pytest.fixture
+def settings(request: pytest.FixtureRequest, tmp_path: Path) -> QSettings:
+    """Where the program keeps its choices, for one test only, or for as long as its window is lent."""
+    return request.getfixturevalue("lender").settings if "lender" in request.fixturenames else settings_in(tmp_path)
 
 
 @pytest.fixture
@@ -128,10 +134,35 @@ def ended(session: Session) -> bool:
     return session._player is not None and session._player._at_end
 
 
+def begin(app: QApplication, settings: QSettings, microphone: Microphone) -> Desktop:
+    """Begin the program, without a sound card and with the rules of the thesis."""
+    return Desktop(app, settings, lambda _n: ClockOutput(), microphone, PresetModel(THESIS_PRESET))
+
+
+@pytest.fixture(scope="module")
+def lender(qapp: QApplication, tmp_path_factory: pytest.TempPathFactory) -> Iterator[WindowLender]:
+    """Lends one program to all tests of a module that use this; those that begin or end it ask for `own_desktop`."""
+    folder = tmp_path_factory.mktemp("lent")
+    settings = settings_in(folder)
+    lender = WindowLender(lambda: begin(qapp, settings, Studio(folder).model), settings)
+    yield lender
+    lender.close()
+
+
 @pytest.fixture
-def desktop(qapp: QApplication, settings: QSettings, no_microphone: Microphone) -> Iterator[Desktop]:
+def desktop(request: pytest.FixtureRequest) -> Desktop:
     """The program with its window, without a sound card; it begins with the rules of the thesis."""
-    desktop = Desktop(qapp, settings, lambda _n: ClockOutput(), no_microphone, PresetModel(THESIS_PRESET))
+    if "lender" in request.fixturenames:
+        return request.getfixturevalue("lender").lend()
+    return request.getfixturevalue("own_desktop")
+
+
+@pytest.fixture
+def own_desktop(
+    qapp: QApplication, tmp_path: Path, settings: QSettings, no_microphone: Microphone
+) -> Iterator[Desktop]:
+    """The same, for one test only."""
+    desktop = begin(qapp, settings, no_microphone)
     yield desktop
     desktop.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these

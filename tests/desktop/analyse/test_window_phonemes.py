@@ -18,6 +18,8 @@ from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, press, shown
 from tests.tables import analysed
 
+pytestmark = pytest.mark.usefixtures("lender")
+
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
@@ -184,11 +186,11 @@ def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, w
     assert len(heard(sound.with_suffix(".TextGrid"))) > 2
 
 
-def test_what_was_asked_for_is_written_before_the_program_ends(desktop, window, sound, answer, held):
+def test_what_was_asked_for_is_written_before_the_program_ends(own_desktop, qtbot, sound, answer, held):
     answer(sound.with_suffix(".csv"))
-    press(window, Qt.Key.Key_E, CONTROL)
+    press(shown(own_desktop, qtbot, sound), Qt.Key.Key_E, CONTROL)
     threading.Timer(0.2, held.set).start()
-    desktop.session.close()
+    own_desktop.session.close()
     assert len(heard(sound.with_suffix(".csv"))) > 2
 
 

@@ -19,6 +19,8 @@ from phonemeengine.settings import BIN_WIDTH, Filter
 from tests.desktop.hands import LEFT, ON_BIN, button, choose, click, copied, followed, hover, press, shown, wav
 from tests.sounds import noise, tone
 
+pytestmark = pytest.mark.usefixtures("lender")
+
 SECONDS = 1.0
 
 
