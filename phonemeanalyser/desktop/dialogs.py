@@ -20,6 +20,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
@@ -72,12 +73,15 @@ class Dialogs(QObject):
     variable_added = Signal(str)
     action_offered = Signal(str, str, object)
 
-    def __init__(self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings) -> None:
+    def __init__(
+        self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings, talking: TalkModel
+    ) -> None:  # fmt: skip
         super().__init__(window)
         self._window = window
         self._session = session
         self._preset = preset
         self._settings = settings
+        self._talking = talking
         self._shipping = TaskQueue(self.rejected.emit)
         self._watcher = QFileSystemWatcher(self)
         self._watcher.fileChanged.connect(self._tell_change)
@@ -193,7 +197,9 @@ class Dialogs(QObject):
         chosen = list(sounds) or ([] if path is None else [path])
         preset, channel = self._preset.in_force, self._session.channel
         others = chain.from_iterable(self.preset_sections().values())
-        ExportDialog(preset, channel, chosen, self._settings, self._window, others).open()
+        words = self._talking.text.words
+        known = {words.sound: words.utterance} if words.sound is not None and words.utterance is not None else {}
+        ExportDialog(preset, channel, chosen, self._settings, self._window, others, known).open()
 
     # -- recordings ---------------------------------------------------------------------------------------
 

@@ -1,6 +1,6 @@
 """Files from sounds: what they become, how and where; one or a whole folder of them, with a look before."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,11 +31,13 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, work_of
-from phonemeanalyser.desktop.session.export_queue import ExportQueue, ExportState, in_the_way, sounds_in
+from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.conversion.kinds import targets_of
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
 from phonemeengine.errors import EngineError
+from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import HIGHEST_RATE
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION
 from phonemeengine.mouth.exports.exporter import ExportOptions
@@ -63,11 +65,12 @@ class ExportDialog(QDialog):
     preset, channel : what is recognised with, unless another preset is chosen, and of what.
     sounds : to begin with.
     presets : others to choose from.
+    words : what is said in sounds, as far as the window knows it.
 
     Attributes
     ----------
     queue : works through the files.
-    kind, heard, table, rate, minimum, anticipation, detail, blinks, head, seed : choices.
+    kind, heard, timing, table, rate, minimum, anticipation, detail, blinks, head, seed : choices.
     files : the table of the sounds.
     preview : the beginning of what the chosen sound would become.
     add_files, add_folder, remove, folder, look, start, cancel, shut : buttons.
@@ -78,7 +81,7 @@ class ExportDialog(QDialog):
 
     def __init__(
         self, preset: Preset, channel: Channel, sounds: list[Path], settings: QSettings, parent: QWidget,
-        presets: Iterable[PresetEntry] = (),
+        presets: Iterable[PresetEntry] = (), words: Mapping[Path, Utterance] | None = None,
     ) -> None:  # fmt: skip
         super().__init__(parent)
         self._preset, self._channel, self._settings = preset, channel, settings
@@ -96,6 +99,13 @@ class ExportDialog(QDialog):
         for entry in presets:
             self.heard.addItem(entry.name, entry.path)
             self.heard.setItemData(self.heard.count() - 1, entry.summary, Qt.ItemDataRole.ToolTipRole)
+        self._words = words or {}
+        self.timing.addItem(tr("recognition only"), NO_TEXTS)
+        self.timing.addItem(tr("words or text beside each sound"), None)
+        if self._words.keys() & {*sounds}:
+            n = sum(len(utterance.words) for utterance in self._words.values())
+            self.timing.addItem(tr("aligned words ({n})").format(n=n), SpokenTexts(scripts=self._words))
+            self.timing.setCurrentIndex(self.timing.count() - 1)
         self._make_files()
         self._make_buttons()
         self._lay_out()
@@ -125,7 +135,7 @@ class ExportDialog(QDialog):
         anticipation = self.anticipation.value()
         ahead = None if anticipation < 0 else anticipation
         options = ExportOptions(self.rate.value() or None, self._minimum(), ahead, table, idle=idle)
-        return ExportOrder(self.kind.currentData(), preset, options, self._channel)
+        return ExportOrder(self.kind.currentData(), preset, options, self._channel, self.timing.currentData())
 
     def _minimum(self) -> float | None:
         return self.minimum.value() if self.minimum.isEnabled() else None
@@ -133,7 +143,7 @@ class ExportDialog(QDialog):
     # -- how it is made -----------------------------------------------------------------------------------
 
     def _make_choices(self) -> None:
-        self.kind, self.heard, self.table, self.detail = (QComboBox() for _ in range(4))
+        self.kind, self.heard, self.timing, self.table, self.detail = (QComboBox() for _ in range(5))
         for name, kind in EXPORT_KINDS.items():
             self.kind.addItem(f"{tr(kind.words)} ({name})", name)
         kept = self.kind.findData(str(self._settings.value("export/kind", "rhubarb-json")))
@@ -202,7 +212,8 @@ class ExportDialog(QDialog):
     def _lay_out(self) -> None:
         form = QFormLayout()
         rows: tuple[tuple[str, QWidget], ...] = (
-            (tr("Becomes"), self.kind), (tr("Heard with"), self.heard), (tr("Mouth table"), self.table),
+            (tr("Becomes"), self.kind), (tr("Heard with"), self.heard), (tr("Timing"), self.timing),
+            (tr("Mouth table"), self.table),
             (tr("Rate"), self.rate), (tr("Shortest cue"), self.minimum), (tr("Mouth ahead"), self.anticipation),
             (tr("Follows"), self.detail), (tr("Seed"), self.seed), ("", self.blinks), ("", self.head),
             (tr("Goes"), self.folder),
@@ -240,6 +251,7 @@ class ExportDialog(QDialog):
     def _connect(self) -> None:
         self.kind.currentIndexChanged.connect(self._show_kind)
         self.heard.currentIndexChanged.connect(self.preview.clear)
+        self.timing.currentIndexChanged.connect(self.preview.clear)
         self.add_files.clicked.connect(self._ask_files)
         self.add_folder.clicked.connect(self._ask_folder)
         self.remove.clicked.connect(self._remove)
@@ -275,7 +287,7 @@ class ExportDialog(QDialog):
     def _show_progress(self) -> None:
         for row, job in enumerate(self.queue.jobs):
             length = format_clock(job.duration, fine=True) if job.duration else ""
-            self._show_row(row, (job.source.name, length, tr(job.state.value), job.words or str(job.target)))
+            self._show_row(row, (job.source.name, length, tr(job.state.value), job.words or _with_notes(job)))
         busy = self.queue.busy
         self.bar.setValue(round(1000 * self.queue.progress) if self.queue.jobs else 0)
         self.start.setEnabled(bool(self._sounds) and not busy)
@@ -283,6 +295,7 @@ class ExportDialog(QDialog):
         self.cancel.setEnabled(busy)
         for widget in (self.add_files, self.add_folder, self.remove, self.folder, self.kind, self.heard):
             widget.setEnabled(not busy)
+        self.timing.setEnabled(not busy and EXPORT_KINDS[self.kind.currentData()].has_words)
 
     def _show_row(self, row: int, cells: tuple[str, ...]) -> None:
         if self._shown.get(row) == cells:
@@ -402,3 +415,8 @@ class ExportDialog(QDialog):
         if self.queue.busy:
             self.queue.cancel()
         self.queue.close()
+
+
+def _with_notes(job: ExportJob) -> str:
+    """Return what a sound becomes, with what is odd about it."""
+    return " – ".join((str(job.target), *job.notes))

@@ -86,7 +86,7 @@ class MainWindow(QMainWindow):
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
-        self.dialogs = Dialogs(self, session, preset, settings)
+        self.dialogs = Dialogs(self, session, preset, settings, talking)
         self.selection = Selection(session)
         self.selection_dialogs = SelectionDialogs(self, self.selection, session, settings)
         self.label_dialogs = LabelDialogs(self, session, settings)

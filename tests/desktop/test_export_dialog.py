@@ -12,9 +12,13 @@ from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
 from phonemeanalyser.desktop.session import export_queue
 from phonemeanalyser.desktop.session.export_queue import ExportState
-from phonemeengine import Channel, convert, load_preset
+from phonemeanalyser.desktop.talk.sound_words import KnownWords
+from phonemeengine import Channel, SoundReader, convert, load_preset
+from phonemeengine.conversion.spoken_texts import NO_TEXTS
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.textgrid import format_tiers
+from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET
 from tests.desktop.hands import CARDS, LEFT, shown
@@ -152,6 +156,55 @@ def test_another_preset_is_chosen(desktop, qtbot, folder):
     assert "gone.toml" in dialog.told.text()
     assert dialog.queue.jobs == []
     dialog.close()
+
+
+def said_in(sound, word="ma"):
+    """Write a TextGrid of one word, as the window saves it, and give what it says."""
+    with SoundReader(sound) as reader:
+        duration = reader.duration
+    words, phones = [(0.0, 1.0, ""), (1.0, 1.4, word), (1.4, duration, "")], [(1.0, 1.2, "m"), (1.2, 1.4, "a")]
+    phones = [(0.0, 1.0, ""), *phones, (1.4, duration, "")]
+    path = sound.with_suffix(".TextGrid")
+    path.write_text(format_tiers({"words": words, "phones": phones}, duration))
+    return read_utterance(path, duration)
+
+
+def made(dialog, qtbot):
+    choose(dialog, "rhubarb-tsv")
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    return {job.source.stem: (job.target.read_text(), job.notes) for job in dialog.queue.jobs}
+
+
+def test_words_that_talk_knows_of_the_sound_in_hand_are_its_timing(desktop, qtbot, tmp_path):
+    sound = Path(shutil.copy(CARDS, tmp_path))
+    said, window = said_in(sound), shown(desktop, qtbot, sound)
+    desktop.talking.text.words.put(KnownWords(said))
+    window.dialogs.show_export()
+    (dialog,) = (d for d in window.findChildren(ExportDialog) if d.isVisible())
+    assert dialog.timing.currentText() == "aligned words (1)"
+    assert dialog.heard.currentText() == desktop.preset.in_force.name
+    content, _ = made(dialog, qtbot)[sound.stem]
+    convert(sound, tmp_path / "api.tsv", "rhubarb-tsv", desktop.preset.in_force, script=said)
+    assert content == (tmp_path / "api.tsv").read_text()
+    dialog.timing.setCurrentIndex(0)
+    assert dialog.order().texts == NO_TEXTS
+    choose(dialog, "frames-csv")
+    assert not dialog.timing.isEnabled()
+    dialog.close()
+
+
+def test_a_batch_takes_the_words_beside_each_sound_and_says_where_there_are_none(dialog, folder, qtbot, tmp_path):
+    said = said_in(folder / "one.flac")
+    assert dialog.timing.currentText() == "recognition only"
+    dialog.timing.setCurrentIndex(dialog.timing.findText("words or text beside each sound"))
+    found = made(dialog, qtbot)
+    for name, script in (("one", said), ("deep/two", None)):
+        convert(folder / f"{name}.flac", tmp_path / "api.tsv", "rhubarb-tsv", PRESET, script=script, overwrite=True)
+        assert found[Path(name).name][0] == (tmp_path / "api.tsv").read_text()
+    assert found["one"][1] == ()
+    assert found["two"][1] == ("there are no words beside it",)
+    assert "there are no words beside it" in cells(dialog, 0)[3]
 
 
 def test_sounds_are_removed_from_the_list(dialog):

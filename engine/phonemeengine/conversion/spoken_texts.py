@@ -84,6 +84,10 @@ class SpokenTexts:
             say(printable_name(script), note)
         return replace(self, texts=texts)
 
+    def knows(self, sound: Path) -> bool:
+        """Return whether it is known what is said in a sound."""
+        return sound in self.scripts or sound in self.labels or sound in self.texts
+
     def known_of(self, sound: Path) -> str:
         """Return what tells whether something else is said in a sound than before."""
         if sound in self.scripts:

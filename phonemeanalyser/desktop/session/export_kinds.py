@@ -1,8 +1,8 @@
 """What the window makes of sounds: all that the engine converts them to, clips of a head, and reports."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr_noop
@@ -15,6 +15,7 @@ from phonemeengine.batch.work import Act, Job, Made, Say, Work
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion.kinds import CONVERSIONS
+from phonemeengine.conversion.spoken_texts import BESIDE, NO_TEXTS, SpokenTexts
 from phonemeengine.conversion.work import ConversionWork
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.mouth.exports.exporter import ExportOptions
@@ -35,6 +36,7 @@ class ExportOrder:
     preset : what is recognised with.
     options : how mouths move.
     channel : what is recognised of files of several channels.
+    texts : what is said in the sounds; None where that lies beside each of them.
     overwrite : whether to replace whatever is there, not only what the same order made.
     """
 
@@ -42,6 +44,7 @@ class ExportOrder:
     preset: Preset
     options: ExportOptions
     channel: Channel = Channel.MIX
+    texts: SpokenTexts | None = NO_TEXTS
     overwrite: bool = False
 
 
@@ -56,6 +59,7 @@ class ExportKind:
     moves_mouth : whether the order's options say how it is made.
     is_text : whether its beginning tells what it will be.
     has_cues : whether it holds mouth cues, of which one may be too short.
+    has_words : whether it may be made of words that are known.
     """
 
     words: str
@@ -63,6 +67,22 @@ class ExportKind:
     moves_mouth: bool
     is_text: bool = True
     has_cues: bool = False
+    has_words: bool = True
+
+
+def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
+    """Return an order that knows what is said in some sounds, also where that lies beside them.
+
+    Raises
+    ------
+    EngineError : a file beside a sound cannot be read.
+    """
+    texts = order.texts
+    if not EXPORT_KINDS[order.kind].has_words:
+        texts = NO_TEXTS
+    elif texts is None:
+        texts = NO_TEXTS.of_script(BESIDE, sounds, lambda _name, _note: None)
+    return replace(order, texts=texts)
 
 
 def work_of(order: ExportOrder) -> Work:
@@ -72,8 +92,11 @@ def work_of(order: ExportOrder) -> Work:
     ------
     EngineError : a format or a table cannot do what the options say.
     """
+    texts = order.texts if order.texts is not None and EXPORT_KINDS[order.kind].has_words else NO_TEXTS
     if order.kind in CONVERSIONS:
-        return ConversionWork(order.kind, order.preset, order.options, order.channel, overwrite=order.overwrite)
+        return ConversionWork(
+            order.kind, order.preset, order.options, order.channel, texts, overwrite=order.overwrite
+        )  # fmt: skip
     if not EXPORT_KINDS[order.kind].moves_mouth:
         return ReportWork(order)
     from phonemeanalyser.rendering.clip import check_clip  # noqa: PLC0415 - 150 ms for which no window should wait
@@ -81,7 +104,7 @@ def work_of(order: ExportOrder) -> Work:
 
     look = USUAL_CLIP if order.options.rate is None else ClipOptions(rate=order.options.rate)
     check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), look.size)
-    return ClipWork(order.options, order.preset, order.channel, look=look, overwrite=order.overwrite)
+    return ClipWork(order.options, order.preset, order.channel, texts, look=look, overwrite=order.overwrite)
 
 
 @dataclass(frozen=True)
@@ -116,9 +139,14 @@ class ReportWork:
 
 
 EXPORT_KINDS: dict[str, ExportKind] = {
-    **{name: ExportKind(c.words, c.ending, c.moves_mouth, has_cues=c.has_cues) for name, c in CONVERSIONS.items()},
+    **{
+        name: ExportKind(c.words, c.ending, c.moves_mouth, True, c.has_cues, not name.startswith("frames-"))
+        for name, c in CONVERSIONS.items()
+    },
     "clip-mp4": ExportKind(tr_noop("a clip of the head with its sound"), ".mp4", True, is_text=False),
     "clip-gif": ExportKind(tr_noop("a clip of the head"), ".gif", True, is_text=False),
-    "report-html": ExportKind(tr_noop("how right it is, by the labels beside it"), ".report.html", False),
+    "report-html": ExportKind(
+        tr_noop("how right it is, by the labels beside it"), ".report.html", False, has_words=False
+    ),
 }
 """All kinds, by name."""

@@ -11,7 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, work_of
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, with_texts, work_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.audio.files import SoundReader, sounds_under
@@ -50,6 +50,7 @@ class ExportJob:
     state : what became of it.
     duration : of the sound, seconds; 0 where it cannot be read.
     words : what went wrong, for people.
+    notes : what is odd, for people.
     """
 
     source: Path
@@ -57,6 +58,7 @@ class ExportJob:
     state: ExportState = ExportState.WAITING
     duration: float = 0.0
     words: str = ""
+    notes: tuple[str, ...] = ()
 
 
 class ExportQueue(QObject):
@@ -147,18 +149,24 @@ class ExportQueue(QObject):
             return progress(found.share)
 
         options = BatchOptions(folder=folder)
-        outcomes = run_batch(jobs, work_of(order), options, on_outcome=self._take, on_progress=show)
+        known = with_texts(order, [job.source for job in jobs])
+        if order.texts is None and known.texts is not None:
+            for job in jobs:
+                if not known.texts.knows(job.source):
+                    self._put(job, notes=(tr("there are no words beside it"),))
+        outcomes = run_batch(jobs, work_of(known), options, on_outcome=self._take, on_progress=show)
         if folder is not None:
             write_batch_report(outcomes, folder)
 
     def _take(self, outcome: Outcome) -> None:
         state, duration = _STATES[outcome.state], outcome.made.duration
-        self._put(outcome.job, state=state, duration=duration, words=outcome.words)
+        notes = (*self.jobs[self._numbers[outcome.job]].notes, *(note for _, note in outcome.notes))
+        self._put(outcome.job, state=state, duration=duration, words=outcome.words, notes=notes)
 
     def _put(self, job: Job, **known: Any) -> None:
         number = self._numbers[job]
         with self._lock:
-            if self._is_cancelled and known["state"] is ExportState.WORKING:
+            if self._is_cancelled and known.get("state") is ExportState.WORKING:
                 return
             self.jobs[number] = replace(self.jobs[number], **known)
         self.changed.emit()
@@ -178,8 +186,9 @@ def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | Non
     ----------
     targets, order, folder : as in `ExportQueue.start`.
     """
-    jobs = [Job(source, target) for source, target in targets.items()]
-    return [job.source for job in jobs_in_the_way(jobs, work_of(order), folder)]
+    jobs = [Job(source, target) for source, target in targets.items() if target.is_file()]
+    work = work_of(with_texts(order, [job.source for job in jobs]))
+    return [job.source for job in jobs_in_the_way(jobs, work, folder)]
 
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
@@ -188,7 +197,9 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     with TemporaryDirectory() as folder:
         with SoundReader(source) as reader:
             is_long = reader.duration > SECONDS_PREVIEWED
-        if is_long and order.kind in CONVERSIONS:
+        order = with_texts(order, [source])
+        has_words = order.texts is not None and order.texts.knows(source)
+        if is_cut := is_long and order.kind in CONVERSIONS and not has_words:
             beginning = Path(folder) / f"{source.stem}.wav"
             save_stretch(source, 0.0, SECONDS_PREVIEWED, beginning, channel=order.channel)
             source, order = beginning, replace(order, channel=Channel.MIX)
@@ -202,7 +213,7 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
         return tr("{target}: {n} bytes that are no text").format(
             target=target.name, n=f"{len(content):,}".replace(",", " ")
         )
-    return text[:MOST_PREVIEWED] + ("\n…" if is_long or len(text) > MOST_PREVIEWED else "")
+    return text[:MOST_PREVIEWED] + ("\n…" if is_cut or len(text) > MOST_PREVIEWED else "")
 
 
 def sounds_in(paths: Sequence[Path]) -> list[Path]:
