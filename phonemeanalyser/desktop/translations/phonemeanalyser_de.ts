@@ -379,6 +379,11 @@
             <translation>Ihn am Klang ausrichten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>aligned words ({n})</source>
+            <translation>ausgerichtete Wörter ({n})</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
             <source>alignment</source>
             <translation>Ausrichten</translation>
@@ -4121,6 +4126,11 @@
             <translation>Erkenner {name}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>recognition only</source>
+            <translation>nur Erkennung</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Record</source>
             <translation>Aufnehmen</translation>
@@ -5736,6 +5746,11 @@
             <translation>Es gibt noch keine eigenen Variablen; zuerst einen Bereich im gemittelten Spektrum markieren.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
+            <source>there are no words beside it</source>
+            <translation>daneben liegen keine Wörter</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
             <source>There are no words to save; open a sound and align its text.</source>
             <translation>Es gibt keine Wörter zu speichern; einen Klang öffnen und seinen Text ausrichten.</translation>
@@ -5898,6 +5913,11 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
             <source>Times</source>
+            <translation>Zeiten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>Timing</source>
             <translation>Zeiten</translation>
         </message>
         <message>
@@ -6474,6 +6494,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Words and Phones…</source>
             <translation>Wörter und Phone…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>words or text beside each sound</source>
+            <translation>Wörter oder Text neben jedem Klang</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
