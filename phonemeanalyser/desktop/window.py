@@ -350,7 +350,7 @@ class MainWindow(QMainWindow):
         self.what_is_this.page_asked.connect(self.show_manual)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
-        session.rewritten.connect(self.analysis.scroll_view.sonagram.forget)
+        session.rewritten.connect(self._draw_rewritten)
         session.transport_changed.connect(self._show_state)
         session.looked_back.connect(self._show_state)
         preset.changed.connect(self._show_state)
@@ -423,6 +423,11 @@ class MainWindow(QMainWindow):
         self._docks.laid_out_for(math.inf, stacked=False)
         self._docks.prefer({self._filters: FILTERS_WIDTH, self._thresholds: PHONEME_WIDTH})
         self._fit_docks()
+
+    def _draw_rewritten(self, column: int) -> None:
+        """Draw anew what was analysed anew, from a column on."""
+        self.analysis.scroll_view.sonagram.forget(column)
+        self.redraw.dirty = True
 
     def _record(self) -> None:
         """Begin or end a recording; a file in hand is left only when that is wanted."""

@@ -55,6 +55,11 @@ def followed(desktop: Desktop, qtbot: QtBot, sound: Path = CARDS, seconds: float
     return window
 
 
+def wait_for_results(desktop: Desktop, qtbot: QtBot) -> None:
+    """Wait until what was heard last is analysed with the preset in force."""
+    qtbot.waitUntil(lambda: not desktop.session.results.busy)
+
+
 def wav(folder: Path, sound: NDArray[np.float32], name: str = "sound.wav") -> Path:
     """Write a sound, shape (n,) or (n, n_channels), as a float WAV."""
     soundfile.write(folder / name, sound, SAMPLE_RATE, subtype="FLOAT")

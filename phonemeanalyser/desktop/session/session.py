@@ -172,7 +172,8 @@ class Session(QObject):
     def busy(self) -> bool:
         """Whether more of the file in hand is being found or measured."""
         return any(
-            model.busy for model in (self.whole, self.second.whole, self.sonagram, self.formants, self.waveform)
+            model.busy
+            for model in (self.results, self.whole, self.second.whole, self.sonagram, self.formants, self.waveform)
         )
 
     @property
@@ -520,7 +521,7 @@ class Session(QObject):
         self._detach()
         self.microphone.close()
         self.writer.close()
-        for model in (self.whole, self.second, self.sonagram, self.formants, self.waveform):
+        for model in (self.results, self.whole, self.second, self.sonagram, self.formants, self.waveform):
             model.close()
 
     def write_phonemes(self, target: Path) -> None:

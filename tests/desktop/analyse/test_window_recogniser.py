@@ -18,7 +18,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
 from phonemeengine.recognition.spec import BUILT_IN
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Filter
-from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number
+from tests.desktop.hands import DEMO, click, drag, followed, press, shown, type_number, wait_for_results
 from tests.fakes.plug_ins import Shelf, environment_with
 from tests.tables import rows_of
 
@@ -93,6 +93,7 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
     newest = history.indices(0, history.n)
     assert set(history.phonemes[newest].tolist()) > mouth
     choose(window, "loudness")
+    wait_for_results(desktop, qtbot)
     newest = history.indices(0, history.n)
     assert set(history.phonemes[newest].tolist()) == mouth
     assert desktop.preset.undo_stack.undoText() == "recogniser loudness"
@@ -107,6 +108,7 @@ def test_choosing_a_recogniser_acts_at_once_and_undo_takes_it_back(loudness, des
 def test_the_decision_of_a_plug_in_is_shown(loudness, desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "loudness")
+    wait_for_results(desktop, qtbot)
     window.redraw.refresh_all()
     assert window.analysis.phoneme.phoneme is Phoneme.A
     assert [c.rule for c in window.analysis.phoneme.trace.comparisons] == ["opens", "stays"]
@@ -132,6 +134,7 @@ def test_the_dock_shows_what_the_recogniser_in_use_is_tuned_by(loudness, desktop
 def test_a_sensitivity_is_dragged_while_its_live_value_shows(desktop, qtbot):
     window = followed(desktop, qtbot, DEMO, 3.6)
     choose(window, "learned")
+    wait_for_results(desktop, qtbot)
     desktop.session.analyse_until(3.7)
     window.redraw.refresh_all()
     history = desktop.session.history
@@ -143,6 +146,7 @@ def test_a_sensitivity_is_dragged_while_its_live_value_shows(desktop, qtbot):
     window.analysis.thresholds.ensureWidgetVisible(slider)
     drag(slider, slider.width() / 2, slider.width() - 6)
     assert desktop.preset.preset.sensitivities == {Phoneme.M: 5.0}
+    wait_for_results(desktop, qtbot)
     shown_then = history.phonemes[history.indices(0, history.n)]
     assert np.mean(shown_then == Phoneme.M) > 0.2  # the seconds before the cursor are recognised anew
     press(window, Qt.Key.Key_Z, CONTROL)

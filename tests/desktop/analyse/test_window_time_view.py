@@ -30,6 +30,7 @@ from tests.desktop.hands import (
     press,
     shown,
     type_number,
+    wait_for_results,
     wav,
 )
 from tests.sounds import tone
@@ -214,8 +215,9 @@ def test_under_a_still_mouse_the_read_out_follows_the_moving_picture(desktop, wi
 
 
 @pytest.mark.parametrize(("step", "highest"), [(4, 5512.5), (2, 11_025), (1, 22_050)])
-def test_the_zoom_ends_where_the_analysis_ends(desktop, window, step, highest):
+def test_the_zoom_ends_where_the_analysis_ends(desktop, window, qtbot, step, highest):
     desktop.preset.set_setting("quantise", step)
+    wait_for_results(desktop, qtbot)
     window.redraw.refresh_all()
     sonagram = TimeEyes(window).sonagram
     sonagram.setYRange(-500, 30_000, padding=0)
@@ -307,6 +309,8 @@ def test_in_a_pause_the_course_is_drawn_anew_where_one_pans_and_when_the_preset_
     assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
     before = y[-500:].copy()
     desktop.preset.set_setting("high_pass_end", 2000.0)
+    wait_for_results(desktop, qtbot)
+    window.redraw.tick()
     _, y = course.getData()
     assert len(y) > 1790
     assert np.array_equal(y, history.features(history.indices(history.n - len(y), history.n))["energy"])
