@@ -32,8 +32,8 @@ PATIENCE = 60.0
 """Seconds that only a hang takes."""
 
 
-def wait_for(truth: Callable[[], bool], what: str) -> None:
-    """Wait until the analysis thread has done its part."""
+def wait_for(truth: Callable[[], object], what: str = "the other thread") -> None:
+    """Wait until another thread, or a program, has done its part."""
     end = time.monotonic() + PATIENCE
     while not truth():
         assert time.monotonic() < end, f"waited in vain for {what}"

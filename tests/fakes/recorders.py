@@ -1,8 +1,6 @@
 """Sound to record whose every sample is known, and what a file holds of it."""
 
 import hashlib
-import time
-from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -42,13 +40,6 @@ def recorder_to(target: Any, folder: Path, **options: Any) -> Recorder:
 
 def digest(path: Path) -> str:
     return hashlib.sha256(path.read_bytes()).hexdigest()
-
-
-def wait_for(true: Callable[[], object]) -> None:
-    until = time.monotonic() + 60
-    while not true() and time.monotonic() < until:
-        time.sleep(0.01)
-    assert true()
 
 
 def check_sentence(recording: Recording, name: str) -> str:

@@ -2,7 +2,6 @@
 
 import os
 import threading
-import time
 import tracemalloc
 import wave
 from pathlib import Path
@@ -16,6 +15,7 @@ from hypothesis import strategies as st
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.wav import HEADER, WavEncoder, to_integers
 from phonemeengine.settings import SAMPLE_RATE
+from tests.fakes.players import wait_for
 from tests.fakes.recorders import begun, digest, samples_in, samples_of_16_bits
 
 FORMS = [
@@ -118,8 +118,7 @@ def test_a_recording_of_more_than_4_gb_is_whole(tmp_path: Path) -> None:
     block = samples_of_16_bits(0, rate, n_channels)
     for second in range(seconds):
         recording.write(block)
-        while recording.seconds < second - 10 and recording.failure is None:
-            time.sleep(0.01)
+        wait_for(lambda s=second: recording.seconds >= s - 10 or recording.failure)
     recording.close()
     assert recording.failure is None
     with SoundReader(recording.path) as reader:
@@ -136,9 +135,7 @@ def test_the_file_is_playable_while_it_grows(suffix: str, tmp_path: Path) -> Non
     recording = begun(tmp_path / f"take{suffix}", rate, 2)
     for second in range(3):
         recording.write(samples_of_16_bits(second * rate, rate, 2))
-        until = time.monotonic() + 20
-        while recording.seconds < second + 0.5 and time.monotonic() < until:
-            time.sleep(0.01)
+        wait_for(lambda s=second: recording.seconds >= s + 0.5)
         n_samples = recording.n_samples
         with SoundReader(recording.path) as reader:
             assert reader.duration >= n_samples / rate >= second + 0.5
@@ -190,8 +187,7 @@ def test_an_hour_of_waiting_sound_takes_no_more_memory_than_a_minute(tmp_path: P
     try:
         for second in range(3600):
             recording.write(block)
-            while recording.seconds < second - 50 and recording.failure is None:
-                time.sleep(0.001)
+            wait_for(lambda s=second: recording.seconds >= s - 50 or recording.failure)
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()

@@ -4,7 +4,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from collections import Counter
 from pathlib import Path
 
@@ -18,6 +17,7 @@ from phonemeengine.errors import BatchError, ExportError
 from phonemeengine.progress import Cancelled
 from tests.conftest import ROOT
 from tests.fakes.batch_works import SECONDS, CopyWork
+from tests.fakes.players import wait_for
 
 
 def jobs_in(tmp_path: Path, *names: str) -> list[Job]:
@@ -155,9 +155,9 @@ def test_ctrl_c_leaves_whole_files(tmp_path: Path) -> None:
         [sys.executable, "batch.py"], cwd=tmp_path, env=environment, stderr=subprocess.PIPE, text=True,
         start_new_session=True,
     )  # fmt: skip
-    while not (tmp_path / "in" / "waits.waiting").exists() or not (tmp_path / "out" / "a.txt").exists():
-        assert batch.poll() is None
-        time.sleep(0.05)
+    signs = tmp_path / "in" / "waits.waiting", tmp_path / "out" / "a.txt"
+    wait_for(lambda: batch.poll() is not None or all(sign.exists() for sign in signs))
+    assert batch.poll() is None
     os.killpg(batch.pid, signal.SIGINT)
     said = batch.communicate(timeout=60)[1]
     assert said.splitlines()[-1] == "KeyboardInterrupt"
