@@ -1,4 +1,4 @@
-"""Where a server is usually reached, and what it grants those who ask it."""
+"""Where a server is usually reached, what it grants those who ask it, and how it refuses."""
 
 import math
 from dataclasses import dataclass

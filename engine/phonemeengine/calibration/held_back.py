@@ -1,4 +1,4 @@
-"""What is kept from learning, so that presets can be judged by it."""
+"""Judging a preset by what was kept from learning: what it gains beyond chance, and what it may not lose."""
 
 import itertools
 from collections.abc import Iterable, Iterator, Sequence

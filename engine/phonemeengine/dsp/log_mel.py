@@ -1,4 +1,4 @@
-"""What the learned recogniser hears: logarithms of the power in mel bands, of a short window amid each frame."""
+"""Logarithms of the power in mel bands, of a short window amid each frame, and their cepstra."""
 
 from functools import lru_cache
 

@@ -1,4 +1,4 @@
-"""Label files of the corpus format: CSV with the columns start_s, end_s, phone, class and certainty.
+"""Label files as text, and those of the corpus format: CSV with start_s, end_s, phone, class and certainty.
 
 Other tables in CSV, such as the manifest of a corpus, are read by the same door.
 """

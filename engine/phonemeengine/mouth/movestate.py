@@ -1,4 +1,4 @@
-"""A movestate: a morph target, stored as what differs from the mesh."""
+"""A movestate: a morph target, stored as what differs from the mesh; and all those of a mesh, each on by so much."""
 
 import math
 from collections.abc import Hashable, Iterable, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""Folders of recorded performances: for each a sound, a TextGrid of what is said, and the face's movement.
+"""Folders of recorded performances, read and built into tables: a sound, a TextGrid and a face's movement each.
 
 ``NAME.wav``, ``NAME.TextGrid`` with the tiers phones, words and syllables, and ``NAME.csv`` of Live Link Face; in
 place of the latter an animated ``NAME.glb`` or ``NAME.gltf``, or messages of the VMC protocol, ``NAME.osc``. Two

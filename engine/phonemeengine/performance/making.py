@@ -1,4 +1,4 @@
-"""Making a corpus with the synthetic performer: sounds of a voice, what is said in them, and a face that says it."""
+"""Making a corpus: sentences, and a synthetic performer that reads them with a voice and a face."""
 
 import os
 import re

@@ -1,4 +1,4 @@
-"""Preset files: TOML, and the old PhonemeData text."""
+"""Preset files: TOML, and the old PhonemeData text; read, written, and told of without loading them."""
 
 import os
 import re

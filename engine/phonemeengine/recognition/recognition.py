@@ -1,4 +1,4 @@
-"""What a recogniser gives for a block of frames."""
+"""What a recogniser gives for a block of frames, and why."""
 
 from dataclasses import dataclass
 

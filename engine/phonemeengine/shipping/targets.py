@@ -1,4 +1,4 @@
-"""What a preset can be shipped for: files of this package, and what is made of them."""
+"""What a preset can be shipped for: files of this package, and what zig and npm make of them."""
 
 import hashlib
 import io

@@ -1,4 +1,4 @@
-"""What of a text is spoken: a script's notation, emoji, control characters and the like are left out, with a note."""
+"""What of a text is spoken, and in which clauses; notation, emoji and the like are left out, with a note."""
 
 import re
 import unicodedata

@@ -1,4 +1,4 @@
-"""The document of a glTF: JSON that is looked at before it is believed, and the bytes of its buffers.
+"""The document of a glTF: JSON that is looked at before it is believed, its buffers, and the arrays in them.
 
 A small reader of our own: Python's libraries for glTF either know no morph targets or believe what a file says.
 """
