@@ -22,8 +22,7 @@ from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, share_paths
 from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeengine import FORMATS, EngineError, ExportOptions
-from phonemeengine.conversion.kinds import check_options
-from phonemeengine.conversion.work import ConversionWork
+from phonemeengine.conversion.work import ConversionWork, check_options
 from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.table import shipped_tables
 

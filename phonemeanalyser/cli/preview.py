@@ -21,8 +21,7 @@ from phonemeanalyser.cli.driving import DRIVERS, add_driver, driver_of
 from phonemeanalyser.cli.expression import add_expression, idle_of
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_batch, jobs_of, share_paths
 from phonemeanalyser.cli.scripts import spoken_texts
-from phonemeanalyser.rendering.clip import check_clip
-from phonemeanalyser.rendering.clip_work import ClipWork, ShownFace
+from phonemeanalyser.rendering.clip import ClipWork, ShownFace, check_clip
 from phonemeengine import ExportOptions, load_table
 from phonemeengine.batch.pool import n_cores
 from phonemeengine.batch.work import Job

@@ -34,8 +34,8 @@ from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrd
 from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.talk.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
-from phonemeengine.conversion.kinds import targets_of
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
+from phonemeengine.conversion.work import targets_of
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import HIGHEST_RATE

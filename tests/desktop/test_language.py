@@ -25,7 +25,7 @@ from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import ToneKind
 from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.calibration.takes.quality import Fault, check_take
-from phonemeengine.conversion.kinds import CONVERSIONS
+from phonemeengine.conversion.work import CONVERSIONS
 from phonemeengine.dsp.sonagram import FrequencyAxis
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, unit_of
 from phonemeengine.labels.boundaries import LabelUnit

@@ -19,7 +19,7 @@ from phonemeengine import (
     load_preset,
     words_of,
 )
-from phonemeengine.conversion.kinds import CONVERSIONS, check_options, targets_of
+from phonemeengine.conversion.work import CONVERSIONS, check_options, targets_of
 
 DEMO = Path(phonemeanalyser.__file__).parent / "demo" / "demo.flac"
 PRESET = load_preset("thesis")

@@ -14,9 +14,8 @@ from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say, Work
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
-from phonemeengine.conversion.kinds import CONVERSIONS
 from phonemeengine.conversion.spoken_texts import BESIDE, NO_TEXTS, SpokenTexts
-from phonemeengine.conversion.work import ConversionWork
+from phonemeengine.conversion.work import CONVERSIONS, ConversionWork
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.presets.ears import for_files
@@ -99,8 +98,7 @@ def work_of(order: ExportOrder) -> Work:
         )  # fmt: skip
     if not EXPORT_KINDS[order.kind].moves_mouth:
         return ReportWork(order)
-    from phonemeanalyser.rendering.clip import check_clip  # noqa: PLC0415 - 150 ms for which no window should wait
-    from phonemeanalyser.rendering.clip_work import ClipWork  # noqa: PLC0415
+    from phonemeanalyser.rendering.clip import ClipWork, check_clip  # noqa: PLC0415 - no window waits 150 ms for it
 
     look = USUAL_CLIP if order.options.rate is None else ClipOptions(rate=order.options.rate)
     check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), look.size)

@@ -18,7 +18,7 @@ from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.runner import in_the_way as jobs_in_the_way
 from phonemeengine.batch.work import Job, JobState, Outcome
-from phonemeengine.conversion.kinds import CONVERSIONS
+from phonemeengine.conversion.work import CONVERSIONS
 from phonemeengine.measurement import save_stretch
 from phonemeengine.progress import Progress
 from phonemeengine.settings import Channel
