@@ -38,25 +38,20 @@ def controls(window: MainWindow) -> list[QWidget]:
     return [w for w in window.transport.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]
 
 
-@pytest.mark.parametrize("page", PAGES)
-def test_every_control_has_a_tip_and_a_name(booth: Booth, page: str):
-    window = turned_to(booth, page)
-    assert len(controls(window)) >= 8
-    assert [w for w in controls(window) if not (w.toolTip() and w.accessibleName())] == []
-    assert window.transport.microphone.meter.toolTip()
-    assert window.transport.microphone.meter.accessibleName()
-
-
-@pytest.mark.parametrize("page", PAGES)
-def test_every_control_is_reached_with_tab(booth: Booth, page: str):
-    window = turned_to(booth, page)
-    window.transport.source.setFocus()
-    reached: list[QWidget] = [window.transport.source]
-    for _ in range(60):
-        QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Tab)
-        reached.append(QApplication.focusWidget())
-    wanted = [w for w in controls(window) if w.isEnabled()]
-    assert [name_of(w) if hasattr(w, "text") else w.accessibleName() for w in wanted if w not in reached] == []
+def test_every_control_has_a_tip_and_a_name_and_is_reached_with_tab(booth: Booth):
+    for page in PAGES:
+        window = turned_to(booth, page)
+        assert len(controls(window)) >= 8
+        assert [w for w in controls(window) if not (w.toolTip() and w.accessibleName())] == [], page
+        assert window.transport.microphone.meter.toolTip()
+        assert window.transport.microphone.meter.accessibleName()
+        window.transport.source.setFocus()
+        reached: list[QWidget] = [window.transport.source]
+        for _ in range(60):
+            QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Tab)
+            reached.append(QApplication.focusWidget())
+        missed = [w for w in controls(window) if w.isEnabled() and w not in reached]
+        assert [name_of(w) if hasattr(w, "text") else w.accessibleName() for w in missed] == [], page
 
 
 def test_f1_lists_the_keys_of_microphone_and_recording(booth: Booth):
@@ -78,8 +73,7 @@ def test_the_invitation_fits_the_source(booth: Booth):
 
 
 @pytest.mark.parametrize("size", SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
-@pytest.mark.parametrize("page", PAGES)
-def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open, page: str, size: tuple[int, int]):
+def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open, size: tuple[int, int]):
     mic = HandDrivenMicrophone(name=LONG.label)
     booth = open_booth(mic)
     booth.studio.devices.append(LONG)
@@ -89,24 +83,26 @@ def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open
     booth.until(lambda: window.transport.microphone.device.count() == 4)
     booth.hear(mic, tone(1000, 0.3, 1.0))
     booth.until(lambda: "ms late" in booth.status, mic)
-    if page != "microphone":
-        turned_to(booth, page)
-        booth.until(lambda: booth.banner.startswith("Recorded "))
-    QTest.qWait(30)
-    assert (window.width(), window.height()) == size
-    kinds = QLabel | QAbstractButton | QComboBox | QAbstractSpinBox
-    texts = [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]
-    texts.remove(window.transport.microphone.device) if page == "microphone" else None  # its tip tells the rest
-    assert {name_of(w): room_and_need(w) for w in texts if room_and_need(w)[0] < room_and_need(w)[1]} == {}
-    assert [name_of(w) for w in texts if not w.parentWidget().rect().contains(w.geometry())] == []
+    for page in PAGES:
+        if page != "microphone":
+            turned_to(booth, page)
+            booth.until(lambda: booth.banner.startswith("Recorded "))
+        QTest.qWait(30)
+        assert (window.width(), window.height()) == size
+        kinds = QLabel | QAbstractButton | QComboBox | QAbstractSpinBox
+        texts = [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]
+        texts.remove(window.transport.microphone.device) if page == "microphone" else None  # its tip tells the rest
+        clipped = {name_of(w): room_and_need(w) for w in texts if room_and_need(w)[0] < room_and_need(w)[1]}
+        outside = [name_of(w) for w in texts if not w.parentWidget().rect().contains(w.geometry())]
+        assert (clipped, outside) == ({}, []), page
 
 
-@pytest.mark.parametrize("page", PAGES)
-def test_no_page_makes_the_window_wider_than_1280_pixels(booth: Booth, mic: HandDrivenMicrophone, page: str):
+def test_no_page_makes_the_window_wider_than_1280_pixels(booth: Booth, mic: HandDrivenMicrophone):
     booth.until(lambda: "ms late" in booth.status, mic)
-    window = turned_to(booth, page)
-    assert window.minimumSizeHint().width() <= 1280
-    assert window.transport.minimumSizeHint().width() <= 1280
+    for page in PAGES:
+        window = turned_to(booth, page)
+        assert window.minimumSizeHint().width() <= 1280, page
+        assert window.transport.minimumSizeHint().width() <= 1280, page
 
 
 def test_the_status_line_says_how_far_a_microphone_is_looked_ahead(booth: Booth) -> None:
