@@ -7,13 +7,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import BAD_FILES
+from tests.conftest import SPEECH
 from tests.tables import refused
 
 
@@ -39,44 +42,52 @@ def share_that_differs(one: np.ndarray, other: np.ndarray) -> float:
     return float((one != other).any(axis=2).mean())
 
 
-def test_a_picture_has_the_asked_size_and_shows_something(qapp: QApplication, sound: Path) -> None:
-    small = picture(qapp, sound, "small", "--size", "1280x800")
-    assert small.shape[:2] == (800, 1280)
-    assert picture(qapp, sound, "large", "--size", "1600x1000").shape[:2] == (1000, 1600)
-    assert len(np.unique(small.reshape(-1, 4), axis=0)) > 50
+@pytest.fixture(scope="module")
+def said(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Speech-like sound in a file."""
+    path = tmp_path_factory.mktemp("said") / "speech.wav"
+    soundfile.write(path, SPEECH, SAMPLE_RATE, subtype="FLOAT")
+    return path
 
 
-def test_light_is_light_and_dark_is_dark(qapp: QApplication, sound: Path) -> None:
-    light = picture(qapp, sound, "light", "--theme", "light")
-    dark = picture(qapp, sound, "dark", "--theme", "dark")
+@pytest.fixture(scope="module")
+def usual(qapp: QApplication, said: Path) -> np.ndarray:
+    """The picture of that sound without an option."""
+    return picture(qapp, said, "usual")
+
+
+def test_a_picture_has_the_asked_size_and_shows_something(qapp: QApplication, said: Path, usual: np.ndarray) -> None:
+    assert usual.shape[:2] == (800, 1280)
+    assert picture(qapp, said, "large", "--size", "1600x1000").shape[:2] == (1000, 1600)
+    assert len(np.unique(usual.reshape(-1, 4), axis=0)) > 50
+
+
+def test_light_is_light_and_dark_is_dark(qapp: QApplication, said: Path) -> None:
+    light = picture(qapp, said, "light", "--theme", "light")
+    dark = picture(qapp, said, "dark", "--theme", "dark")
     assert light[:, :, :3].mean() > 160
     assert dark[:, :, :3].mean() < 90
 
 
-def test_the_window_speaks_the_language_that_is_asked_for_and_else_english(qapp: QApplication, sound: Path) -> None:
-    english, german, again = (
-        picture(qapp, sound, name, *words)
-        for name, words in (("en", ()), ("de", ("--language", "de")), ("again", ("--language", "en")))
-    )
+def test_the_window_speaks_the_language_that_is_asked_for_and_else_english(
+    qapp: QApplication, said: Path, usual: np.ndarray
+) -> None:
+    english, german = (picture(qapp, said, name, "--language", name) for name in ("en", "de"))
     menus = np.s_[:20, 250:]
-    assert share_that_differs(english[menus], german[menus]) > 0.01
-    assert share_that_differs(english[menus], again[menus]) == 0
+    assert share_that_differs(usual[menus], german[menus]) > 0.01
+    assert share_that_differs(usual[menus], english[menus]) == 0
     with pytest.raises(SystemExit):
-        main(["screenshot", str(sound), "-o", "no.png", "--language", "klingon"])
+        main(["screenshot", str(said), "-o", "no.png", "--language", "klingon"])
 
 
-def test_later_pictures_show_more_and_equal_ones_show_the_same(qapp: QApplication, sound: Path) -> None:
-    early, late, again = (
-        picture(qapp, sound, name, "--at", at) for name, at in (("a", "0.2"), ("b", "0.6"), ("c", "0.6"))
-    )
-    assert share_that_differs(early, late) > 0.01
-    assert share_that_differs(late, again) == 0
-
-
-def test_without_a_time_the_picture_shows_the_end(qapp: QApplication, sound: Path) -> None:
-    end = picture(qapp, sound, "end")
-    assert share_that_differs(end, picture(qapp, sound, "beyond", "--at", "1000")) == 0
-    assert share_that_differs(end, picture(qapp, sound, "start", "--at", "0")) > 0.005
+def test_later_pictures_show_more_and_without_a_time_they_show_the_end(
+    qapp: QApplication, said: Path, usual: np.ndarray
+) -> None:
+    start, late, beyond = (picture(qapp, said, at, "--at", at) for at in ("0", "0.6", "1000"))
+    assert share_that_differs(start, late) > 0.01
+    assert share_that_differs(late, usual) > 0
+    assert share_that_differs(usual, beyond) == 0
+    assert share_that_differs(usual, start) > 0.005
 
 
 @pytest.mark.parametrize("name", ["not_a_sound", "truncated_flac"])
