@@ -32,9 +32,11 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.shutdown import SessionKeeper, end_promptly
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import DARK, LIGHT, Theme, apply_theme, system_theme
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.logs import logged_beside
 from phonemeengine.audio.output import ClockOutput, Output, open_output
@@ -64,6 +66,7 @@ class Desktop:
     Attributes
     ----------
     demo : the sound that is shown to who asks for a demo; None where there is none.
+    files : asks the user for files.
     """
 
     def __init__(
@@ -73,6 +76,7 @@ class Desktop:
         QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
         self._app = app
         self._settings = settings
+        self.files = FileAsker(settings)
         self._use_language()
         self.preset = preset or PresetModel()
         self.session = Session(self.preset, open_device, microphone)
@@ -112,21 +116,21 @@ class Desktop:
     @property
     def theme(self) -> Theme:
         """The look that the user chose, or the system's."""
-        return THEMES.get(str(self._settings.value("theme", "system")), system_theme())
+        return THEMES.get(read(self._settings, "theme", "system"), system_theme())
 
     def set_theme(self, name: str) -> None:
         """Choose ``light``, ``dark`` or ``system``."""
-        self._settings.setValue("theme", name)
+        keep(self._settings, "theme", name)
         self._remake_window()
 
     def set_language(self, name: str) -> None:
         """Choose ``en``, ``de`` or ``system``."""
-        self._settings.setValue("language", name)
+        keep(self._settings, "language", name)
         self._use_language()
         self._remake_window()
 
     def _use_language(self) -> None:
-        use_language(self._app, language_of(str(self._settings.value("language", SYSTEM))))
+        use_language(self._app, language_of(read(self._settings, "language", SYSTEM)))
 
     def _remake_window(self) -> None:
         old = self.window
@@ -139,7 +143,9 @@ class Desktop:
     def _make_window(self) -> MainWindow:
         apply_theme(self._app, self.theme)
         session, preset = self.session, self.preset
-        window = MainWindow(session, preset, self.theme, self._settings, lambda: self.calibration, self.talking)
+        window = MainWindow(
+            session, preset, self.theme, self._settings, lambda: self.calibration, self.talking, self.files
+        )
         window.theme_asked.connect(self.set_theme)
         window.language_asked.connect(self.set_language)
         window.demo_asked.connect(self._show_demo)
@@ -153,7 +159,7 @@ class Desktop:
             self.session.play()
 
     def _follow_system(self) -> None:
-        if str(self._settings.value("theme", "system")) == "system" and self.window.theme != system_theme():
+        if read(self._settings, "theme", "system") == "system" and self.window.theme != system_theme():
             self.set_theme("system")
 
 

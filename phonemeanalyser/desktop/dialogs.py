@@ -6,12 +6,10 @@ from dataclasses import replace
 from html import escape
 from itertools import chain
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QFileSystemWatcher, QIODevice, QObject, QPoint, QSaveFile, QSettings, QUrl, Signal
-from PySide6.QtGui import QDesktopServices, QPainter
-from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import QFileDialog, QGraphicsItem, QGraphicsView, QInputDialog, QMessageBox, QWidget
+from PySide6.QtCore import QFileSystemWatcher, QObject, QSettings, QUrl, Signal
+from PySide6.QtGui import QDesktopServices
+from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
@@ -20,37 +18,33 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
+from phonemeanalyser.desktop.settings import keep, read, read_paths
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.plot_menu import save_picture
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
-from phonemeengine.files import free_path
-from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.paths import presets_folder
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY_PRESETS,
+    PRESET_SUFFIXES,
     PresetEntry,
     load_preset,
     own_presets,
     preset_entries,
 )
 
-if TYPE_CHECKING:
-    from phonemeanalyser.desktop.ship_dialog import ShipOrder
-
 N_RECENT = 8
-PRESET_SUFFIXES = {".toml", ".phonemedata", ".txt"}
-NO_CACHE = QGraphicsItem.CacheMode.NoCache
 CURVE_SUFFIX = ".csv"
+PRESET_FILTERS = "Preset (*.toml);;PhonemeData (*.phonemedata *.txt)"
 PICTURE_FILTER = tr_noop("Pixels (*.png);;Lines (*.svg)")
 CURVE_FILTER = tr_noop("Curves (*.csv)")
-LABEL_FILTERS = {
-    tr_noop("Praat TextGrid (*.TextGrid)"): ".TextGrid",
-    tr_noop("Audacity labels (*.txt)"): ".txt",
-    tr_noop("Corpus labels (*.csv)"): ".csv",
-}
+LABEL_FILTERS = (
+    tr_noop("Praat TextGrid (*.TextGrid)"), tr_noop("Audacity labels (*.txt)"), tr_noop("Corpus labels (*.csv)"),
+)  # fmt: skip
 
 
 class Dialogs(QObject):
@@ -74,14 +68,14 @@ class Dialogs(QObject):
     action_offered = Signal(str, str, object)
 
     def __init__(
-        self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings, talking: TalkModel
+        self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings, talking: TalkModel,
+        files: FileAsker,
     ) -> None:  # fmt: skip
         super().__init__(window)
         self._window = window
         self._session = session
         self._preset = preset
-        self._settings = settings
-        self._talking = talking
+        self._settings, self._files, self._talking = settings, files, talking
         self._shipping = TaskQueue(self.rejected.emit)
         self._watcher = QFileSystemWatcher(self)
         self._watcher.fileChanged.connect(self._tell_change)
@@ -115,9 +109,7 @@ class Dialogs(QObject):
             return False
         if self._session.cut_off:
             self.info.emit(tr_engine(self._session.cut_off))
-        here = str(path.resolve())
-        recent = [here] + [other for other in self.recent_sounds() if other != here]
-        self._settings.setValue("recent", recent[:N_RECENT])
+        self._remember_recent("recent", path)
         self.sound_opened.emit()
         return True
 
@@ -146,29 +138,22 @@ class Dialogs(QObject):
 
     def ask_sound(self) -> bool:
         """Let the user choose a sound file; says whether one was opened."""
-        name, _ = QFileDialog.getOpenFileName(
-            self._window, tr("Open a sound file"), self._folder("sound"), tr("All files (*)")
-        )
-        if not name:
-            return False
-        self._settings.setValue("folder/sound", str(Path(name).parent))
-        return self.open_sound(Path(name))
+        path = self._files.ask_file(tr("Open a sound file"), tr("All files (*)"), "sound")
+        return path is not None and self.open_sound(path)
 
-    def recent_sounds(self) -> list[str]:
-        """Return the paths of the sounds that were opened last, newest first."""
-        return self._kept("recent")
+    def recent_sounds(self) -> list[Path]:
+        """Return the sounds that were opened last, newest first."""
+        return read_paths(self._settings, "recent")
 
-    def _kept(self, key: str) -> list[str]:
-        """Return the paths that are kept in the settings."""
-        kept = self._settings.value(key, [])
-        if isinstance(kept, str):
-            return [kept]
-        return [str(path) for path in kept] if isinstance(kept, list) else []
+    def _remember_recent(self, key: str, path: Path) -> None:
+        here = path.resolve()
+        recent = [here, *(other for other in read_paths(self._settings, key) if other != here)]
+        self._settings.setValue(key, list(map(str, recent[:N_RECENT])))
 
     def last_sound(self) -> Path | None:
         """Return the sound that was opened last, if it is still there."""
         recent = self.recent_sounds()
-        return Path(recent[0]) if recent and Path(recent[0]).is_file() else None
+        return recent[0] if recent and recent[0].is_file() else None
 
     def ask_save_phonemes(self) -> None:
         """Let the user choose a file to save the phonemes of a whole sound to; its ending says in which format."""
@@ -177,17 +162,11 @@ class Dialogs(QObject):
             self.rejected.emit(tr("There is no sound file in hand; open the one whose phonemes are to be saved."))
             return
         sound = (session.path if session.source is SoundSource.FILE else None) or Path.home() / session.name
-        suggested = Path(self._folder("phonemes", sound.parent)) / f"{sound.stem}.TextGrid"
-        endings = {tr(words): ending for words, ending in LABEL_FILTERS.items()}
-        filters = ";;".join(endings)
-        name, chosen = QFileDialog.getSaveFileName(self._window, tr("Save the phonemes"), str(suggested), filters)
-        if not name:
-            return
-        path = Path(name)
-        if path.suffix.lower() not in LABEL_SUFFIXES:
-            path = free_path(path.with_name(path.name + endings.get(chosen, ".TextGrid")))
-        self._settings.setValue("folder/phonemes", str(path.parent))
-        self._session.write_phonemes(path)
+        suggested = self._files.folder_of("phonemes", sound.parent) / f"{sound.stem}.TextGrid"
+        filters = ";;".join(map(tr, LABEL_FILTERS))
+        path = self._files.ask_target(tr("Save the phonemes"), suggested, filters, "phonemes")
+        if path is not None:
+            session.write_phonemes(path)
 
     def show_export(self, sounds: Sequence[Path] = ()) -> None:
         """Show what sounds can be turned into; begins with the sound in hand, unless others are named."""
@@ -206,9 +185,7 @@ class Dialogs(QObject):
     def ask_recordings_folder(self) -> None:
         """Let the user choose where recordings go."""
         microphone = self._session.microphone
-        name = QFileDialog.getExistingDirectory(self._window, tr("Where recordings go"), str(microphone.folder))
-        if name:
-            microphone.folder = Path(name)
+        microphone.folder = self._files.ask_folder(tr("Where recordings go"), microphone.folder) or microphone.folder
 
     def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
         """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
@@ -260,14 +237,14 @@ class Dialogs(QObject):
 
     def show_encoder(self) -> None:
         """Show where the speech encoder's model is, and let the user choose or fetch one."""
-        dialog = EncoderDialog(self._window)
+        dialog = EncoderDialog(self._files, self._window)
         dialog.model_changed.connect(self._preset.changed)
         dialog.exec()
         dialog.deleteLater()
 
     def restore_preset(self) -> None:
         """Load the preset that was in use when the window was last closed, if it is still there."""
-        path = Path(str(self._settings.value("preset", "")))
+        path = read(self._settings, "preset", Path())
         if path.is_file() and path != self._preset.path:
             self._load(path)
 
@@ -291,20 +268,17 @@ class Dialogs(QObject):
 
     def ask_preset(self) -> None:
         """Let the user choose a preset file."""
-        folder = self._folder("preset", self._preset.path.parent)
-        name, _ = QFileDialog.getOpenFileName(
-            self._window, tr("Load a preset or PhonemeData"), folder, preset_filter()
+        path = self._files.ask_file(
+            tr("Load a preset or PhonemeData"), preset_filter(), "preset", self._preset.path.parent
         )
-        if name:
-            self._settings.setValue("folder/preset", str(Path(name).parent))
-            self.load_preset(Path(name))
+        if path is not None:
+            self.load_preset(path)
 
     def ask_second_preset(self) -> None:
         """Let the user choose a preset file that is compared with the one in use."""
-        folder = self._folder("preset", self._preset.path.parent)
-        name, _ = QFileDialog.getOpenFileName(self._window, tr("Load a second preset"), folder, preset_filter())
-        if name:
-            self._session.second.load(Path(name))
+        path = self._files.ask_file(tr("Load a second preset"), preset_filter(), "preset", self._preset.path.parent)
+        if path is not None:
+            self._session.second.load(path)
 
     def save(self) -> bool:
         """Save the preset to its file; a factory preset is saved under a name of the user's own."""
@@ -315,15 +289,8 @@ class Dialogs(QObject):
     def save_as(self, suggested: Path | None = None) -> bool:
         """Let the user choose a file to save the preset to; says whether it was saved."""
         suggested = suggested or self._own_presets_folder() / f"{self._preset.path.stem}-mine.toml"
-        filters = "Preset (*.toml);;PhonemeData (*.phonemedata)"
-        name, chosen = QFileDialog.getSaveFileName(self._window, tr("Save the preset"), str(suggested), filters)
-        if not name:
-            return False
-        path = Path(name)
-        if path.suffix.lower() not in PRESET_SUFFIXES:
-            path = free_path(path.with_name(path.name + (".phonemedata" if "PhonemeData" in chosen else ".toml")))
-        self._settings.setValue("folder/preset", str(path.parent))
-        return self._save_to(path)
+        path = self._files.ask_target(tr("Save the preset"), suggested, PRESET_FILTERS, "preset")
+        return path is not None and self._save_to(path)
 
     def _save_to(self, path: Path) -> bool:
         """Save to a file; where it cannot hold all, the user says what becomes of the rest."""
@@ -363,16 +330,14 @@ class Dialogs(QObject):
         return folder
 
     def _remember_preset(self, path: Path) -> None:
-        here = str(path.resolve())
-        self._settings.setValue("preset", here)
-        recent = [here, *(other for other in self._kept("recent presets") if other != here)]
-        self._settings.setValue("recent presets", recent[:N_RECENT])
+        keep(self._settings, "preset", path.resolve())
+        self._remember_recent("recent presets", path)
 
     def preset_sections(self) -> dict[str, tuple[PresetEntry, ...]]:
         """Return the presets to choose from, by heading: the program's, the user's own, and others used lately."""
         mine = own_presets()
         listed = {*FACTORY_PRESETS, *mine}
-        recent = [Path(kept) for kept in self._kept("recent presets")]
+        recent = read_paths(self._settings, "recent presets")
         return {
             tr("Factory"): preset_entries(FACTORY_PRESETS),
             tr("Mine"): preset_entries(mine),
@@ -383,24 +348,23 @@ class Dialogs(QObject):
         """Ask which preset is shipped, for what and where to."""
         from phonemeanalyser.desktop.ship_dialog import ShipDialog  # noqa: PLC0415 - the first window waits for it
 
-        dialog = ShipDialog(self._preset.preset, self.preset_sections(), self._settings, self._window)
-        dialog.ordered.connect(self._ship)
+        dialog = ShipDialog(self._preset.preset, self.preset_sections(), self._settings, self._files, self._window)
+        dialog.ordered.connect(lambda order: self._ship(order.target, order.folder, order.write))
         dialog.open()
 
-    def _ship(self, order: "ShipOrder") -> None:
+    def _ship(self, target: str, folder: Path, write: Callable[[], tuple[Path, ...]]) -> None:
         """Ship in the background; zig takes seconds, and minutes when it is asked for the first time."""
-        words = tr("Shipping for {target} into {folder} …").format(target=order.target, folder=order.folder)
-        self.info.emit(words)
+        self.info.emit(tr("Shipping for {target} into {folder} …").format(target=target, folder=folder))
 
         def tell(written: tuple[Path, ...]) -> None:
             sentence = tr("Shipped {n} files into {folder}; README.md there says how to go on")
-            url = QUrl.fromLocalFile(order.folder)
+            url = QUrl.fromLocalFile(folder)
             self.action_offered.emit(
-                sentence.format(n=len(written), folder=order.folder), tr("Open Folder"),
+                sentence.format(n=len(written), folder=folder), tr("Open Folder"),
                 lambda: QDesktopServices.openUrl(url),
             )  # fmt: skip
 
-        self._shipping.submit(lambda _progress: order.write(), tell)
+        self._shipping.submit(lambda _progress: write(), tell)
 
     def ask_notes(self) -> None:
         """Let the user read and change the preset's notes."""
@@ -477,12 +441,8 @@ class Dialogs(QObject):
 
     def ask_curves(self) -> None:
         """Let the user choose curves to compare with."""
-        names, _ = QFileDialog.getOpenFileNames(
-            self._window, tr("Load curves"), self._folder("curve"), tr(CURVE_FILTER)
-        )
-        for name in names:
-            self._settings.setValue("folder/curve", str(Path(name).parent))
-            self.load_curve(Path(name))
+        for path in self._files.ask_files(tr("Load curves"), tr(CURVE_FILTER), "curve"):
+            self.load_curve(path)
 
     def load_curve(self, path: Path) -> None:
         """Load a curve beside the averaged spectrum."""
@@ -493,22 +453,18 @@ class Dialogs(QObject):
         if not self._session.averages.n_frames:
             self.rejected.emit(tr("There is no averaged spectrum yet; play a sound first."))
             return
-        name, _ = QFileDialog.getSaveFileName(
-            self._window, tr("Save the averaged spectrum"), self._folder("curve"), tr(CURVE_FILTER)
+        path = self._files.ask_target(
+            tr("Save the averaged spectrum"), self._files.folder_of("curve"), tr(CURVE_FILTER), "curve"
         )
-        if name:
-            path = Path(name) if name.endswith(".csv") else free_path(Path(name + ".csv"))
+        if path is not None:
             self._try(lambda: self._session.averages.save(path))
 
     def ask_save_picture(self, plot: QWidget, name: str) -> None:
         """Let the user choose a file to save the picture of a plot to: pixels, or lines that scale."""
-        suggested = str(Path(self._folder("picture")) / f"{name}.png")
-        chosen, _ = QFileDialog.getSaveFileName(self._window, tr("Save the picture"), suggested, tr(PICTURE_FILTER))
-        if chosen:
-            known = chosen.lower().endswith((".png", ".svg"))
-            path = Path(chosen) if known else free_path(Path(f"{chosen}.png"))
-            self._settings.setValue("folder/picture", str(path.parent))
-            self._try(lambda: _write_picture(plot, path))
+        suggested = self._files.folder_of("picture") / f"{name}.png"
+        path = self._files.ask_target(tr("Save the picture"), suggested, tr(PICTURE_FILTER), "picture")
+        if path is not None:
+            self._try(lambda: save_picture(plot, path))
 
     def _try(self, act: Callable[[], object]) -> bool:
         try:
@@ -519,50 +475,8 @@ class Dialogs(QObject):
         self.rejected.emit("")
         return True
 
-    def _folder(self, kind: str, default: Path | None = None) -> str:
-        return str(self._settings.value(f"folder/{kind}", str(default or Path.home())))
-
 
 def _listed(words: tuple[str, ...]) -> str:
     return (
         words[0] if len(words) == 1 else tr("{first} and {last}").format(first=", ".join(words[:-1]), last=words[-1])
     )
-
-
-def _write_picture(plot: QWidget, path: Path) -> None:
-    file = QSaveFile(str(path))
-    write = _draw_svg if path.suffix.lower() == ".svg" else _draw_png
-    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and write(plot, file) and file.commit()):
-        raise EngineError(
-            tr("{path}: cannot be written ({fault}); choose another folder").format(
-                path=path.name, fault=file.errorString()
-            )
-        )
-
-
-def _draw_png(plot: QWidget, file: QIODevice) -> bool:
-    return plot.grab().save(file, "PNG")
-
-
-def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
-    generator = QSvgGenerator()
-    generator.setOutputDevice(file)
-    generator.setSize(plot.size())
-    generator.setViewBox(plot.rect())
-    generator.setTitle(plot.accessibleName())
-    painter = QPainter()
-    begun = painter.begin(generator)
-    if begun:
-        kept = (
-            [item for item in plot.items() if item.cacheMode() != NO_CACHE] if isinstance(plot, QGraphicsView) else []
-        )
-        modes = [item.cacheMode() for item in kept]
-        try:
-            for item in kept:  # what is kept as pixels would be pixels here
-                item.setCacheMode(NO_CACHE)
-            QWidget.render(plot, painter, QPoint())  # a view of a scene has one of its own, of the scene alone
-        finally:
-            painter.end()
-            for item, mode in zip(kept, modes, strict=True):
-                item.setCacheMode(mode)
-    return begun

@@ -10,7 +10,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QFileDialog,
     QFormLayout,
     QHBoxLayout,
     QLabel,
@@ -22,6 +21,8 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.settings import keep, read
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import PresetEntry, load_preset
 from phonemeengine.presets.preset import Preset
@@ -78,10 +79,11 @@ class ShipDialog(QDialog):
         preset: Preset,
         sections: Mapping[str, tuple[PresetEntry, ...]],
         settings: QSettings,
+        files: FileAsker,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
-        self._in_hand, self._settings = preset, settings
+        self._in_hand, self._settings, self._files = preset, settings, files
         self.setWindowTitle(tr("Ship a Preset"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setMinimumWidth(WIDTH)
@@ -102,8 +104,8 @@ class ShipDialog(QDialog):
     def accept(self) -> None:
         """Order it, and close."""
         order = self.order()
-        self._settings.setValue("ship/target", order.target)
-        self._settings.setValue("folder/ship", str(order.folder))
+        keep(self._settings, "ship/target", order.target)
+        self._files.remember("ship", order.folder)
         super().accept()
         self.ordered.emit(order)
 
@@ -114,11 +116,11 @@ class ShipDialog(QDialog):
                 self.preset.addItem(f"{heading}: {entry.name}", entry.path)
         for name, target in TARGETS.items():
             self.target.addItem(f"{name}: {tr(target.words)}", name)
-        self.target.setCurrentIndex(max(0, self.target.findData(str(self._settings.value("ship/target", "c")))))
+        self.target.setCurrentIndex(max(0, self.target.findData(read(self._settings, "ship/target", "c"))))
         for name in shipped_tables():
             item = QListWidgetItem(name, self.tables)
             item.setCheckState(CHECKED if name in USUAL_TABLES else Qt.CheckState.Unchecked)
-        self.folder.setText(str(self._settings.value("folder/ship", "")))
+        self.folder.setText(read(self._settings, "folder/ship", ""))
         self.folder.setPlaceholderText(tr("a folder of its own"))
 
     def _lay_out(self) -> None:
@@ -154,8 +156,6 @@ class ShipDialog(QDialog):
         self.start.setEnabled(bool(self.folder.text().strip()))
 
     def _ask_folder(self) -> None:
-        name = QFileDialog.getExistingDirectory(
-            self, tr("Where the ear goes"), self.folder.text() or str(Path.home())
-        )
-        if name:
-            self.folder.setText(name)
+        folder = self._files.ask_folder(tr("Where the ear goes"), Path(self.folder.text() or Path.home()))
+        if folder is not None:
+            self.folder.setText(str(folder))

@@ -3,8 +3,8 @@
 import math
 from collections.abc import Callable
 from contextlib import suppress
+from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
@@ -14,11 +14,18 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QMainWindow, QSplitter
 from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
 from phonemeanalyser.desktop.session.microphone import SUFFIXES, Microphone
 from phonemeanalyser.desktop.session.session import Session
-from phonemeengine.audio.devices import InputChoice
+from phonemeanalyser.desktop.settings import Kept, keep, read
 from phonemeengine.errors import SettingsError
-from phonemeengine.settings import Channel
 
 LAYOUT_VERSION = 1
+OF_MICROPHONE = {
+    "microphone": "label",
+    "microphone_channel": "channel",
+    "microphone_rate": "rate",
+    "microphone_latency": "latency",
+    "microphone_else_default": "else_default",
+}
+"""Under which key which field of an `InputChoice` is kept."""
 
 
 class WindowState:
@@ -54,53 +61,34 @@ class WindowState:
         `stacked` says whether one lies behind another only since the window is narrow.
         """
         self._settings.setValue("layout", self._window.saveState(LAYOUT_VERSION))
-        self._settings.setValue("layout_width", self._window.width())
-        self._settings.setValue("layout_stacked", int(stacked))
+        keep(self._settings, "layout_width", self._window.width())
+        keep(self._settings, "layout_stacked", stacked)
 
     def docks_stacked(self) -> bool:
         """Return whether a dock was behind another one only since the window was narrow."""
-        return self._kept("layout_stacked", 0) == "1"
+        return read(self._settings, "layout_stacked", False)
 
     def docks_width(self) -> float:
         """Return the width of the window for which docks were laid out, pixels; infinite where they never were."""
-        kept = self._kept_number("layout_width", 0)
+        kept = read(self._settings, "layout_width", 0.0)
         return kept if kept > 0 else math.inf
 
     def save_page(self, number: int) -> None:
         """Keep which page is seen."""
-        self._settings.setValue("page", number)
+        keep(self._settings, "page", number)
 
     def page(self) -> int:
         """Return the number of the page that was seen last."""
-        return round(self._kept_number("page", 0))
+        return read(self._settings, "page", 0)
 
     def save(self, session: Session, view: ScrollView) -> None:
         """Keep everything else for the next start."""
-        keep = self._settings.setValue
         for name, save in self._savers.items():
-            keep(name, save())
-        for name, switch in self._switches.items():
-            keep(name, int(switch.isChecked()))
-        for name, choice in self._choices.items():
-            keep(name, _chosen(choice))
-        keep("volume", round(session.volume))
-        keep("loop", int(session.loop))
-        keep("output", session.loudspeaker.label)
-        keep("channel", session.wanted_channel.value)
-        microphone = session.microphone
-        keep("microphone", microphone.choice.label)
-        keep("microphone_channel", microphone.choice.channel)
-        keep("microphone_rate", microphone.choice.rate)
-        keep("microphone_latency", microphone.choice.latency)
-        keep("microphone_else_default", int(microphone.choice.else_default))
-        keep("recordings", str(microphone.folder))
-        keep("recording_kind", microphone.suffix)
-        keep("recording_phonemes", int(microphone.with_phonemes))
-        keep("recording_fills_gaps", int(microphone.fill_gaps))
-        keep("variable", view.variable.currentText())
-        keep("colours", _chosen(view.colours))
-        keep("darkest", view.low.value())
-        keep("brightest", view.high.value())
+            self._settings.setValue(name, save())
+        for choice in self._kept(session, view):
+            choice.save(self._settings)
+        for key, field in OF_MICROPHONE.items():
+            keep(self._settings, key, getattr(session.microphone.choice, field))
 
     def restore(self, session: Session, view: ScrollView) -> None:
         """Take up everything of the last start; what was never kept stays as it is."""
@@ -110,45 +98,44 @@ class WindowState:
             state = self._settings.value(name)
             if isinstance(state, QByteArray):
                 restore(state)
-        for name, switch in self._switches.items():
-            switch.setChecked(self._kept(name, int(switch.isChecked())) == "1")
-        for name, choice in self._choices.items():
-            _choose(choice, self._kept(name, _chosen(choice)))
-        session.set_volume(self._kept_number("volume", session.volume))
-        session.loudspeaker.choose(self._kept("output", session.loudspeaker.label))
-        session.set_loop(self._kept("loop", int(session.loop)) == "1")
-        with suppress(ValueError):  # somebody edited the file
-            session.set_channel(Channel(self._kept("channel", session.wanted_channel.value)))
-        self._restore_microphone(session.microphone)
-        view.variable.setCurrentText(self._kept("variable", view.variable.currentText()))
-        _choose(view.colours, self._kept("colours", _chosen(view.colours)))
-        view.low.setValue(round(self._kept_number("darkest", view.low.value())))
-        view.high.setValue(round(self._kept_number("brightest", view.high.value())))
-
-    def _restore_microphone(self, microphone: Microphone) -> None:
-        choice = microphone.choice
-        label = self._kept("microphone", choice.label)
-        channel = round(self._kept_number("microphone_channel", choice.channel))
-        rate = round(self._kept_number("microphone_rate", choice.rate))
-        latency = self._kept_number("microphone_latency", choice.latency)
-        else_default = self._kept("microphone_else_default", int(choice.else_default)) == "1"
+        for choice in self._kept(session, view):
+            choice.restore(self._settings)
+        chosen = session.microphone.choice
+        kept = {field: read(self._settings, key, getattr(chosen, field)) for key, field in OF_MICROPHONE.items()}
         with suppress(SettingsError):  # somebody edited the file
-            microphone.choose(InputChoice(label, channel, rate, else_default, latency))
-        microphone.folder = Path(self._kept("recordings", str(microphone.folder)))
-        suffix = self._kept("recording_kind", microphone.suffix)
-        microphone.suffix = suffix if suffix in SUFFIXES else microphone.suffix
-        microphone.with_phonemes = self._kept("recording_phonemes", int(microphone.with_phonemes)) == "1"
-        microphone.fill_gaps = self._kept("recording_fills_gaps", int(microphone.fill_gaps)) == "1"
+            session.microphone.choose(replace(chosen, **kept))
 
-    def _kept_number(self, name: str, default: float) -> float:
-        try:
-            kept = float(self._kept(name, default))
-        except ValueError:  # somebody edited the file
-            return default
-        return kept if math.isfinite(kept) else default
+    def _kept(self, session: Session, view: ScrollView) -> tuple[Kept[Any], ...]:
+        microphone = session.microphone
+        return (
+            *(Kept(name, switch.isChecked, switch.setChecked) for name, switch in self._switches.items()),
+            *(_kept_choice(name, box) for name, box in self._choices.items()),
+            Kept("volume", lambda: round(session.volume), session.set_volume),
+            Kept("output", lambda: session.loudspeaker.label, session.loudspeaker.choose),
+            Kept("loop", lambda: session.loop, session.set_loop),
+            Kept("channel", lambda: session.wanted_channel, session.set_channel),
+            _kept_attribute("recordings", microphone, "folder"),
+            Kept("recording_kind", lambda: microphone.suffix, partial(_set_kind, microphone)),
+            _kept_attribute("recording_phonemes", microphone, "with_phonemes"),
+            _kept_attribute("recording_fills_gaps", microphone, "fill_gaps"),
+            Kept("variable", view.variable.currentText, view.variable.setCurrentText),
+            _kept_choice("colours", view.colours),
+            Kept("darkest", view.low.value, view.low.setValue),
+            Kept("brightest", view.high.value, view.high.setValue),
+        )
 
-    def _kept(self, name: str, default: Any) -> str:
-        return str(self._settings.value(name, default))
+
+def _set_kind(microphone: Microphone, suffix: str) -> None:
+    if suffix in SUFFIXES:
+        microphone.suffix = suffix
+
+
+def _kept_attribute(key: str, owner: object, name: str) -> Kept[Any]:
+    return Kept(key, partial(getattr, owner, name), partial(setattr, owner, name))
+
+
+def _kept_choice(name: str, box: QComboBox) -> Kept[str]:
+    return Kept(name, partial(_chosen, box), partial(_choose, box))
 
 
 def _chosen(box: QComboBox) -> str:

@@ -27,6 +27,7 @@ from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
@@ -39,6 +40,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, focus_buttons_by_tab
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
@@ -68,6 +70,7 @@ class MainWindow(QMainWindow):
     Parameters
     ----------
     calibration : makes the model of the calibration, if there is none yet, and has it joined to the window.
+    files : asks the user for files.
 
     Signals
     -------
@@ -82,16 +85,17 @@ class MainWindow(QMainWindow):
 
     def __init__(
         self, session: Session, preset: PresetModel, theme: Theme, settings: QSettings,
-        calibration: "Callable[[], calibrate.CalibrationModel]", talking: TalkModel,
+        calibration: "Callable[[], calibrate.CalibrationModel]", talking: TalkModel, files: FileAsker,
     ) -> None:  # fmt: skip
         super().__init__()
         self.theme = theme
-        self.dialogs = Dialogs(self, session, preset, settings, talking)
+        self.files = files
+        self.dialogs = Dialogs(self, session, preset, settings, talking, files)
         self.selection = Selection(session)
-        self.selection_dialogs = SelectionDialogs(self, self.selection, session, settings)
-        self.label_dialogs = LabelDialogs(self, session, settings)
+        self.selection_dialogs = SelectionDialogs(self, self.selection, session, files)
+        self.label_dialogs = LabelDialogs(self, session, files)
         self.menus = Menus(self)
-        self.talking_dialogs = TalkDialogs(self, talking, settings)
+        self.talking_dialogs = TalkDialogs(self, talking, settings, files)
         self._docks = Docks(self, NARROW)
         self._ask_calibration = calibration
         self._calibration: calibrate.CalibrationModel | None = None
@@ -140,7 +144,7 @@ class MainWindow(QMainWindow):
     def join_calibration(self, model: "calibrate.CalibrationModel") -> None:
         """Take up the takes of the last start, and show what the calibration says, whatever page is seen."""
         self._calibration = model
-        self._calibration_dialogs = calibrate.CalibrationDialogs(self, model, self._settings)
+        self._calibration_dialogs = calibrate.CalibrationDialogs(self, model, self._settings, self.files)
         model.error.connect(self.banner.show_error)
         model.info.connect(self.banner.show_info)
         model.guide.changed.connect(self._lend_keys)
@@ -295,7 +299,7 @@ class MainWindow(QMainWindow):
         """List the sounds that were opened last, the last one first."""
         self._recent.clear()
         for path in self.dialogs.recent_sounds():
-            self._recent.addAction(path, partial(self.dialogs.open_sound, Path(path)))
+            self._recent.addAction(str(path), partial(self.dialogs.open_sound, path))
         self._recent.setEnabled(not self._recent.isEmpty())
 
     def _make_view_menu(self) -> None:
@@ -305,12 +309,12 @@ class MainWindow(QMainWindow):
         view.addSeparator()
         view.addActions(self._docks.switches(KEYS_OF_DOCKS))
         view.addSeparator()
-        chosen = str(self._settings.value("theme", "system"))
+        chosen = read(self._settings, "theme", "system")
         themes = {"system": tr("system"), "light": tr("light"), "dark": tr("dark")}
         self.menus.add_choice(view, tr("Theme"), themes, chosen, self.theme_asked.emit)
         view.addSeparator()
         languages = {SYSTEM: tr("system"), **LANGUAGES}
-        chosen = str(self._settings.value("language", SYSTEM))
+        chosen = read(self._settings, "language", SYSTEM)
         self.menus.add_choice(view, tr("Language"), languages, chosen, self.language_asked.emit)
 
     def _connect(self) -> None:
@@ -476,8 +480,8 @@ class MainWindow(QMainWindow):
 
     def greet(self) -> None:
         """Show what one could begin with, at the first start only."""
-        if self._settings.value("greeted") is None:
-            self._settings.setValue("greeted", 1)
+        if not read(self._settings, "greeted", False):
+            keep(self._settings, "greeted", True)
             self.welcome.show_cards()
 
     def _show_spoken(self) -> None:

@@ -150,6 +150,23 @@ def choose(menu: QMenu, entry: str) -> None:
     next(action for action in menu.actions() if action.text() == entry).trigger()
 
 
+class FileAnswers:
+    """Answers for a user who is asked for a file: these paths, none for one who cancels, or what is suggested.
+
+    Attributes
+    ----------
+    suggested : what each dialog began with.
+    """
+
+    def __init__(self, *paths: Path, chosen: str = "", as_suggested: bool = False) -> None:
+        self.paths, self.chosen, self.as_suggested = paths, chosen, as_suggested
+        self.suggested: list[Path] = []
+
+    def __call__(self, _mode: object, _title: str, place: str, _filters: str) -> tuple[list[str], str]:
+        self.suggested.append(Path(place))
+        return [place] if self.as_suggested else list(map(str, self.paths)), self.chosen
+
+
 class TimeEyes:
     """Looks at the time view's pixels."""
 

@@ -5,12 +5,11 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.ship_dialog import ShipDialog
 from phonemeengine import save_preset
-from tests.desktop.hands import LEFT, shown
+from tests.desktop.hands import LEFT, FileAnswers, shown
 
 
 @pytest.fixture
@@ -51,11 +50,9 @@ def test_a_preset_of_the_list_is_shipped_as_the_command_line_does(dialog, window
     assert window.banner.action.text() == "Open Folder"
 
 
-def test_the_preset_in_hand_is_shipped_with_its_changes_and_the_chosen_tables(
-    desktop, window, qtbot, tmp_path, monkeypatch
-):
+def test_the_preset_in_hand_is_shipped_with_its_changes_and_the_chosen_tables(desktop, window, qtbot, tmp_path):
     desktop.preset.tune("sz_s1", 3.5)
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "chosen"))
+    window.files.show = FileAnswers(tmp_path / "chosen")
     window.dialogs.show_ship()
     dialog = next(d for d in window.findChildren(ShipDialog) if d.isVisible())
     QTest.mouseClick(dialog.choose, LEFT)

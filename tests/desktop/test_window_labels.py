@@ -5,7 +5,7 @@ import shutil
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QMessageBox
+from PySide6.QtWidgets import QInputDialog, QMessageBox
 
 from phonemeanalyser.desktop.analyse.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
-from tests.desktop.hands import CARDS, press, shown
+from tests.desktop.hands import CARDS, FileAnswers, press, shown
 
 TIERS = (
     Tier("phones", (RawLabel(0.5, 1.0, "o", ""), RawLabel(1.0, 1.5, "s", ""))),
@@ -128,10 +128,10 @@ def test_unsaved_labels_are_asked_about_before_they_go(desktop, window, monkeypa
     assert labels.path == CARDS.with_suffix(".csv")
 
 
-def test_labels_are_loaded_from_elsewhere(desktop, window, monkeypatch, tmp_path):
+def test_labels_are_loaded_from_elsewhere(desktop, window, tmp_path):
     path = tmp_path / "other.csv"
     write_tiers([TIERS[0]], path)
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(path), ""))
+    window.files.show = FileAnswers(path)
     window.menus.actions["Load Labels…"].trigger()
     assert desktop.session.labels.path == path
 

@@ -9,12 +9,11 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.app import FirstPaint
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
-from tests.desktop.hands import choose, click, copied, press, shown
+from tests.desktop.hands import FileAnswers, choose, click, copied, press, shown
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -62,7 +61,7 @@ def test_a_window_that_is_too_small_for_a_page_scrolls_it(desktop, qtbot):
         assert (area.horizontalScrollBar().maximum() > 0) == (area.widget().minimumSizeHint().width() > area.width())
 
 
-def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, monkeypatch, tmp_path):
+def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, tmp_path):
     window = shown(desktop, qtbot)
     for key in (Qt.Key.Key_2, Qt.Key.Key_3):
         press(window, key, CONTROL)
@@ -70,11 +69,11 @@ def test_every_view_copies_its_values_and_becomes_a_picture(desktop, qtbot, monk
     named = {type(menu.parent()).__name__ for menu in menus}
     assert named >= {"HeadView", "MovestateBars", "PhonemeView", "TakeWaveform", "ConfusionView", "DistributionView"}
     saved: list[Path] = []
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(saved[-1]), ""))
     for k, menu in enumerate(menus):
         assert "\t" in copied(menu, QPoint(9, 9))[0] or copied(menu, QPoint(9, 9))[0]
         for kind in ("png", "svg"):
             saved.append(tmp_path / f"{k}.{kind}")
+            window.files.show = FileAnswers(saved[-1])
             choose(menu, "Save Picture…")
     assert [path.name for path in saved if not path.is_file() or not path.stat().st_size] == []
 

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from phonemeanalyser.desktop import dialogs
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, parse_phoneme_data, save_preset
-from tests.desktop.hands import answer, click, press, shown, type_number
+from tests.desktop.hands import FileAnswers, answer, click, press, shown, type_number
 
 BUTTON = QMessageBox.StandardButton
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -39,8 +39,9 @@ def asked(monkeypatch):
     return asked
 
 
-def will_save_to(monkeypatch, path, chosen="Preset (*.toml)"):
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(path or ""), chosen))
+def will_save_to(window, *paths, chosen="Preset (*.toml)") -> FileAnswers:
+    window.files.show = FileAnswers(*paths, chosen=chosen)
+    return window.files.show
 
 
 def change(window) -> None:
@@ -67,10 +68,10 @@ def test_a_value_typed_back_is_no_change(desktop, window):
     assert not window.isWindowModified()
 
 
-def test_a_factory_preset_is_saved_under_another_name(desktop, window, monkeypatch, tmp_path):
+def test_a_factory_preset_is_saved_under_another_name(desktop, window, tmp_path):
     factory = THESIS_PRESET.read_bytes()
     change(window)
-    will_save_to(monkeypatch, tmp_path / "voice")
+    will_save_to(window, tmp_path / "voice")
     press(window, Qt.Key.Key_S, CONTROL)
     assert THESIS_PRESET.read_bytes() == factory
     assert load_preset(tmp_path / "voice.toml").thresholds.sz_s1 == 3.5
@@ -78,36 +79,37 @@ def test_a_factory_preset_is_saved_under_another_name(desktop, window, monkeypat
     assert window.windowTitle() == "cards.flac - voice[*] - PhonemeAnalyser"
 
 
-def test_a_preset_of_one_s_own_is_saved_without_asking(desktop, window, monkeypatch, tmp_path):
+def test_a_preset_of_one_s_own_is_saved_without_asking(desktop, window, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
     window.dialogs.load_preset(tmp_path / "mine.toml")
     change(window)
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: pytest.fail("asked"))
+    files = will_save_to(window)
     press(window, Qt.Key.Key_S, CONTROL)
+    assert files.suggested == []
     assert load_preset(tmp_path / "mine.toml").thresholds.sz_s1 == 3.5
     assert not window.isWindowModified()
 
 
-def test_save_as_writes_phonemedata_by_name_or_by_filter(desktop, window, monkeypatch, tmp_path):
+def test_save_as_writes_phonemedata_by_name_or_by_filter(desktop, window, tmp_path):
     change(window)
-    will_save_to(monkeypatch, tmp_path / "old", "PhonemeData (*.phonemedata)")
+    will_save_to(window, tmp_path / "old", chosen="PhonemeData (*.phonemedata *.txt)")
     answer("Save the 21 Numbers Only")  # the notes do not go into it
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
     assert parse_phoneme_data((tmp_path / "old.phonemedata").read_text()).sz_s1 == 3.5
 
 
-def test_a_preset_whose_ending_nobody_typed_replaces_no_other_one(desktop, window, monkeypatch, tmp_path):
+def test_a_preset_whose_ending_nobody_typed_replaces_no_other_one(desktop, window, tmp_path):
     (tmp_path / "voice.toml").write_text("somebody's")
     change(window)
-    will_save_to(monkeypatch, tmp_path / "voice")
+    will_save_to(window, tmp_path / "voice")
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
     assert (tmp_path / "voice.toml").read_text() == "somebody's"
     assert load_preset(tmp_path / "voice (2).toml").thresholds.sz_s1 == 3.5
 
 
-def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, window, monkeypatch, tmp_path):
+def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, window, tmp_path):
     change(window)
-    will_save_to(monkeypatch, tmp_path / "nowhere" / "voice.toml")
+    will_save_to(window, tmp_path / "nowhere" / "voice.toml")
     press(window, Qt.Key.Key_S, CONTROL)
     assert window.banner.isVisible()
     assert window.banner.label.text().startswith("voice.toml: cannot be written")
@@ -148,18 +150,18 @@ def test_discard_closes_and_writes_nothing(desktop, window, asked, tmp_path):
     assert (tmp_path / "mine.toml").read_bytes() == before
 
 
-def test_save_writes_and_closes(desktop, window, asked, monkeypatch, tmp_path):
+def test_save_writes_and_closes(desktop, window, asked, tmp_path):
     change(window)
     asked.answer = BUTTON.Save
-    will_save_to(monkeypatch, tmp_path / "voice.toml")
+    will_save_to(window, tmp_path / "voice.toml")
     assert window.close()
     assert tomllib.loads((tmp_path / "voice.toml").read_text())["phoneme_data"]["sz_s1"] == 3.5
 
 
-def test_save_without_choosing_a_file_does_not_close(desktop, window, asked, monkeypatch):
+def test_save_without_choosing_a_file_does_not_close(desktop, window, asked):
     change(window)
     asked.answer = BUTTON.Save
-    will_save_to(monkeypatch, None)
+    will_save_to(window)
     assert not window.close()
     assert window.isVisible()
     assert window.isWindowModified()

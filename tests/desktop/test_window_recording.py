@@ -16,7 +16,7 @@ from PySide6.QtTest import QTest
 
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeengine.settings import HOP
-from tests.desktop.hands import CARDS, DEMO, click, press
+from tests.desktop.hands import CARDS, DEMO, FileAnswers, click, press
 from tests.desktop.session.test_microphone import CUT_OFF
 from tests.desktop.studio import DESK, Booth
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -210,11 +210,9 @@ def test_closing_the_window_finishes_the_recording(booth: Booth, mic: HandDriven
     assert booth.studio.model.interrupted_recordings() == []
 
 
-def test_the_recordings_folder_is_chosen_shown_and_kept(
-    booth: Booth, mic: HandDrivenMicrophone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-):
+def test_the_recordings_folder_is_chosen_shown_and_kept(booth: Booth, mic: HandDrivenMicrophone, tmp_path: Path):
     chosen = tmp_path / "mine"
-    monkeypatch.setattr("phonemeanalyser.desktop.dialogs.QFileDialog.getExistingDirectory", lambda *_a: str(chosen))
+    booth.window.files.show = FileAnswers(chosen)
     record = booth.window.transport.record
     record.folder.trigger()
     record.menu().aboutToShow.emit()

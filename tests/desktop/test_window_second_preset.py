@@ -3,12 +3,11 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog
 
 from phonemeanalyser.desktop.session.second_preset import NO_SECOND
 from phonemeengine import difference, load_preset
 from phonemeengine.presets.files import preset_path
-from tests.desktop.hands import CARDS, click, press, shown
+from tests.desktop.hands import CARDS, FileAnswers, click, press, shown
 
 
 @pytest.fixture
@@ -30,9 +29,9 @@ def test_without_a_second_preset_the_key_says_so(desktop, window):
     assert window.analysis.file.view._layout.second_row() is None
 
 
-def test_two_presets_are_seen_and_switched(desktop, window, qtbot, monkeypatch):
+def test_two_presets_are_seen_and_switched(desktop, window, qtbot):
     session, second = desktop.session, desktop.session.second
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(preset_path("learned")), ""))
+    window.files.show = FileAnswers(preset_path("learned"))
     window.menus.actions["Second Preset…"].trigger()
     settled(desktop, qtbot)
     first, other = session.whole.tracks, second.whole.tracks

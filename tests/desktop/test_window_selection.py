@@ -3,11 +3,10 @@
 import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog
 
 from phonemeanalyser.desktop.analyse.measurement_dialog import MeasurementDialog
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from tests.desktop.hands import shown
+from tests.desktop.hands import FileAnswers, shown
 
 
 def opened(desktop, qtbot):
@@ -30,10 +29,9 @@ def test_a_measurement_is_shown_and_copied(desktop, qtbot):
     dialog.close()
 
 
-def test_the_selected_sound_is_saved_where_the_user_says(desktop, qtbot, tmp_path, monkeypatch):
+def test_the_selected_sound_is_saved_where_the_user_says(desktop, qtbot, tmp_path):
     window = opened(desktop, qtbot)
-    chosen = str(tmp_path / "part")
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
+    window.files.show = FileAnswers(tmp_path / "part")
     with qtbot.waitSignal(window.selection.info):
         window.menus.actions["Save Selection as Sound…"].trigger()
     assert soundfile.info(tmp_path / "part.wav").frames == 22050

@@ -4,10 +4,11 @@ from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFileDialog, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.encoder.model_folder import (
     choose_whisper,
     fetch_whisper,
@@ -30,8 +31,9 @@ class EncoderDialog(QDialog):
 
     model_changed = Signal()
 
-    def __init__(self, parent: QWidget) -> None:
+    def __init__(self, files: FileAsker, parent: QWidget) -> None:
         super().__init__(parent)
+        self._files = files
         self.setWindowTitle(tr("Speech Encoder"))
         self._work = TaskQueue(self._refuse)
         intro = QLabel(
@@ -62,9 +64,9 @@ class EncoderDialog(QDialog):
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
-        name = QFileDialog.getExistingDirectory(self, tr("The folder with model.bin and config.json of Whisper base"))
-        if name:
-            self._do(tr_noop("Opening the model …"), lambda: choose_whisper(Path(name)))
+        folder = self._files.ask_folder(tr("The folder with model.bin and config.json of Whisper base"), Path())
+        if folder is not None:
+            self._do(tr_noop("Opening the model …"), lambda: choose_whisper(folder))
 
     def forget(self) -> None:
         """Use the chosen folder no longer."""

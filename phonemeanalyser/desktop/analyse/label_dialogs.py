@@ -1,13 +1,10 @@
 """What the user is asked about the labels of a file: names, tiers, files, and what becomes of changes."""
 
-from pathlib import Path
-
-from PySide6.QtCore import QObject, QSettings, Qt
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QFileDialog,
     QInputDialog,
     QLabel,
     QListWidget,
@@ -22,8 +19,7 @@ from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeengine.files import free_path
-from phonemeengine.labels.files import LABEL_SUFFIXES
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 
 LABEL_FILTER = tr_noop("Labels (*.TextGrid *.txt *.csv)")
 NONE = tr_noop("none")
@@ -39,12 +35,12 @@ WHAT_WAS_HEARD = tr_noop(
 class LabelDialogs(QObject):
     """Asks, and passes the answers to the labels of the session."""
 
-    def __init__(self, window: QWidget, session: Session, settings: QSettings) -> None:
+    def __init__(self, window: QWidget, session: Session, files: FileAsker) -> None:
         super().__init__(window)
         self._window = window
         self._session = session
         self._labels = session.labels
-        self._settings = settings
+        self._files = files
 
     # -- errors -------------------------------------------------------------------------------------------
 
@@ -135,11 +131,9 @@ class LabelDialogs(QObject):
         if path is None:
             self._session.error.emit(tr("There is no sound file in hand; open the one that the labels belong to."))
             return
-        folder = str(self._settings.value("folder/labels", str(path.parent)))
-        name, _ = QFileDialog.getOpenFileName(self._window, tr("Load labels"), folder, tr(LABEL_FILTER))
-        if name and self.may_leave():
-            self._settings.setValue("folder/labels", str(Path(name).parent))
-            self._labels.load(Path(name))
+        file = self._files.ask_file(tr("Load labels"), tr(LABEL_FILTER), "labels", path.parent)
+        if file is not None and self.may_leave():
+            self._labels.load(file)
 
     def save(self) -> bool:
         """Save the labels to their file, or to one that the user chooses."""
@@ -153,14 +147,8 @@ class LabelDialogs(QObject):
             self._session.error.emit(tr("There are no labels yet; select a stretch and insert one by Ctrl+I."))
             return False
         suggested = self._labels.path or sound.with_suffix(".TextGrid")
-        name, _ = QFileDialog.getSaveFileName(self._window, tr("Save the labels"), str(suggested), tr(LABEL_FILTER))
-        if not name:
-            return False
-        path = Path(name)
-        if path.suffix.lower() not in LABEL_SUFFIXES:
-            path = free_path(path.with_name(f"{path.name}.TextGrid"))
-        self._settings.setValue("folder/labels", str(path.parent))
-        return self._labels.save(path)
+        path = self._files.ask_target(tr("Save the labels"), suggested, tr(LABEL_FILTER), "labels")
+        return path is not None and self._labels.save(path)
 
     def may_leave(self) -> bool:
         """Ask what is to become of labels that were changed and not saved; says whether to go on."""

@@ -1,28 +1,26 @@
 """What the user is asked and shown about the selected part of a file."""
 
-from pathlib import Path
-
-from PySide6.QtCore import QObject, QSettings
+from PySide6.QtCore import QObject
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.analyse.measurement_dialog import MeasurementDialog
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
-from phonemeengine.files import free_path
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.measurement import StretchMeasurement
 
 
 class SelectionDialogs(QObject):
     """Asks where the selected sound goes, and shows what was measured."""
 
-    def __init__(self, window: QWidget, selection: Selection, session: Session, settings: QSettings) -> None:
+    def __init__(self, window: QWidget, selection: Selection, session: Session, files: FileAsker) -> None:
         super().__init__(window)
         self._window = window
         self._selection = selection
         self._session = session
-        self._settings = settings
+        self._files = files
         selection.measured.connect(self.show_measurement)
 
     def show_measurement(self, measurement: StretchMeasurement) -> None:
@@ -44,13 +42,9 @@ class SelectionDialogs(QObject):
         span, path = self._selection.span, self._session.path
         if span is None or path is None:
             return
-        folder = Path(str(self._settings.value("folder/stretch", str(path.parent))))
-        suggested = folder / f"{path.stem} {span.start:.2f}-{span.end:.2f}.wav"
-        name, _ = QFileDialog.getSaveFileName(
-            self._window, tr("Save the selected sound"), str(suggested), "WAV (*.wav)"
+        suggested = self._files.folder_of("stretch", path.parent) / f"{path.stem} {span.start:.2f}-{span.end:.2f}.wav"
+        target = self._files.ask_target(
+            tr("Save the selected sound"), suggested, "WAV (*.wav)", "stretch", other_endings=True
         )
-        if name:
-            # "demo 0.10-0.25" has no ending; "demo.mp3" has one, which the engine refuses in one sentence.
-            target = Path(name) if any(map(str.isalpha, Path(name).suffix)) else free_path(Path(f"{name}.wav"))
-            self._settings.setValue("folder/stretch", str(target.parent))
+        if target is not None:
             self._selection.save(target)

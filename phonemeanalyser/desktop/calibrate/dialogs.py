@@ -3,12 +3,14 @@
 from pathlib import Path
 
 from PySide6.QtCore import QObject, QSettings
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QMessageBox, QWidget
 
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import preset_filter
+from phonemeanalyser.desktop.settings import keep, read
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 
 PROJECT, SPEAKER = "calibration/project", "calibration/speaker"
 
@@ -16,32 +18,32 @@ PROJECT, SPEAKER = "calibration/project", "calibration/speaker"
 class CalibrationDialogs(QObject):
     """Asks, passes the answers to the models, and keeps project and speaker for the next start."""
 
-    def __init__(self, window: QWidget, calibration: CalibrationModel, settings: QSettings) -> None:
+    def __init__(self, window: QWidget, calibration: CalibrationModel, settings: QSettings, files: FileAsker) -> None:
         super().__init__(window)
         self._window = window
         self._calibration = calibration
-        self._settings = settings
+        self._settings, self._files = settings, files
         calibration.recordings.unknown.connect(self.ask_names)
         calibration.takes.opened.connect(self._remember_project)
 
     def restore(self) -> None:
         """Take up the project and the speaker of the last start, where the project is still there."""
         takes = self._calibration.takes
-        takes.speaker = str(self._settings.value(SPEAKER, takes.speaker))
-        folder = str(self._settings.value(PROJECT, ""))
+        takes.speaker = read(self._settings, SPEAKER, takes.speaker)
+        folder = read(self._settings, PROJECT, "")
         if takes.folder is None and folder and Path(folder).is_dir():
             takes.open(Path(folder))
 
     def save(self) -> None:
         """Keep the speaker for the next start."""
-        self._settings.setValue(SPEAKER, self._calibration.takes.speaker)
+        keep(self._settings, SPEAKER, self._calibration.takes.speaker)
 
     def ask_project(self) -> None:
         """Let the user choose the folder of his takes."""
         folder = self._calibration.takes.folder or self._calibration.session.microphone.folder
-        name = QFileDialog.getExistingDirectory(self._window, tr("The folder of the takes"), str(folder))
-        if name:
-            self._calibration.takes.open(Path(name))
+        chosen = self._files.ask_folder(tr("The folder of the takes"), folder)
+        if chosen is not None:
+            self._calibration.takes.open(chosen)
 
     def ask_empty_deleted(self) -> None:
         """Remove deleted takes for ever, if the user says so once more."""
@@ -60,15 +62,15 @@ class CalibrationDialogs(QObject):
 
     def ask_recordings(self, folder: bool) -> None:
         """Let the user choose a folder of labelled recordings, or some sounds with their labels beside them."""
-        place = str(self._settings.value("folder/recordings", str(Path.home())))
-        title = tr("Labelled recordings")
-        if folder:
-            names = [QFileDialog.getExistingDirectory(self._window, title, place)]
+        title, kind = tr("Labelled recordings"), "recordings"
+        if not folder:
+            paths = self._files.ask_files(title, tr("All files (*)"), kind)
+        elif chosen := self._files.ask_folder(title, self._files.folder_of(kind)):
+            self._files.remember(kind, chosen)
+            paths = [chosen]
         else:
-            names, _ = QFileDialog.getOpenFileNames(self._window, title, place, tr("All files (*)"))
-        paths = [Path(name) for name in names if name]
+            paths = []
         if paths:
-            self._settings.setValue("folder/recordings", str(paths[0] if folder else paths[0].parent))
             self._calibration.recordings.load(paths)
 
     def ask_names(self, counts: dict[str, int], sources: list[Path]) -> None:
@@ -79,10 +81,8 @@ class CalibrationDialogs(QObject):
 
     def ask_preset(self) -> Path | None:
         """Let the user choose a preset to compare with."""
-        folder = str(self._settings.value("folder/preset", str(Path.home())))
-        name, _ = QFileDialog.getOpenFileName(self._window, tr("A preset to compare with"), folder, preset_filter())
-        return Path(name) if name else None
+        return self._files.ask_file(tr("A preset to compare with"), preset_filter(), "preset")
 
     def _remember_project(self) -> None:
         if self._calibration.takes.folder is not None:
-            self._settings.setValue(PROJECT, str(self._calibration.takes.folder))
+            keep(self._settings, PROJECT, self._calibration.takes.folder)

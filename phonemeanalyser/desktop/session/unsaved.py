@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, QSettings, QTimer
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.settings import keep, read
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import EngineError
 from phonemeengine.presets.files import MODEL_SUFFIXES, load_preset, save_preset
@@ -47,7 +48,7 @@ class UnsavedChanges(QObject):
         """
         if not self.path.exists():
             return False
-        base, changed = Path(str(self._settings.value(self._of, ""))), load_preset(self.path)
+        base, changed = read(self._settings, self._of, Path()), load_preset(self.path)
         if base.is_file() and base != self._preset.path:
             self._preset.load(base)
         self._preset.edit(changed, tr("changes of the last time"))
@@ -58,7 +59,7 @@ class UnsavedChanges(QObject):
         if not self._preset.has_unsaved_changes:
             self.forget()
             return
-        self._settings.setValue(self._of, str(self._preset.path.resolve()))
+        keep(self._settings, self._of, self._preset.path.resolve())
         try:
             save_preset(self._preset.preset, self.path)
         except EngineError as error:

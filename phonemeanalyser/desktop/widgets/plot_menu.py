@@ -1,14 +1,18 @@
 """The context menu of every plot: back to the whole, its values as a table, and its picture."""
 
 from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QMouseEvent
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QMenu, QWidget
+from PySide6.QtCore import QEvent, QIODevice, QObject, QPoint, QSaveFile, Qt, Signal
+from PySide6.QtGui import QMouseEvent, QPainter
+from PySide6.QtSvg import QSvgGenerator
+from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QGraphicsItem, QGraphicsView, QMenu, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeengine.errors import EngineError
 
+NO_CACHE = QGraphicsItem.CacheMode.NoCache
 Reset = Callable[[], object]
 
 
@@ -78,3 +82,48 @@ def _cell(value: object) -> str:
     if not isinstance(value, (float, np.floating)):
         return str(value)
     return "" if np.isnan(value) else f"{value:.6g}"
+
+
+def save_picture(plot: QWidget, path: Path) -> None:
+    """Write the picture of a plot: lines into an SVG file, pixels into any other.
+
+    Raises
+    ------
+    EngineError : it cannot be written.
+    """
+    file = QSaveFile(str(path))
+    write = _draw_svg if path.suffix.lower() == ".svg" else _draw_png
+    if not (file.open(QIODevice.OpenModeFlag.WriteOnly) and write(plot, file) and file.commit()):
+        raise EngineError(
+            tr("{path}: cannot be written ({fault}); choose another folder").format(
+                path=path.name, fault=file.errorString()
+            )
+        )
+
+
+def _draw_png(plot: QWidget, file: QIODevice) -> bool:
+    return plot.grab().save(file, "PNG")
+
+
+def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
+    generator = QSvgGenerator()
+    generator.setOutputDevice(file)
+    generator.setSize(plot.size())
+    generator.setViewBox(plot.rect())
+    generator.setTitle(plot.accessibleName())
+    painter = QPainter()
+    begun = painter.begin(generator)
+    if begun:
+        kept = (
+            [item for item in plot.items() if item.cacheMode() != NO_CACHE] if isinstance(plot, QGraphicsView) else []
+        )
+        modes = [item.cacheMode() for item in kept]
+        try:
+            for item in kept:  # what is kept as pixels would be pixels here
+                item.setCacheMode(NO_CACHE)
+            QWidget.render(plot, painter, QPoint())  # a view of a scene has one of its own, of the scene alone
+        finally:
+            painter.end()
+            for item, mode in zip(kept, modes, strict=True):
+                item.setCacheMode(mode)
+    return begun

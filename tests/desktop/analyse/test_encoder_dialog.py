@@ -1,18 +1,25 @@
 """Where the speech encoder's model is, in the window: found, chosen, forgotten, fetched."""
 
 import pytest
-from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QWidget
+from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from phonemeanalyser.desktop.analyse import encoder_dialog
 from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.errors import ModelError
+from tests.desktop.hands import FileAnswers
 
 
 @pytest.fixture
-def dialog(qtbot, home):
+def files(settings) -> FileAsker:
+    return FileAsker(settings)
+
+
+@pytest.fixture
+def dialog(qtbot, home, files):
     parent = QWidget()
     qtbot.addWidget(parent)
-    dialog = EncoderDialog(parent)
+    dialog = EncoderDialog(files, parent)
     dialog.show()
     yield dialog
     dialog.close()
@@ -38,9 +45,9 @@ def test_all_that_it_says_has_room(dialog, qtbot):
             assert dialog.rect().contains(label.geometry())
 
 
-def test_a_chosen_folder_is_used_and_forgotten(dialog, qtbot, whisper_folder, monkeypatch):
+def test_a_chosen_folder_is_used_and_forgotten(dialog, files, qtbot, whisper_folder):
     said(dialog, qtbot)
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(whisper_folder))
+    files.show = FileAnswers(whisper_folder)
     with qtbot.waitSignal(dialog.model_changed):
         dialog.buttons[0].click()
     wanted = f"In use: Whisper base, multilingual, by OpenAI, MIT licence; chosen: {whisper_folder}."
@@ -49,9 +56,9 @@ def test_a_chosen_folder_is_used_and_forgotten(dialog, qtbot, whisper_folder, mo
     assert said(dialog, qtbot).startswith("There is no model yet")
 
 
-def test_a_folder_without_a_model_is_refused(dialog, qtbot, tmp_path, monkeypatch):
+def test_a_folder_without_a_model_is_refused(dialog, files, qtbot, tmp_path):
     said(dialog, qtbot)
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path))
+    files.show = FileAnswers(tmp_path)
     dialog.buttons[0].click()
     assert said(dialog, qtbot) == (
         f"{tmp_path}: there is no Whisper model, config.json is missing; choose its folder, or fetch what is missing."

@@ -8,14 +8,13 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 
-from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.session import phoneme_writer
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeengine.labels.files import read_labels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
 from phonemeengine.settings import Channel
-from tests.desktop.hands import CARDS, press, shown
+from tests.desktop.hands import CARDS, FileAnswers, press, shown
 from tests.tables import analysed
 
 pytestmark = pytest.mark.usefixtures("lender")
@@ -39,18 +38,12 @@ def save(window, qtbot) -> None:
 
 
 @pytest.fixture
-def answer(monkeypatch):
+def answer(window):
     """Answers the question for a file."""
 
-    def answer(path: Path | None, chosen: str = "") -> list[str]:
-        suggested: list[str] = []
-
-        def choose(_window, _title, suggestion, _filters):
-            suggested.append(suggestion)
-            return str(path or ""), chosen
-
-        monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", choose)
-        return suggested
+    def answer(*paths: Path, chosen: str = "") -> FileAnswers:
+        window.files.show = FileAnswers(*paths, chosen=chosen)
+        return window.files.show
 
     return answer
 
@@ -79,9 +72,9 @@ def test_the_key_the_dialog_and_return_save_a_textgrid_beside_the_sound(window, 
 
 @pytest.mark.parametrize("suffix", [".TextGrid", ".txt", ".csv"])
 def test_the_ending_chooses_the_format_and_all_say_what_the_command_says(window, qtbot, sound, answer, suffix):
-    suggested = answer(sound.with_name(f"mine{suffix}"))
+    files = answer(sound.with_name(f"mine{suffix}"))
     save(window, qtbot)
-    assert suggested == [str(sound.with_suffix(".TextGrid"))]
+    assert files.suggested == [sound.with_suffix(".TextGrid")]
     reference = sound.with_name("reference.TextGrid")
     analysed(sound, "--preset", THESIS_PRESET, "-o", reference)
     assert heard(sound.with_name(f"mine{suffix}")) == heard(reference)
@@ -95,7 +88,7 @@ def test_the_ending_chooses_the_format_and_all_say_what_the_command_says(window,
 def test_a_name_without_a_known_ending_is_given_one_and_replaces_nothing(
     window, qtbot, tmp_path, answer, chosen, written
 ):
-    answer(tmp_path / "my.words", chosen)
+    answer(tmp_path / "my.words", chosen=chosen)
     save(window, qtbot)
     first = (tmp_path / written).read_bytes()
     (tmp_path / written).write_bytes(b"by hand")
@@ -123,7 +116,7 @@ def test_the_preset_in_force_and_the_channel_decide(desktop, window, qtbot, ster
 
 
 def test_who_names_no_file_changes_nothing(window, qtbot, tmp_path, answer):
-    answer(None)
+    answer()
     before = set(tmp_path.iterdir())
     save(window, qtbot)
     assert set(tmp_path.iterdir()) == before

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop import dialogs
 from phonemeengine.presets import files
 from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
-from tests.desktop.hands import answer, press, shown, type_number
+from tests.desktop.hands import FileAnswers, answer, press, shown, type_number
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
@@ -78,20 +78,12 @@ def test_one_s_own_presets_and_those_used_lately_are_listed(window, tmp_path):
     assert {"Save Preset As…", "Load Preset…"} < set(listed[""])
 
 
-def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(
-    desktop, window, monkeypatch, tmp_path
-):
-    suggested: list[str] = []
-
-    def accept(_window, _title, name, _filters):
-        suggested.append(name)
-        return name, "Preset (*.toml)"
-
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", accept)
+def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(desktop, window, tmp_path):
+    window.files.show = files_asked = FileAnswers(as_suggested=True)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     assert window.preset_box.text() == "Thesis*"
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
-    assert Path(suggested[0]) == tmp_path / "mine" / "thesis-mine.toml"
+    assert files_asked.suggested == [tmp_path / "mine" / "thesis-mine.toml"]
     assert window.preset_box.text() == "thesis-mine"
     assert entries(window)["Mine"] == [f"thesis-mine:  {desktop.preset.preset.summary}"]
 
@@ -131,8 +123,8 @@ def test_cancel_writes_nothing_and_keeps_all(desktop, window, old):
     assert window.isWindowModified()
 
 
-def test_all_of_it_is_saved_as_toml(desktop, window, old, monkeypatch):
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda _w, _t, name, _f: (name, "Preset (*.toml)"))
+def test_all_of_it_is_saved_as_toml(desktop, window, old):
+    window.files.show = FileAnswers(as_suggested=True)
     before = old.read_bytes()
     answer("Save as TOML…")
     press(window, Qt.Key.Key_S, CONTROL)

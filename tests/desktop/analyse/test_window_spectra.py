@@ -1,7 +1,6 @@
 """The live and the averaged spectrum and the waveform: what their controls and their cursor do."""
 
 import re
-from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
@@ -11,12 +10,24 @@ from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
-from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from phonemeengine.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.settings import BIN_WIDTH, Filter
-from tests.desktop.hands import LEFT, ON_BIN, button, choose, click, copied, followed, hover, press, shown, wav
+from tests.desktop.hands import (
+    LEFT,
+    ON_BIN,
+    FileAnswers,
+    button,
+    choose,
+    click,
+    copied,
+    followed,
+    hover,
+    press,
+    shown,
+    wav,
+)
 from tests.sounds import noise, tone
 
 pytestmark = pytest.mark.usefixtures("lender")
@@ -225,8 +236,8 @@ def test_a_spectrum_s_values_are_a_table_with_units(view):
     assert level == pytest.approx(20 * np.log10(amplitude), abs=0.01)
 
 
-def test_curves_stand_beside_the_mean_in_its_table(desktop, window, monkeypatch, tmp_path):
-    choose_save(window, monkeypatch, tmp_path / "tone")
+def test_curves_stand_beside_the_mean_in_its_table(desktop, window, tmp_path):
+    choose_save(window, tmp_path / "tone")
     desktop.preset.set_setting("quantise", 1)
     desktop.session.analyse_until(0.3)
     window.redraw.refresh_all()
@@ -244,21 +255,20 @@ def test_the_waveform_s_values_are_a_table_with_units(window):
     assert max(float(row[1]) for row in rows[1:]) == pytest.approx(0.5, abs=0.01)
 
 
-def test_the_picture_is_copied_and_saved(window, monkeypatch, tmp_path):
-    asked = []
-
-    def answer(_parent, _title, suggested, _filter):
-        asked.append(Path(suggested).name)
-        return str(tmp_path / "mine"), ""
-
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", answer)
+def test_the_picture_is_copied_and_saved(window, tmp_path):
+    window.files.show = files = FileAnswers(tmp_path / "mine")
     for name in ("spectrum", "averaged", "waveform", "scroll_view"):
         menu = getattr(window.analysis, name).menu
         choose(menu, "Copy Picture")
         copy = QApplication.clipboard().image()
         assert (copy.width(), copy.height()) == (menu.parent().width(), menu.parent().height())
         choose(menu, "Save Picture…")
-    assert asked == ["spectrum.png", "averaged spectrum.png", "waveform.png", "sonagram.png"]
+    assert [path.name for path in files.suggested] == [
+        "spectrum.png",
+        "averaged spectrum.png",
+        "waveform.png",
+        "sonagram.png",
+    ]
     assert sorted(path.name for path in tmp_path.glob("mine*")) == [
         "mine (2).png", "mine (3).png", "mine (4).png", "mine.png",
     ]  # fmt: skip
@@ -267,22 +277,20 @@ def test_the_picture_is_copied_and_saved(window, monkeypatch, tmp_path):
     assert not window.banner.isVisible()
 
 
-def test_a_picture_that_cannot_be_saved_is_said(window, monkeypatch, tmp_path):
-    monkeypatch.setattr(
-        dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(tmp_path / "nowhere" / "a.png"), "")
-    )
+def test_a_picture_that_cannot_be_saved_is_said(window, tmp_path):
+    window.files.show = FileAnswers(tmp_path / "nowhere" / "a.png")
     choose(window.analysis.spectrum.menu, "Save Picture…")
     assert window.banner.label.text().startswith("a.png: cannot be written (")
 
 
-def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path, monkeypatch):
+def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path):
     window = followed(desktop, qtbot)
     page = window.analysis
     desktop.session.view.show(TimeSpan(1.3, 2.1))
     qtbot.waitUntil(lambda: not desktop.session.busy)
     for k, plot in enumerate((page.spectrum.graphics, page.file.view)):
         path = tmp_path / f"{k}.svg"
-        monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, path=path, **_k: (str(path), ""))
+        window.files.show = FileAnswers(path)
         window.dialogs.ask_save_picture(plot, "plot")
         drawn = ElementTree.parse(path).getroot()
         assert drawn.tag.endswith("svg")
@@ -304,15 +312,15 @@ def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
 # -- curves -------------------------------------------------------------------------------------------
 
 
-def choose_save(window, monkeypatch, path):
-    monkeypatch.setattr(dialogs.QFileDialog, "getSaveFileName", lambda *_a, **_k: (str(path), ""))
+def choose_save(window, path):
+    window.files.show = FileAnswers(path)
     next(
         a for a in button(window.analysis.averaged, "curves").menu().actions() if a.text() == "Save Curve…"
     ).trigger()
 
 
-def choose_load(window, monkeypatch, *paths):
-    monkeypatch.setattr(dialogs.QFileDialog, "getOpenFileNames", lambda *_a, **_k: ([str(p) for p in paths], ""))
+def choose_load(window, *paths):
+    window.files.show = FileAnswers(*paths)
     next(
         a for a in button(window.analysis.averaged, "curves").menu().actions() if a.text() == "Load Curve…"
     ).trigger()
@@ -322,15 +330,15 @@ def entries(window) -> list[str]:
     return [label.text() for label in window.analysis.averaged._names]
 
 
-def test_a_curve_whose_ending_nobody_typed_replaces_nothing(window, monkeypatch, tmp_path):
+def test_a_curve_whose_ending_nobody_typed_replaces_nothing(window, tmp_path):
     (tmp_path / "tone.csv").write_text("mine")
-    choose_save(window, monkeypatch, tmp_path / "tone")
+    choose_save(window, tmp_path / "tone")
     assert (tmp_path / "tone.csv").read_text() == "mine"
     assert load_averaged_spectrum(tmp_path / "tone (2).csv").n_frames == 80
 
 
-def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monkeypatch, tmp_path):
-    choose_save(window, monkeypatch, tmp_path / "tone")
+def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, tmp_path):
+    choose_save(window, tmp_path / "tone")
     saved = load_averaged_spectrum(tmp_path / "tone.csv")
     assert saved.n_frames == 80
     assert "quantise 4 plain" in saved.front_end
@@ -339,12 +347,12 @@ def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, monke
     assert np.allclose(curve(window.analysis.averaged, 0)[1], curve(window.analysis.averaged, 1)[1])
 
 
-def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qtbot, monkeypatch, tmp_path):
-    choose_save(window, monkeypatch, tmp_path / "tone")
+def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qtbot, tmp_path):
+    choose_save(window, tmp_path / "tone")
     window.dialogs.open_sound(wav(tmp_path, noise(SECONDS, 0.1), "noise.wav"))
     desktop.session.analyse_until(0.8)
-    choose_save(window, monkeypatch, tmp_path / "hiss.csv")
-    choose_load(window, monkeypatch, tmp_path / "tone.csv", tmp_path / "hiss.csv")
+    choose_save(window, tmp_path / "hiss.csv")
+    choose_load(window, tmp_path / "tone.csv", tmp_path / "hiss.csv")
     window.redraw.refresh_all()
     names = [text.split(" Δ ")[0] for text in entries(window)]
     distances = [float(text.split(" Δ ")[1].removesuffix(" dB")) for text in entries(window)]
@@ -361,23 +369,23 @@ def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qt
     assert len(desktop.session.averages.curves) == 3
 
 
-def test_a_file_that_is_no_curve_is_said(window, monkeypatch, tmp_path):
+def test_a_file_that_is_no_curve_is_said(window, tmp_path):
     (tmp_path / "shopping.csv").write_text("milk,2\n")
-    choose_load(window, monkeypatch, tmp_path / "shopping.csv")
+    choose_load(window, tmp_path / "shopping.csv")
     assert window.banner.isVisible()
     assert window.banner.label.text().startswith("shopping.csv: a curve begins with")
     assert entries(window) == []
 
 
-def test_without_a_sound_there_is_no_curve_to_save(desktop, qtbot, monkeypatch, tmp_path):
+def test_without_a_sound_there_is_no_curve_to_save(desktop, qtbot, tmp_path):
     window = shown(desktop, qtbot, None)
-    choose_save(window, monkeypatch, tmp_path / "nothing")
+    choose_save(window, tmp_path / "nothing")
     assert window.banner.label.text().startswith("There is no averaged spectrum yet")
     assert not list(tmp_path.glob("*.csv"))
 
 
-def test_curves_follow_the_switch_to_db(window, monkeypatch, tmp_path):
-    choose_save(window, monkeypatch, tmp_path / "tone")
+def test_curves_follow_the_switch_to_db(window, tmp_path):
+    choose_save(window, tmp_path / "tone")
     click(window.analysis.averaged.decibels)
     assert curve(window.analysis.averaged, 1)[1].max() == pytest.approx(curve(window.analysis.averaged, 0)[1].max())
     assert curve(window.analysis.averaged, 1)[1].max() < 0

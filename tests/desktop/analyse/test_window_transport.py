@@ -6,7 +6,7 @@ from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtGui import QImage
 
 from phonemeengine.settings import Channel
-from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, wav
+from tests.desktop.hands import CARDS, FileAnswers, TimeEyes, click, drag, press, shown, wav
 from tests.sounds import silence, tone
 
 pytestmark = pytest.mark.usefixtures("lender")
@@ -223,9 +223,7 @@ def test_clear_empties_the_views(desktop, window):
         assert x is None or len(x) == 0
 
 
-def test_the_window_opens_the_sound_that_is_asked_for(desktop, window, monkeypatch):
-    monkeypatch.setattr(
-        "phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(CARDS), "")
-    )
+def test_the_window_opens_the_sound_that_is_asked_for(desktop, window):
+    window.files.show = FileAnswers(CARDS)
     click(window.transport.open)
     assert desktop.session.path == CARDS

@@ -3,12 +3,12 @@
 import pytest
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QFileDialog, QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 
 from phonemeengine.labels.files import read_labels
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.calibrate.calibrating import Calibrator
-from tests.desktop.hands import click
+from tests.desktop.hands import FileAnswers, click
 
 pops_up = pytest.mark.qt_log_ignore("This plugin does not support")
 """Without a display, menus cannot be raised above other windows, and say so."""
@@ -81,7 +81,7 @@ def test_what_somebody_put_there_is_kept_and_said(calibrator):
 
 
 @pops_up
-def test_the_folder_is_chosen_in_the_same_menu(calibrator, tmp_path, monkeypatch):
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_a: str(tmp_path / "other"))
+def test_the_folder_is_chosen_in_the_same_menu(calibrator, tmp_path):
+    calibrator.booth.window.files.show = FileAnswers(tmp_path / "other")
     choose(calibrator, 1)
     assert calibrator.model.takes.folder == tmp_path / "other"

@@ -19,7 +19,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, save_preset
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import Calibrator, in_room, said
-from tests.desktop.hands import click, press
+from tests.desktop.hands import FileAnswers, click, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.reading import english_read
@@ -237,9 +237,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
         by_sounds.until(lambda: len(heard) > 2)
     assert by_sounds.booth.desktop.talking.watched  # the head follows it
     saved = tmp_path / "mine.toml"
-    monkeypatch.setattr(
-        "phonemeanalyser.desktop.dialogs.QFileDialog.getSaveFileName", lambda *_args: (str(saved), "Preset (*.toml)")
-    )
+    by_sounds.booth.window.files.show = FileAnswers(saved)
     click(view.save)
     assert not guide.running
     assert preset.path == saved

@@ -10,7 +10,6 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from phonemeanalyser.desktop import dialogs
 from phonemeanalyser.desktop.calibrate.confusion_view import SAID, TAKEN
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import AROUND
@@ -24,7 +23,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
-from tests.desktop.hands import LEFT, click, copied, press
+from tests.desktop.hands import LEFT, FileAnswers, click, copied, press
 from tests.desktop.hands import choose as choose_entry
 from tests.desktop.studio import Booth, choose
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -274,7 +273,7 @@ def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator
 # -- the plots' menus ---------------------------------------------------------------------------------
 
 
-def test_matrix_and_lanes_are_copied_as_tables_and_saved_as_pictures(loaded: Calibrator, monkeypatch, tmp_path):
+def test_matrix_and_lanes_are_copied_as_tables_and_saved_as_pictures(loaded: Calibrator, tmp_path):
     bench = bench_of(loaded)
     rows = copied(bench.confusion.menu, QPoint(9, 9))
     assert rows[0][:2] == ["said", "recognised as silence (frames of 10 ms)"]
@@ -282,9 +281,8 @@ def test_matrix_and_lanes_are_copied_as_tables_and_saved_as_pictures(loaded: Cal
     rows = copied(bench.timeline.menu, QPoint(9, 9))
     assert rows[0] == ["recording", "time (s)", "said", "recognised"]
     assert len(rows) > 50
-    monkeypatch.setattr(
-        dialogs.QFileDialog, "getSaveFileName", lambda *a, **_k: (str(tmp_path / Path(a[2]).name), "")
-    )
+    loaded.booth.window.files.remember("picture", tmp_path)
+    loaded.booth.window.files.show = FileAnswers(as_suggested=True)
     for plot in (bench.distribution, bench.confusion, bench.timeline):
         choose_entry(plot.menu, "Save Picture…")
     saved = sorted(path.name for path in tmp_path.glob("*.png"))

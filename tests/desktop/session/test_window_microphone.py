@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.widgets.level_meter import words_of
 from phonemeengine.audio.devices import Device
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP
-from tests.desktop.hands import CARDS, DEMO, ON_BIN, TimeEyes, click, drag, press
+from tests.desktop.hands import CARDS, DEMO, ON_BIN, FileAnswers, TimeEyes, click, drag, press
 from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
 from tests.fakes.microphones import HandDrivenMicrophone, offline
 from tests.fakes.players import SPEECH
@@ -129,13 +129,9 @@ def test_back_at_the_file_it_stands_where_it_was_left(booth: Booth, mic: HandDri
     assert booth.window.transport.time.text().startswith("0:01.5 / ")
 
 
-def test_opening_a_file_while_it_listens_lets_the_microphone_go(
-    booth: Booth, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
-):
+def test_opening_a_file_while_it_listens_lets_the_microphone_go(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, A)
-    monkeypatch.setattr(
-        "phonemeanalyser.desktop.dialogs.QFileDialog.getOpenFileName", lambda *_a, **_k: (str(DEMO), "")
-    )
+    booth.window.files.show = FileAnswers(DEMO)
     press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
     assert booth.desktop.session.source is SoundSource.FILE
     assert booth.window.transport.source.currentText() == "file"

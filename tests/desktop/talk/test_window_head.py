@@ -14,7 +14,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
 from PySide6.QtGui import QImage, QWheelEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QFileDialog, QSlider
+from PySide6.QtWidgets import QApplication, QDockWidget, QSlider
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
@@ -35,7 +35,7 @@ from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.conftest import ROOT
-from tests.desktop.hands import LEFT, button, click, press, shown, wav
+from tests.desktop.hands import LEFT, FileAnswers, button, click, press, shown, wav
 from tests.desktop.stage import AN_A
 from tests.fakes.osc_receiver import Receiver
 from tests.glb_faces import face_with_targets
@@ -353,9 +353,9 @@ def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     window.talk.keys.settling.timeout.emit()
 
 
-def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, monkeypatch, tmp_path, qtbot):
+def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, tmp_path, qtbot):
     other = wav(tmp_path, AN_A, "other.wav")
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(other), ""))
+    window.files.show = FileAnswers(other)
     click(window.talk.open)
     assert desktop.session.path == other
     assert window.talk.said.text() == "other.wav"
@@ -364,16 +364,16 @@ def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop,
 
 
 @pytest.mark.parametrize("chosen", ["", "none.wav"])
-def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, monkeypatch, tmp_path, chosen):
+def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, tmp_path, chosen):
     before = desktop.session.path
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen and str(tmp_path / chosen), ""))
+    window.files.show = FileAnswers(*(tmp_path / name for name in (chosen,) if name))
     click(window.talk.open)
     assert desktop.session.path == before
     assert not desktop.session.playing
 
 
-def test_a_button_loads_phoneme_data(window, desktop, monkeypatch):
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(THESIS_PRESET.parent / "extended.toml"), ""))
+def test_a_button_loads_phoneme_data(window, desktop):
+    window.files.show = FileAnswers(THESIS_PRESET.parent / "extended.toml")
     click(window.talk.preset)
     assert desktop.preset.path.name == "extended.toml"
 
@@ -399,18 +399,18 @@ def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, t
 # -- whose face it is ---------------------------------------------------------------------------------
 
 
-def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, monkeypatch, tmp_path):
+def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, tmp_path):
     (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
-    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(tmp_path / "bad.obj")], ""))
+    window.files.show = FileAnswers(tmp_path / "bad.obj")
     click(button(window.talk, "Own Mesh…"))
     qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
     assert desktop.talking.face.is_shipped
     assert window.talk.choices.face.text() == "the program's own head"
 
 
-def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, monkeypatch, tmp_path):
+def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
     (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
-    monkeypatch.setattr(QFileDialog, "getOpenFileNames", lambda *_: ([str(tmp_path / "own.glb")], ""))
+    window.files.show = FileAnswers(tmp_path / "own.glb")
     click(window.talk.choices.own)
     qtbot.waitUntil(lambda: window.talk.choices.face.text() == "own.glb")
     assert window.talk.choices.table.currentData() == "vrm"

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog, QLabel
+from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
@@ -25,7 +25,7 @@ from phonemeengine.labels.utterance_files import format_utterance, read_utteranc
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import write_table
-from tests.desktop.hands import LEFT, answer, edits, press, shown, type_number, wav
+from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, shown, type_number, wav
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
 from tests.desktop.test_window_sizes import SMALLEST, fits
@@ -177,13 +177,13 @@ def test_who_moved_a_boundary_is_asked_before_another_sound_is_opened(window, de
     assert (desktop.talking.text.utterance is None) is gone
 
 
-def test_who_moved_a_boundary_can_save_it_when_he_quits(window, desktop, qtbot, tmp_path, monkeypatch):
+def test_who_moved_a_boundary_can_save_it_when_he_quits(window, desktop, qtbot, tmp_path):
     aligned(window, qtbot)
     drag_boundary(window)
     answer("Cancel")
     assert not window.close()
     target = tmp_path / "said.TextGrid"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
+    window.files.show = FileAnswers(target)
     answer("Save")
     assert window.close()
     assert spans_of(read_utterance(target, DURATION), LabelUnit.WORD)[0][1] == pytest.approx(0.7, abs=0.01)
@@ -194,10 +194,10 @@ def test_who_moved_nothing_quits_without_a_question(window, qtbot):
     assert window.close()
 
 
-def test_a_spoken_text_is_saved_by_the_menu_and_opened_from_the_banner(window, desktop, qtbot, tmp_path, monkeypatch):
+def test_a_spoken_text_is_saved_by_the_menu_and_opened_from_the_banner(window, desktop, qtbot, tmp_path):
     write(window, "hello")
     choose(window, "German")
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "spoken"), ""))
+    window.files.show = FileAnswers(tmp_path / "spoken")
     window.talk.save_speech.trigger()
     qtbot.waitUntil(lambda: "spoken.wav" in window.banner.label.text())
     window.banner.action.click()
@@ -340,10 +340,8 @@ def middle_of(window: MainWindow, lane: int, span: int) -> QPoint:
 
 
 @popping_up
-def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(
-    window, desktop, qtbot, table, monkeypatch
-):
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_args: (str(table), ""))
+def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(window, desktop, qtbot, table):
+    window.files.show = FileAnswers(table)
     aligned(window, qtbot)
     below = opened(window, qtbot)
     assert not below.choice.isVisible()

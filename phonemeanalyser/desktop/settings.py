@@ -1,0 +1,65 @@
+"""Choices that outlive the window: values of one type each in the user's settings, which may be edited by hand."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from enum import Enum
+from pathlib import Path
+from typing import Any, Generic, TypeVar
+
+from PySide6.QtCore import QSettings
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class Kept(Generic[T]):
+    """A choice that is kept under a key; what is chosen now gives its type, and stands where nothing fit is kept."""
+
+    key: str
+    get: Callable[[], T]
+    put: Callable[[T], object]
+
+    def save(self, settings: QSettings) -> None:
+        """Keep what is chosen."""
+        keep(settings, self.key, self.get())
+
+    def restore(self, settings: QSettings) -> None:
+        """Choose what was kept."""
+        self.put(read(settings, self.key, self.get()))
+
+
+def keep(settings: QSettings, key: str, value: Any) -> None:
+    """Keep a value as text: of a switch 1 or 0, of an enumeration its value."""
+    if isinstance(value, bool):
+        value = int(value)
+    settings.setValue(key, str(value.value if isinstance(value, Enum) else value))
+
+
+def read(settings: QSettings, key: str, default: T) -> T:
+    """Return what is kept, in the type of the default; the default where nothing is kept, or nothing that fits."""
+    kept = settings.value(key)
+    if kept is None:
+        return default
+    try:
+        typed: T = _typed(str(kept), default)
+    except (ValueError, OverflowError):  # somebody edited the file
+        return default
+    return typed
+
+
+def read_paths(settings: QSettings, key: str) -> list[Path]:
+    """Return the paths that are kept; Qt gives a list of one back as a text."""
+    kept = settings.value(key, [])
+    return [Path(str(path)) for path in (kept if isinstance(kept, list) else [kept])]
+
+
+def _typed(text: str, default: Any) -> Any:
+    if isinstance(default, bool):
+        return text == "1"
+    if isinstance(default, int):
+        return round(float(text))
+    number = type(default)(text)
+    if isinstance(number, float) and not math.isfinite(number):
+        raise ValueError(text)
+    return number
