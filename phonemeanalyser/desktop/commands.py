@@ -2,17 +2,25 @@
 
 from collections.abc import Callable
 from functools import partial
+from typing import Any
+
+from PySide6.QtCore import QSettings, Qt
+from PySide6.QtGui import QAction, QGuiApplication
+from PySide6.QtWidgets import QMenu, QWidget
 
 from phonemeanalyser.desktop.analyse.label_dialogs import LabelDialogs
 from phonemeanalyser.desktop.analyse.output_button import SPEEDS, next_speed
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.dialogs import Dialogs
-from phonemeanalyser.desktop.language import tr_noop
-from phonemeanalyser.desktop.menus import Command
+from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
+from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.settings import read
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+from phonemeengine.phonemes import Phoneme
 
 Commands = tuple[Command, ...]
 PRESET_COMMANDS = (
@@ -83,6 +91,42 @@ def selection_commands(selection: Selection, dialogs: SelectionDialogs) -> Comma
     )
 
 
+def add_selection_menu(
+    menus: Menus, selection: Selection, dialogs: SelectionDialogs, use_as_take: Callable[[Phoneme], object],
+    view: QWidget, pictures: Dialogs,
+) -> None:  # fmt: skip
+    """List what is done with the selected part of a file in the menu bar, and in the menu of its view."""
+    menu = menus.add(tr("&Selection"), *selection_commands(selection, dialogs))
+    takes = menu.addMenu(tr("Use as a Take of"))
+    for phoneme in KEYS:
+        takes.addAction(phoneme.label, partial(use_as_take, phoneme))
+    view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+    view.addActions(menu.actions())
+    for words, act in (
+        (tr("Copy Picture"), lambda: QGuiApplication.clipboard().setPixmap(view.grab())),
+        (tr("Save Picture…"), lambda: pictures.ask_save_picture(view, "file")),
+    ):
+        picture = QAction(words, view)
+        picture.triggered.connect(lambda _checked, act=act: act())
+        view.addAction(picture)
+
+
+class RecentMenu(QMenu):
+    """Lists the sounds that were opened last, the last one first."""
+
+    def __init__(self, dialogs: Dialogs, window: QWidget) -> None:
+        super().__init__(tr("Open Recent"), window)
+        self._dialogs = dialogs
+        dialogs.sound_opened.connect(self._fill)
+        self._fill()
+
+    def _fill(self) -> None:
+        self.clear()
+        for path in self._dialogs.recent_sounds():
+            self.addAction(str(path), partial(self._dialogs.open_sound, path))
+        self.setEnabled(not self.isEmpty())
+
+
 def label_commands(labels: LabelDialogs) -> Commands:
     """Return what is done with the labels of a file."""
     return (
@@ -98,13 +142,14 @@ def label_commands(labels: LabelDialogs) -> Commands:
     )
 
 
-def record_commands(record: Callable[[], object], session: Session, dialogs: Dialogs) -> Commands:
+def record_commands(session: Session, dialogs: Dialogs) -> Commands:
     """Return what belongs to the microphone."""
     return (
-        Command(tr_noop("Record"), "R", record),
+        Command(tr_noop("Record"), "R", dialogs.record),
         Command(tr_noop("Look Back"), "Ctrl+B", session.look_back, checkable=True),
         Command(tr_noop("Recordings Folder…"), "", dialogs.ask_recordings_folder),
         Command(tr_noop("Look for Microphones"), "F5", session.microphone.refresh_devices),
+        Command(tr_noop("Measure the Latency by Clicks"), "Ctrl+M", dialogs.measure_latency),
     )
 
 
@@ -128,3 +173,19 @@ def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage) -> C
         Command(tr_noop("Coarse Display"), "Shift+C", analysis.set_coarse, checkable=True),
         Command(tr_noop("Spectra in dB"), "D", analysis.set_decibels, checkable=True),
     )
+
+
+def add_looks(
+    menus: Menus,
+    view: QMenu,
+    settings: QSettings,
+    use_theme: Callable[[str], Any],
+    use_language: Callable[[str], Any],
+) -> None:
+    """Add the choices of theme and language to a menu."""
+    themes = {"system": tr("system"), "light": tr("light"), "dark": tr("dark")}
+    languages = {SYSTEM: tr("system"), **LANGUAGES}
+    view.addSeparator()
+    menus.add_choice(view, tr("Theme"), themes, read(settings, "theme", "system"), use_theme)
+    view.addSeparator()
+    menus.add_choice(view, tr("Language"), languages, read(settings, "language", SYSTEM), use_language)

@@ -43,8 +43,10 @@ PRESET_FILTERS = "Preset (*.toml);;PhonemeData (*.phonemedata *.txt)"
 PICTURE_FILTER = tr_noop("Pixels (*.png);;Lines (*.svg)")
 CURVE_FILTER = tr_noop("Curves (*.csv)")
 LABEL_FILTERS = (
-    tr_noop("Praat TextGrid (*.TextGrid)"), tr_noop("Audacity labels (*.txt)"), tr_noop("Corpus labels (*.csv)"),
-)  # fmt: skip
+    tr_noop("Praat TextGrid (*.TextGrid)"),
+    tr_noop("Audacity labels (*.txt)"),
+    tr_noop("Corpus labels (*.csv)"),
+)
 
 
 class Dialogs(QObject):
@@ -72,9 +74,7 @@ class Dialogs(QObject):
         files: FileAsker,
     ) -> None:  # fmt: skip
         super().__init__(window)
-        self._window = window
-        self._session = session
-        self._preset = preset
+        self._window, self._session, self._preset = window, session, preset
         self._settings, self._files, self._talking = settings, files, talking
         self._shipping = TaskQueue(self.rejected.emit)
         self._watcher = QFileSystemWatcher(self)
@@ -123,13 +123,12 @@ class Dialogs(QObject):
 
     def _tell_change(self, name: str) -> None:
         """Say that the file in hand is another one, or none, by now."""
-        path = Path(name)
+        path, words = Path(name), tr("gone from disk")
+        tip = tr("{file} is no longer where it was; what is seen of it stays")
         if path.is_file():
+            words = tr("changed on disk")
             tip = tr("{file} has changed on the disk since it was opened; click to open it again")
-            self.sound_changed.emit(tr("changed on disk"), tip.format(file=path.name))
-        else:
-            tip = tr("{file} is no longer where it was; what is seen of it stays")
-            self.sound_changed.emit(tr("gone from disk"), tip.format(file=path.name))
+        self.sound_changed.emit(words, tip.format(file=path.name))
 
     def open_again(self) -> None:
         """Open the file in hand as it is now."""
@@ -140,6 +139,11 @@ class Dialogs(QObject):
         """Let the user choose a sound file; says whether one was opened."""
         path = self._files.ask_file(tr("Open a sound file"), tr("All files (*)"), "sound")
         return path is not None and self.open_sound(path)
+
+    def ask_and_play(self) -> None:
+        """Let the user choose a sound file, and play it at once."""
+        if self.ask_sound():
+            self._session.play()
 
     def recent_sounds(self) -> list[Path]:
         """Return the sounds that were opened last, newest first."""
@@ -152,8 +156,7 @@ class Dialogs(QObject):
 
     def last_sound(self) -> Path | None:
         """Return the sound that was opened last, if it is still there."""
-        recent = self.recent_sounds()
-        return recent[0] if recent and recent[0].is_file() else None
+        return next((path for path in self.recent_sounds()[:1] if path.is_file()), None)
 
     def ask_save_phonemes(self) -> None:
         """Let the user choose a file to save the phonemes of a whole sound to; its ending says in which format."""
@@ -164,8 +167,7 @@ class Dialogs(QObject):
         sound = (session.path if session.source is SoundSource.FILE else None) or Path.home() / session.name
         suggested = self._files.folder_of("phonemes", sound.parent) / f"{sound.stem}.TextGrid"
         filters = ";;".join(map(tr, LABEL_FILTERS))
-        path = self._files.ask_target(tr("Save the phonemes"), suggested, filters, "phonemes")
-        if path is not None:
+        if path := self._files.ask_target(tr("Save the phonemes"), suggested, filters, "phonemes"):
             session.write_phonemes(path)
 
     def show_export(self, sounds: Sequence[Path] = ()) -> None:
@@ -186,6 +188,12 @@ class Dialogs(QObject):
         """Let the user choose where recordings go."""
         microphone = self._session.microphone
         microphone.folder = self._files.ask_folder(tr("Where recordings go"), microphone.folder) or microphone.folder
+
+    def measure_latency(self) -> None:
+        """Play clicks, with the microphone and the loudspeaker free for that."""
+        self._session.set_source(SoundSource.MICROPHONE)
+        self.info.emit(tr("Listening for clicks from the loudspeaker, for three seconds …"))
+        self._session.microphone.measure()
 
     def offer_recording(self, path: str, seconds: float, gaps: str) -> None:
         """Offer to open a recording that is complete; `gaps` says what is missing in it, if anything is."""
@@ -242,6 +250,12 @@ class Dialogs(QObject):
         dialog.exec()
         dialog.deleteLater()
 
+    def offer_to_save(self) -> None:
+        """Say that a calibrated preset is in use and in no file yet."""
+        if self._preset.has_unsaved_changes:
+            sentence = tr("The calibrated preset is in use, and not saved yet.")
+            self.action_offered.emit(sentence, tr("Save As…"), self.save_as)
+
     def restore_preset(self) -> None:
         """Load the preset that was in use when the window was last closed, if it is still there."""
         path = read(self._settings, "preset", Path())
@@ -268,10 +282,9 @@ class Dialogs(QObject):
 
     def ask_preset(self) -> None:
         """Let the user choose a preset file."""
-        path = self._files.ask_file(
+        if path := self._files.ask_file(
             tr("Load a preset or PhonemeData"), preset_filter(), "preset", self._preset.path.parent
-        )
-        if path is not None:
+        ):
             self.load_preset(path)
 
     def ask_second_preset(self) -> None:
@@ -400,7 +413,14 @@ class Dialogs(QObject):
         )  # fmt: skip
         return self.save() if answer == buttons.Save else answer == buttons.Discard
 
-    def may_record_instead_of(self, name: str) -> bool:
+    def record(self) -> None:
+        """Begin or end a recording; a file in hand is left only when that is wanted."""
+        session = self._session
+        leaves = session.source is SoundSource.FILE and session.path is not None and not session.microphone.recording
+        if not leaves or self._may_record_instead_of(session.name):
+            session.toggle_recording()
+
+    def _may_record_instead_of(self, name: str) -> bool:
         """Ask whether to leave a file for the microphone; says whether to go on."""
         box = QMessageBox(
             QMessageBox.Icon.Question, tr("Record"), tr("Leave {name}, and record the microphone?").format(name=name),
@@ -453,17 +473,15 @@ class Dialogs(QObject):
         if not self._session.averages.n_frames:
             self.rejected.emit(tr("There is no averaged spectrum yet; play a sound first."))
             return
-        path = self._files.ask_target(
+        if path := self._files.ask_target(
             tr("Save the averaged spectrum"), self._files.folder_of("curve"), tr(CURVE_FILTER), "curve"
-        )
-        if path is not None:
+        ):
             self._try(lambda: self._session.averages.save(path))
 
     def ask_save_picture(self, plot: QWidget, name: str) -> None:
         """Let the user choose a file to save the picture of a plot to: pixels, or lines that scale."""
         suggested = self._files.folder_of("picture") / f"{name}.png"
-        path = self._files.ask_target(tr("Save the picture"), suggested, tr(PICTURE_FILTER), "picture")
-        if path is not None:
+        if path := self._files.ask_target(tr("Save the picture"), suggested, tr(PICTURE_FILTER), "picture"):
             self._try(lambda: save_picture(plot, path))
 
     def _try(self, act: Callable[[], object]) -> bool:

@@ -5,9 +5,10 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import column
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
 
@@ -40,11 +41,7 @@ class Docks(QObject):
         dock = self._docks[title] = QDockWidget(tr(title), self._window)
         dock.setObjectName(title)
         body = QWidget()
-        column = QVBoxLayout(body)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        for view in views:
-            column.addWidget(view)
+        column(*views, on=body, spacing=0)
         scrolled = Scrolled(body)
         scrolled.setSizePolicy(views[-1].sizePolicy())
         dock.setWidget(scrolled)

@@ -5,20 +5,12 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QUrl
+from PySide6.QtCore import Qt, QUrl
 from PySide6.QtGui import QDesktopServices, QTextCursor
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QHBoxLayout,
-    QLineEdit,
-    QListWidget,
-    QTextBrowser,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QTextBrowser, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, named, row
 from phonemeanalyser.licences import licences_text
 
 PAGES = (
@@ -46,30 +38,22 @@ class ManualDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Manual"))
         self.resize(*SIZE)
-        self.pages, self.text, self.field = QListWidget(), QTextBrowser(), QLineEdit()
+        self.pages = named(QListWidget(), tr("pages of the manual"))
         self.pages.addItems([title_of(page) for page in PAGES])
         self.pages.setFixedWidth(LIST_WIDTH)
-        self.pages.setAccessibleName(tr("pages of the manual"))
-        self.text.setAccessibleName(tr("the page"))
+        self.text = named(QTextBrowser(), tr("the page"))
         self.text.setOpenLinks(False)
+        self.field = named(QLineEdit(), tr("search the manual"))
         self.field.setPlaceholderText(tr("search"))
-        self.field.setAccessibleName(tr("search the manual"))
         self.field.setClearButtonEnabled(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
         self.pages.currentRowChanged.connect(lambda row: self._show(PAGES[row]))
         self.text.anchorClicked.connect(self._follow)
         self.field.returnPressed.connect(self._search)
-        top, sides = QHBoxLayout(), QHBoxLayout()
-        top.addWidget(self.field)
-        sides.addWidget(self.pages)
-        sides.addWidget(self.text, 1)
-        layout = QVBoxLayout(self)
-        layout.addLayout(top)
-        layout.addLayout(sides, 1)
-        layout.addWidget(buttons)
+        sides = row(self.pages, (self.text, 1))
+        column(row(self.field), (sides, 1), dialog_buttons(self, CLOSE), on=self, margins=None)
         self.show_page("manual.md")
 
     def show_page(self, link: str) -> None:
@@ -124,16 +108,12 @@ class LicencesDialog(QDialog):
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Licences"))
         self.resize(*SIZE)
-        text = QTextBrowser()
-        text.setAccessibleName(tr("licences of all parts"))
+        text = named(QTextBrowser(), tr("licences of all parts"))
         text.setMarkdown(licences_text())
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.addWidget(text)
-        layout.addWidget(buttons)
+        column(text, dialog_buttons(self, CLOSE), on=self, margins=None)
 
 
 @cache

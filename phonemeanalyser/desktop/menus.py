@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence, QUndoStack
 from PySide6.QtWidgets import QMainWindow, QMenu
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import silent
 
 NATIVE = QKeySequence.SequenceFormat.NativeText
 
@@ -101,7 +101,7 @@ class Menus:
 
     def show_checked(self, text: str, on: bool) -> None:
         """Show an entry as on or off, without doing what it does."""
-        with QSignalBlocker(self.actions[text]):
+        with silent(self.actions[text]):
             self.actions[text].setChecked(on)
 
     def keys(self) -> dict[str, list[tuple[str, str]]]:

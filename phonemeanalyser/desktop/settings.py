@@ -30,9 +30,9 @@ class Kept(Generic[T]):
 
 
 def keep(settings: QSettings, key: str, value: Any) -> None:
-    """Keep a value as text: of a switch 1 or 0, of an enumeration its value."""
-    if isinstance(value, bool):
-        value = int(value)
+    """Keep a value as text: of a switch 1 or 0, of an enumeration its value, of a number six digits at most."""
+    if isinstance(value, bool | float):
+        value = f"{value:g}"
     settings.setValue(key, str(value.value if isinstance(value, Enum) else value))
 
 
@@ -49,8 +49,8 @@ def read(settings: QSettings, key: str, default: T) -> T:
 
 
 def read_paths(settings: QSettings, key: str) -> list[Path]:
-    """Return the paths that are kept; Qt gives a list of one back as a text."""
-    kept = settings.value(key, [])
+    """Return the paths that are kept; Qt gives a list of one back as a text, and an empty one as nothing."""
+    kept = settings.value(key) or []
     return [Path(str(path)) for path in (kept if isinstance(kept, list) else [kept])]
 
 

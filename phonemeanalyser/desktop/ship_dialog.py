@@ -7,12 +7,9 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QDialog,
     QDialogButtonBox,
     QFormLayout,
-    QHBoxLayout,
-    QLabel,
     QLineEdit,
     QListWidget,
     QListWidgetItem,
@@ -22,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.settings import keep, read
+from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label, named, row
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import PresetEntry, load_preset
@@ -87,15 +85,19 @@ class ShipDialog(QDialog):
         self.setWindowTitle(tr("Ship a Preset"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setMinimumWidth(WIDTH)
-        self.preset, self.target, self.tables = QComboBox(), QComboBox(), QListWidget()
-        self.folder, self.choose = QLineEdit(), QPushButton(tr("Choose…"))
+        hand = tr("{preset}, as it is in hand").format(preset=preset.name)
+        others = [(f"{title}: {entry.name}", entry.path) for title, entries in sections.items() for entry in entries]
+        self.preset = choice([(hand, None), *others], tr("Preset"))
+        self.target = choice(((f"{name}: {tr(target.words)}", name) for name, target in TARGETS.items()), tr("For"))
+        self.tables = named(QListWidget(), tr("Mouth tables"))
+        self.folder, self.choose = named(QLineEdit(), tr("Folder")), QPushButton(tr("Choose…"))
         self.overwrite = QCheckBox(tr("replace files that were changed there, too"))
-        self._fill(sections)
+        self._fill()
         self._lay_out()
 
     def order(self) -> ShipOrder:
         """Return what is chosen."""
-        items = [self.tables.item(row) for row in range(self.tables.count())]
+        items = [self.tables.item(k) for k in range(self.tables.count())]
         tables = tuple(item.text() for item in items if item.checkState() == CHECKED)
         chosen = self.preset.currentData() or self._in_hand
         folder = Path(self.folder.text()).expanduser()
@@ -109,13 +111,7 @@ class ShipDialog(QDialog):
         super().accept()
         self.ordered.emit(order)
 
-    def _fill(self, sections: Mapping[str, tuple[PresetEntry, ...]]) -> None:
-        self.preset.addItem(tr("{preset}, as it is in hand").format(preset=self._in_hand.name), None)
-        for heading, entries in sections.items():
-            for entry in entries:
-                self.preset.addItem(f"{heading}: {entry.name}", entry.path)
-        for name, target in TARGETS.items():
-            self.target.addItem(f"{name}: {tr(target.words)}", name)
+    def _fill(self) -> None:
         self.target.setCurrentIndex(max(0, self.target.findData(read(self._settings, "ship/target", "c"))))
         for name in shipped_tables():
             item = QListWidgetItem(name, self.tables)
@@ -124,29 +120,19 @@ class ShipDialog(QDialog):
         self.folder.setPlaceholderText(tr("a folder of its own"))
 
     def _lay_out(self) -> None:
-        place = QHBoxLayout()
-        place.addWidget(self.folder, 1)
-        place.addWidget(self.choose)
-        words = QLabel(
-            tr("The folder has the preset, an ear that hears with it, and a README that says how to go on.")
+        words = label(
+            tr("The folder has the preset, an ear that hears with it, and a README that says how to go on."),
+            wraps=True,
         )
-        words.setWordWrap(True)
         form = QFormLayout(self)
         form.addRow(tr("Preset"), self.preset)
         form.addRow(tr("For"), self.target)
         form.addRow(tr("Mouth tables"), self.tables)
-        form.addRow(tr("Folder"), place)
+        form.addRow(tr("Folder"), row((self.folder, 1), self.choose))
         form.addRow("", self.overwrite)
         form.addRow(words)
-        for widget, name in (
-            (self.preset, tr("Preset")), (self.target, tr("For")), (self.tables, tr("Mouth tables")),
-            (self.folder, tr("Folder")),
-        ):  # fmt: skip
-            widget.setAccessibleName(name)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
+        buttons = dialog_buttons(self, CANCEL)
         self.start = buttons.addButton(tr("Ship"), QDialogButtonBox.ButtonRole.AcceptRole)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         form.addRow(buttons)
         self.choose.clicked.connect(self._ask_folder)
         self.folder.textChanged.connect(self._allow)
@@ -156,6 +142,5 @@ class ShipDialog(QDialog):
         self.start.setEnabled(bool(self.folder.text().strip()))
 
     def _ask_folder(self) -> None:
-        folder = self._files.ask_folder(tr("Where the ear goes"), Path(self.folder.text() or Path.home()))
-        if folder is not None:
+        if folder := self._files.ask_folder(tr("Where the ear goes"), Path(self.folder.text() or Path.home())):
             self.folder.setText(str(folder))

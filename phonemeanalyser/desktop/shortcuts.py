@@ -1,8 +1,9 @@
 """The list of all keys, under Help."""
 
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label
 
 HEAD = [
     (tr_noop("Go round; with Shift move it"), tr_noop("Arrows")),
@@ -55,19 +56,14 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("The head, when it has the focus"), HEAD))
         blocks.append(_block(tr("The text below the head"), TEXT))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
-        scope = QLabel(
+        scope = label(
             tr(
                 "In the menus, single letters, Delete, F2 and keys with Shift act on the page Analyse only. Where a "
                 "list, a number or a text has the focus, letters belong to that: click into a plot to leave it."
-            )
+            ),
+            wraps=True,
         )
-        scope.setWordWrap(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        layout.addWidget(self.list)
-        layout.addWidget(scope)
-        layout.addWidget(buttons)
+        column(self.list, scope, dialog_buttons(self, CLOSE), on=self, margins=None)
 
 
 def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:

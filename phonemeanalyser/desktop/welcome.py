@@ -4,10 +4,11 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QPushButton, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column, label, named, row, tool_button
 
 CARD_WIDTH = 188
 CARDS = (
@@ -46,25 +47,15 @@ class WelcomeCards(QFrame):
             f"QFrame#card {{ background: {theme.base}; border: 1px solid {theme.line}; border-radius: 8px }}"
         )
         self.cards: list[QPushButton] = []
-        heading = QLabel(tr("<b>What would you like to do first?</b>"))
-        self.dismiss = QToolButton()
-        self.dismiss.setText("✕")
-        self.dismiss.setAutoRaise(True)
-        self.dismiss.setToolTip(tr("Not now; the cards are under Help"))
-        self.dismiss.setAccessibleName(tr("dismiss the cards"))
-        self.dismiss.clicked.connect(lambda _checked: self.hide())
-        top, row = QHBoxLayout(), QHBoxLayout()
-        top.addWidget(heading, 1)
-        top.addWidget(self.dismiss)
-        row.setSpacing(12)
+        self.dismiss = tool_button(
+            "✕", tr("Not now; the cards are under Help"), tr("dismiss the cards"), self.hide, flat=True
+        )
         asked = (self.demo_asked, self.microphone_asked, self.calibration_asked)
-        for (title, words), signal in zip(CARDS, asked, strict=True):
-            row.addWidget(self._card(tr(title), tr(words), signal.emit))
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(18, 12, 18, 18)
-        layout.setSpacing(10)
-        layout.addLayout(top)
-        layout.addLayout(row)
+        cards = [
+            self._card(tr(title), tr(words), signal.emit) for (title, words), signal in zip(CARDS, asked, strict=True)
+        ]
+        top = row((label(tr("<b>What would you like to do first?</b>")), 1), self.dismiss)
+        column(top, row(*cards, spacing=12), on=self, margins=(18, 12, 18, 18), spacing=10)
         page.installEventFilter(self)
         self.hide()
 
@@ -95,19 +86,16 @@ class WelcomeCards(QFrame):
             self.hide()
 
     def _card(self, title: str, words: str, chosen: Callable[[], object]) -> QFrame:
-        card, button, told = QFrame(), QPushButton(title), QLabel(words)
+        card, button, told = QFrame(), named(QPushButton(title), tip=words), label(words, wraps=True)
         card.setObjectName("card")
         card.setFixedWidth(CARD_WIDTH)
-        told.setWordWrap(True)
         button.setAutoDefault(True)
         button.setAccessibleDescription(words)
-        button.setToolTip(words)
         button.clicked.connect(lambda _checked: self.hide())
         button.clicked.connect(lambda _checked: chosen())
-        column = QVBoxLayout(card)
-        column.setContentsMargins(14, 14, 14, 14)
-        column.addWidget(told, 1, Qt.AlignmentFlag.AlignTop)
-        column.addWidget(button)
+        inside = column(on=card, margins=(14, 14, 14, 14))
+        inside.addWidget(told, 1, Qt.AlignmentFlag.AlignTop)
+        inside.addWidget(button)
         self.cards.append(button)
         return card
 

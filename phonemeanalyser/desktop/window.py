@@ -2,12 +2,11 @@
 
 import math
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow, QMenu, QToolBar, QWidget
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 
 from phonemeanalyser.desktop import calibrate, commands
 from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
@@ -20,7 +19,7 @@ from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
-from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.manual import LicencesDialog, ManualDialog
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
@@ -43,7 +42,6 @@ from phonemeanalyser.desktop.widgets.banner import Banner
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.key_filters import ControlKeys, FocusReturn, focus_buttons_by_tab
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack, PageSwitch
-from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.audio.files import is_sound
 from phonemeengine.phonemes import Phoneme
 
@@ -54,14 +52,6 @@ NARROW = 1260
 """A window that is narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {tr_noop("Head"): "F7"}
-NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
-HINTS = {
-    SoundSource.FILE: tr_noop("Press Space to play"),
-    SoundSource.MICROPHONE: tr_noop("Press Space to listen, R to record"),
-    SoundSource.TONE: tr_noop("Press Space to hear the tone"),
-    SoundSource.TEXT: tr_noop("Write a text on the page Talk, and press Ctrl+Return there"),
-}
-"""What the user may do while the time view is empty."""
 
 
 class MainWindow(QMainWindow):
@@ -88,8 +78,7 @@ class MainWindow(QMainWindow):
         calibration: "Callable[[], calibrate.CalibrationModel]", talking: TalkModel, files: FileAsker,
     ) -> None:  # fmt: skip
         super().__init__()
-        self.theme = theme
-        self.files = files
+        self.theme, self.files = theme, files
         self.dialogs = Dialogs(self, session, preset, settings, talking, files)
         self.selection = Selection(session)
         self.selection_dialogs = SelectionDialogs(self, self.selection, session, files)
@@ -100,10 +89,8 @@ class MainWindow(QMainWindow):
         self._ask_calibration = calibration
         self._calibration: calibrate.CalibrationModel | None = None
         self._calibration_dialogs: calibrate.CalibrationDialogs | None = None
-        self._talking = talking
-        self._session = session
-        self._preset = preset
-        self._settings = settings
+        self._session, self._talking = session, talking
+        self._preset, self._settings = preset, settings
         self._retired = self._closed = False
         self._make_views()
         self._lay_out()
@@ -162,58 +149,29 @@ class MainWindow(QMainWindow):
 
     def _make_calibration_page(self) -> "calibrate.CalibrationPage":
         head = self.heads.add("guide", HeadView(self._talking.head, self.theme))
-        head.menu.save_asked.connect(self.dialogs.ask_save_picture)
         page = calibrate.CalibrationPage(self._ask_calibration(), head, self.theme)
-        dialogs = self._calibration_dialogs
-        assert dialogs is not None
-        page.takes.project_asked.connect(dialogs.ask_project)
-        page.takes.empty_asked.connect(dialogs.ask_empty_deleted)
-        page.takes.import_asked.connect(dialogs.ask_recordings)
+        assert self._calibration_dialogs is not None
+        self._calibration_dialogs.join(page)
         page.guide.save_asked.connect(self.dialogs.save_as)
-        page.guide.accepted.connect(self._offer_to_save)
-        page.workbench.compare.file_asked.connect(partial(self._ask_preset_to_compare, dialogs))
-        page.workbench.picture_asked.connect(self.dialogs.ask_save_picture)
-        page.takes.wave.menu.save_asked.connect(self.dialogs.ask_save_picture)
+        page.guide.accepted.connect(self.dialogs.offer_to_save)
+        for signal in (head.menu.save_asked, page.workbench.picture_asked, page.takes.wave.menu.save_asked):
+            signal.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
         focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
 
-    def _offer_to_save(self) -> None:
-        """Say that a calibrated preset is in use and in no file yet."""
-        if self._preset.has_unsaved_changes:
-            self.banner.offer(
-                tr("The calibrated preset is in use, and not saved yet."), tr("Save As…"), self.dialogs.save_as
-            )
-
     def _make_talk_page(self) -> TalkPage:
-        page, dialogs = TalkPage(self._talking, self.theme), self.talking_dialogs
+        page = TalkPage(self._talking, self.theme)
+        self.talking_dialogs.join(page)
         self.heads.add("page", page.head, page)
-        page.sound_asked.connect(self._say_another)
+        page.sound_asked.connect(self.dialogs.ask_and_play)
         page.preset_asked.connect(self.dialogs.ask_preset)
-        page.choices.mesh_asked.connect(dialogs.ask_mesh)
-        page.choices.table_asked.connect(dialogs.ask_table)
-        page.text.script_asked.connect(dialogs.ask_script)
-        page.text.lexicon_asked.connect(dialogs.ask_lexicon)
-        page.expression.file_asked.connect(dialogs.ask_expression)
-        page.text.voice.panel.table_asked.connect(dialogs.ask_performance)
-        page.words_asked.connect(dialogs.ask_save_words)
-        page.speech_asked.connect(dialogs.ask_save_speech)
         page.picture_asked.connect(self.dialogs.ask_save_picture)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
-
-    def _say_another(self) -> None:
-        """Let the user choose a sound file, and have the head say it at once."""
-        if self.dialogs.ask_sound():
-            self._session.play()
-
-    def _ask_preset_to_compare(self, dialogs: "calibrate.CalibrationDialogs") -> None:
-        path = dialogs.ask_preset()
-        if path is not None:
-            self.calibration.workbench.compare.offer(path)
 
     def _lay_out(self) -> None:
         self.menuBar().setCornerWidget(self.switch, Qt.Corner.TopLeftCorner)
@@ -247,17 +205,15 @@ class MainWindow(QMainWindow):
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
         file = add(tr("&File"), *commands.file_commands(dialogs), Command(tr_noop("Quit"), "Ctrl+Q", self.close))
         self.preset_box.add_commands(*(self.menus.actions[text] for text in commands.PRESET_COMMANDS))
-        self._recent = QMenu(tr("Open Recent"), self)
-        dialogs.sound_opened.connect(self._show_recent)
-        self._show_recent()
-        file.insertMenu(self.menus.actions["Save the Phonemes…"], self._recent)
+        file.insertMenu(self.menus.actions["Save the Phonemes…"], commands.RecentMenu(dialogs, self))
         self.menus.add_edit(preset.undo_stack)
         add(tr("&Play"), *commands.play_commands(session))
-        self._make_selection_menu()
+        commands.add_selection_menu(
+            self.menus, self.selection, self.selection_dialogs, self._use_as_take, self.analysis.file.view, dialogs
+        )
         add(tr("&Labels"), *commands.label_commands(self.label_dialogs))
-        measure = Command(tr_noop("Measure the Latency by Clicks"), "Ctrl+M", self._measure_latency)
         room = Command(tr_noop("Measure the Room (2 s of Quiet)"), "", lambda: self._ask_calibration().measure_room())
-        add(tr("&Record"), *commands.record_commands(self._record, session, dialogs), measure, room)
+        add(tr("&Record"), *commands.record_commands(session, dialogs), room)
         freeze = Command(tr_noop("Freeze Views"), "F", self.set_frozen, checkable=True)
         mark = Command(tr_noop("New Variable…"), "V", self.analysis.averaged.measure.toggle)
         add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs), mark)
@@ -268,26 +224,9 @@ class MainWindow(QMainWindow):
             Command(tr_noop("What Is This?"), "Shift+F1", self.what_is_this.begin),
             Command(tr_noop("Manual"), "Ctrl+F1", self.show_manual),
             Command(tr_noop("First Steps…"), "", self.welcome.show_cards),
-            Command(tr_noop("Licences"), "", self.show_licences),
+            Command(tr_noop("Licences"), "", lambda: LicencesDialog(self).open()),
             Command(tr_noop("About PhonemeAnalyser"), "", self.dialogs.show_about),
         )
-
-    def _make_selection_menu(self) -> None:
-        """List what is done with the selected part of the file, also where it is selected."""
-        menu = self.menus.add(tr("&Selection"), *commands.selection_commands(self.selection, self.selection_dialogs))
-        takes = menu.addMenu(tr("Use as a Take of"))
-        for phoneme in KEYS:
-            takes.addAction(phoneme.label, partial(self._use_as_take, phoneme))
-        view = self.analysis.file.view
-        view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
-        view.addActions(menu.actions())
-        for words, act in (
-            (tr("Copy Picture"), lambda: QGuiApplication.clipboard().setPixmap(view.grab())),
-            (tr("Save Picture…"), lambda: self.dialogs.ask_save_picture(view, "file")),
-        ):
-            picture = QAction(words, view)
-            picture.triggered.connect(act)
-            view.addAction(picture)
 
     def _use_as_take(self, phoneme: Phoneme) -> None:
         """Make what is selected a take of a phoneme."""
@@ -295,41 +234,23 @@ class MainWindow(QMainWindow):
         if span is not None and seen is not None:
             self._ask_calibration().takes.add_from_file(*seen, *span, phoneme)
 
-    def _show_recent(self) -> None:
-        """List the sounds that were opened last, the last one first."""
-        self._recent.clear()
-        for path in self.dialogs.recent_sounds():
-            self._recent.addAction(str(path), partial(self.dialogs.open_sound, path))
-        self._recent.setEnabled(not self._recent.isEmpty())
-
     def _make_view_menu(self) -> None:
         full = Command(tr_noop("Full Screen"), "F11", self.show_full, checkable=True)
         layout = Command(tr_noop("Reset Layout"), "", self.reset_layout)
         view = self.menus.add(tr("&View"), *commands.view_commands(self.show_page, self.analysis), full, layout)
         view.addSeparator()
         view.addActions(self._docks.switches(KEYS_OF_DOCKS))
-        view.addSeparator()
-        chosen = read(self._settings, "theme", "system")
-        themes = {"system": tr("system"), "light": tr("light"), "dark": tr("dark")}
-        self.menus.add_choice(view, tr("Theme"), themes, chosen, self.theme_asked.emit)
-        view.addSeparator()
-        languages = {SYSTEM: tr("system"), **LANGUAGES}
-        chosen = read(self._settings, "language", SYSTEM)
-        self.menus.add_choice(view, tr("Language"), languages, chosen, self.language_asked.emit)
+        commands.add_looks(self.menus, view, self._settings, self.theme_asked.emit, self.language_asked.emit)
 
     def _connect(self) -> None:
         session, preset, dialogs = self._session, self._preset, self.dialogs
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
-        self._talking.text.info.connect(self.banner.show_info)
         self._talking.text.changed.connect(self._show_spoken)
         self._talking.text.speech_saved.connect(dialogs.offer_speech)
         session.may_leave = self._may_leave_sound
-        session.labels.info.connect(self.banner.show_info)
         self.analysis.file.view.rename_asked.connect(lambda _label: self.label_dialogs.ask_rename())
         session.microphone.recorded.connect(dialogs.offer_recording)
-        session.microphone.info.connect(self.banner.show_info)
-        session.writer.info.connect(self.banner.show_info)
         dialogs.action_offered.connect(self.banner.offer)
         self.analysis.picture_asked.connect(dialogs.ask_save_picture)
         self.analysis.averaged.load_asked.connect(dialogs.ask_curves)
@@ -339,26 +260,24 @@ class MainWindow(QMainWindow):
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
         self.recogniser.ear_chosen.connect(preset.set_file_ear)
         self.preset_box.chosen.connect(dialogs.load_preset)
-        dialogs.rejected.connect(self.banner.show_error)
-        dialogs.info.connect(self.banner.show_info)
-        preset.rejected.connect(self.banner.show_error)
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
         dialogs.sound_changed.connect(self.status.chips.show_changed)
         self.status.chips.open_again_asked.connect(dialogs.open_again)
         self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
         self.switch.chosen.connect(self.show_page)
-        self.selection.info.connect(self.banner.show_info)
-        for model in (self._talking, session, self.selection):
-            model.error.connect(self.banner.show_error)
+        told = (session.labels, session.microphone, session.writer, self._talking.text, self.selection, dialogs)
+        for signal in (source.info for source in told):
+            signal.connect(self.banner.show_info)
+        refused = (self._talking.error, session.error, self.selection.error, dialogs.rejected, preset.rejected)
+        for signal in refused:
+            signal.connect(self.banner.show_error)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         self.what_is_this.page_asked.connect(self.show_manual)
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
         session.rewritten.connect(self._draw_rewritten)
-        session.transport_changed.connect(self._show_state)
-        session.looked_back.connect(self._show_state)
-        preset.changed.connect(self._show_state)
-        session.second.changed.connect(self._show_state)
+        for signal in (session.transport_changed, session.looked_back, preset.changed, session.second.changed):
+            signal.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
         self._connect_cards()
         self.installEventFilter(ControlKeys(self))
@@ -415,10 +334,7 @@ class MainWindow(QMainWindow):
 
     def show_full(self, on: bool) -> None:
         """Fill the screen, or be a window again."""
-        if on:
-            self.showFullScreen()
-        else:
-            self.showNormal()
+        (self.showFullScreen if on else self.showNormal)()
 
     def reset_layout(self) -> None:
         """Lay everything out as at the first start."""
@@ -433,22 +349,9 @@ class MainWindow(QMainWindow):
         self.analysis.scroll_view.sonagram.forget(column)
         self.redraw.dirty = True
 
-    def _record(self) -> None:
-        """Begin or end a recording; a file in hand is left only when that is wanted."""
-        session = self._session
-        leaves = session.source is SoundSource.FILE and session.path is not None and not session.microphone.recording
-        if not leaves or self.dialogs.may_record_instead_of(session.name):
-            session.toggle_recording()
-
-    def _measure_latency(self) -> None:
-        """Play clicks, with the microphone and the loudspeaker free for that."""
-        self._session.set_source(SoundSource.MICROPHONE)
-        self.banner.show_info(tr("Listening for clicks from the loudspeaker, for three seconds …"))
-        self._session.microphone.measure()
-
     def _show_names(self) -> None:
         session, preset = self._session, self._preset
-        self.analysis.scroll_view.invite(_hint_for(session))
+        self.analysis.invite()
         self.setWindowTitle(f"{session.name} - {preset.preset.name}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
         self.redraw.refresh_status()
@@ -468,15 +371,8 @@ class MainWindow(QMainWindow):
     def show_manual(self, page: str = "manual.md") -> None:
         """Show the manual, at a page of it."""
         dialog = ManualDialog(self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.show_page(page)
         dialog.show()
-
-    def show_licences(self) -> None:
-        """Show the licences of all parts of the program."""
-        dialog = LicencesDialog(self)
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        dialog.open()
 
     def greet(self) -> None:
         """Show what one could begin with, at the first start only."""
@@ -528,10 +424,8 @@ class MainWindow(QMainWindow):
         self.open_files([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
         for url in urls:
             if not url.isLocalFile():
-                sentence = tr("{url}: only files on this computer can be opened; save it here first").format(
-                    url=url.toString()
-                )
-                self.dialogs.rejected.emit(sentence)
+                sentence = tr("{url}: only files on this computer can be opened; save it here first")
+                self.dialogs.rejected.emit(sentence.format(url=url.toString()))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Lay the docks out for a narrow window, unless they were laid out for one already."""
@@ -604,8 +498,3 @@ class MainWindow(QMainWindow):
         self.heads.release_gl()
         self.close()
         self.deleteLater()
-
-
-def _hint_for(session: Session) -> str:
-    """Return what the user may do with the source in use."""
-    return tr(NOTHING if session.source is SoundSource.FILE and not session.path else HINTS[session.source])

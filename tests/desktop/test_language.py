@@ -99,7 +99,7 @@ def texts_in(desktop: Desktop, sound: Path, qtbot: QtBot) -> set[str]:
         VariableDialog(100, 200, lambda _variable: None, window),
         TiersDialog(session.labels, window),
         MappingDialog({"aa": 3}, window),
-        EncoderDialog(window),
+        EncoderDialog(window.files, window),
     )
     found |= texts_of(window)
     for dialog in others:

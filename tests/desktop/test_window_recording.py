@@ -127,7 +127,7 @@ def test_the_offer_opens_the_recording(booth: Booth, mic: HandDrivenMicrophone):
     assert booth.desktop.session.source is SoundSource.FILE
     assert booth.desktop.session.duration == pytest.approx(0.5)
     assert booth.banner == ""
-    assert booth.window.dialogs.recent_sounds()[0] == str(take.resolve())
+    assert booth.window.dialogs.recent_sounds()[0] == take.resolve()
 
 
 def test_recording_no_sound_says_so(booth: Booth, mic: HandDrivenMicrophone):

@@ -16,16 +16,16 @@ from tools.translations.ts_file import read_translations, write_translations
 FILES = [TRANSLATIONS / f"phonemeanalyser_{language}.ts" for language in LANGUAGES if language != WRITTEN_IN]
 MODULES = sorted(WINDOW.rglob("*.py"))
 SHOWING = {
-    "Command", "FiguresTable", "QAction", "QCheckBox", "QGroupBox", "QLabel", "QMenu", "QPushButton",
-    "QRadioButton", "QTableWidgetItem", "QToolBar", "SegmentList", "SpectrumView", "_button", "_check", "_choice",
-    "_push", "_slider", "_try", "about", "addAction", "addButton", "addItem", "addItems", "addMenu", "addPlot",
-    "addRow", "addSection", "addTab", "critical", "drawText", "draw_text", "edit", "emit", "getExistingDirectory",
-    "getItem", "getMultiLineText", "getOpenFileName", "getOpenFileNames", "getSaveFileName", "getText", "heading",
-    "information", "offer", "question", "setAccessibleDescription", "setAccessibleName",
-    "setHorizontalHeaderLabels", "setLabel", "setPlaceholderText", "setPlainText", "setPrefix",
-    "setSpecialValueText", "setStatusTip", "setSuffix", "setTabText", "setText", "setToolTip",
-    "setVerticalHeaderLabels", "setWhatsThis", "setWindowTitle", "show_error", "show_info", "toggle_button",
-    "warning",
+    "Command", "FiguresTable", "NumberField", "QAction", "QCheckBox", "QGroupBox", "QLabel", "QMenu",
+    "QPushButton", "QRadioButton", "QTableWidgetItem", "QToolBar", "SegmentList", "SpectrumView", "_slider",
+    "_try", "about", "addAction", "addButton", "addItem", "addItems", "addMenu", "addPlot", "addRow",
+    "addSection", "addTab", "choice", "critical", "drawText", "draw_text", "edit", "emit",
+    "getExistingDirectory", "getItem", "getMultiLineText", "getOpenFileName", "getOpenFileNames",
+    "getSaveFileName", "getText", "heading", "information", "label", "named", "offer", "question",
+    "setAccessibleDescription", "setAccessibleName", "setHorizontalHeaderLabels", "setLabel",
+    "setPlaceholderText", "setPlainText", "setPrefix", "setSpecialValueText", "setStatusTip", "setSuffix",
+    "setTabText", "setText", "setToolTip", "setVerticalHeaderLabels", "setWhatsThis", "setWindowTitle",
+    "show_error", "show_info", "slider_of_percent", "spoken_button", "toggle_button", "tool_button", "warning",
 }  # fmt: skip
 """What is called with something that people read."""
 TRANSLATING = {"tr", "tr_noop", "tr_amid", "tr_count", "tr_engine"}

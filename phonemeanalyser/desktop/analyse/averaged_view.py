@@ -7,13 +7,13 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QWidget
 
 from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeanalyser.desktop.theme import CURVE_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.plot import toggle_button
+from phonemeanalyser.desktop.widgets.builders import open_at_once, row, toggle_button, tool_button
 from phonemeengine.arrays import Float64Array
 from phonemeengine.averaged_spectrum import AveragedSpectrum
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
@@ -70,12 +70,11 @@ class AveragedView(SpectrumView):
         self._since = QLabel(self.graphics)
         self._overlays: list[pg.PlotCurveItem] = []
         self._legend = QWidget()
-        self._entries = QHBoxLayout(self._legend)
+        self._entries = row(on=self._legend, margins=(8, 0, 4, 2), spacing=2)
         self._names: list[LegendEntry] = []
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
         self.measure = toggle_button(
-            tr("variable"),
-            tr("Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot"),
+            tr("variable"), tr("Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot")
         )
         self._escape = QShortcut(QKeySequence("Escape"), self)
         self._dropped = False
@@ -127,14 +126,9 @@ class AveragedView(SpectrumView):
         menu = QMenu(self)
         menu.addAction(tr("Load Curve…"), self.load_asked.emit)
         menu.addAction(tr("Save Curve…"), self.save_asked.emit)
-        curves = QToolButton()
-        curves.setText(tr("curves"))
-        curves.setToolTip(tr("Save the averaged spectrum, or load saved ones to compare with"))
-        curves.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        curves.setMenu(menu)
+        curves = tool_button(tr("curves"), tr("Save the averaged spectrum, or load saved ones to compare with"))
+        open_at_once(curves, menu)
         self.header.addWidget(curves)
-        self._entries.setContentsMargins(8, 0, 4, 2)
-        self._entries.setSpacing(2)
         self._legend.setVisible(False)
         self._body.addWidget(self._legend)
 
@@ -193,12 +187,9 @@ class AveragedView(SpectrumView):
 
     def _legend_entry(self, k: int, name: str, tip: str, colour: str) -> LegendEntry:
         label = LegendEntry(name, colour, tip)
-        button = QToolButton()
-        button.setText("✕")
-        button.setAutoRaise(True)
+        tip = tr("Remove {name}").format(name=name)
+        button = tool_button("✕", tip, act=lambda: self._averages.remove(k), flat=True)
         button.setFixedWidth(18)
-        button.setToolTip(tr("Remove {name}").format(name=name))
-        button.clicked.connect(lambda _checked: self._averages.remove(k))
         self._entries.addWidget(label)
         self._entries.addWidget(button)
         return label

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QVBoxLayout, QW
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.encoder.model_folder import (
     choose_whisper,
@@ -48,24 +49,20 @@ class EncoderDialog(QDialog):
             label.setWordWrap(True)
             label.setFixedWidth(WIDTH)
             label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons = dialog_buttons(self, CLOSE)
         self.buttons = [
             buttons.addButton(text, QDialogButtonBox.ButtonRole.ActionRole)
             for text in (tr("Choose Folder…"), tr("Forget the Folder"), tr("Fetch It (145 MB)"))
         ]
         for button, act in zip(self.buttons, (self.ask_folder, self.forget, self.fetch), strict=True):
             button.clicked.connect(act)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        for part in (intro, self.state, buttons):
-            layout.addWidget(part)
+        layout = column(intro, self.state, buttons, on=self, margins=None)
         layout.setSizeConstraint(QVBoxLayout.SizeConstraint.SetFixedSize)  # as high as the words need
         self._do(LOOKING, lambda: None)
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
-        folder = self._files.ask_folder(tr("The folder with model.bin and config.json of Whisper base"), Path())
-        if folder is not None:
+        if folder := self._files.ask_folder(tr("The folder with model.bin and config.json of Whisper base"), Path()):
             self._do(tr_noop("Opening the model …"), lambda: choose_whisper(folder))
 
     def forget(self) -> None:

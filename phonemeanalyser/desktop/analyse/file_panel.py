@@ -5,7 +5,7 @@ from functools import partial
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QMenu, QWidget
 
 from phonemeanalyser.desktop.analyse.file_view import FileView
 from phonemeanalyser.desktop.analyse.sonagram import add_colour_maps, colours_of
@@ -13,8 +13,8 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, open_at_once, row, toggle_button, tool_button
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
-from phonemeanalyser.desktop.widgets.plot import toggle_button
 from phonemeengine.dsp.sonagram import FrequencyAxis
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.settings import FRAME_PERIOD
@@ -54,13 +54,21 @@ class FilePanel(QWidget):
         self.filtered = toggle_button(
             tr("filtered", "a button"), tr("The sonagram after all filters that are on, as recognisers see it")
         )
-        self.whole = toggle_button(tr("all"), tr("See the whole file"))
-        self.selection = toggle_button(tr("selection"), tr("See what is selected (Shift+drag selects)"))
-        self.live = toggle_button(tr("live"), tr("Back to what the microphone hears now (Ctrl+B)"))
+        self.whole = tool_button(tr("all"), tr("See the whole file"))
+        self.selection = tool_button(tr("selection"), tr("See what is selected (Shift+drag selects)"))
+        self.live = tool_button(tr("live"), tr("Back to what the microphone hears now (Ctrl+B)"))
         self.heading = QLabel(tr("<b>File</b>"))
-        self.over = QToolButton()
+        self.over = tool_button(
+            tr("over it"), tr("What is drawn over the sonagram, and below it: formants, pitch, level, words")
+        )
         self.overlays = {name: QAction(f"{tr(name)}: {tr(what)}", self) for name, what in OVERLAYS.items()}
-        self.axis, self.colours, self.variable = QComboBox(), QComboBox(), QComboBox()
+        self.axis = choice(
+            ((tr(axis.value), axis.value) for axis in FrequencyAxis),
+            tr("frequency axis"),
+            tr("How frequencies are spread over the sonagram"),
+        )
+        self.colours = choice((), tr("colour map"), tr("Colour map"))
+        self.variable = choice((), tr("variable"), tr("The variable whose course is shown"))
         self.differs = ElidedLabel()
         self._lay_out()
         self._connect()
@@ -74,43 +82,20 @@ class FilePanel(QWidget):
             self.view.update()
 
     def _lay_out(self) -> None:
-        for button in (self.whole, self.selection, self.live):
-            button.setCheckable(False)
         menu = QMenu(self.over)
         menu.addActions([*self.overlays.values()])
-        self.over.setText(tr("over it"))
-        self.over.setMenu(menu)
-        self.over.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.over.setToolTip(tr("What is drawn over the sonagram, and below it: formants, pitch, level, words"))
-        for axis in FrequencyAxis:
-            self.axis.addItem(tr(axis.value), axis.value)
-        self.axis.setAccessibleName(tr("frequency axis"))
-        self.colours.setAccessibleName(tr("colour map"))
-        self.variable.setAccessibleName(tr("variable"))
-        self.axis.setToolTip(tr("How frequencies are spread over the sonagram"))
+        open_at_once(self.over, menu)
         add_colour_maps(self.colours)
-        self.colours.setToolTip(tr("Colour map"))
-        for choice in (self.axis, self.colours, self.variable):
-            choice.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            choice.setMinimumContentsLength(5)
-        self.variable.setToolTip(tr("The variable whose course is shown"))
-        row = QHBoxLayout()
-        row.setContentsMargins(6, 3, 6, 1)
-        row.setSpacing(8)
-        row.addWidget(self.heading)
-        row.addWidget(self.differs, 1)
-        widgets: tuple[QWidget, ...] = (
-            self.live, self.follow, self.filtered, self.whole, self.selection, self.over, self.axis, self.colours,
-            self.variable,
+        for box in (self.axis, self.colours, self.variable):
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            box.setMinimumContentsLength(5)
+            box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        buttons = (self.live, self.follow, self.filtered, self.whole, self.selection, self.over)
+        above = row(
+            self.heading, (self.differs, 1), *buttons, self.axis, self.colours, self.variable,
+            margins=(6, 3, 6, 1), spacing=8,
         )  # fmt: skip
-        for widget in widgets:
-            widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            row.addWidget(widget)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(2)
-        layout.addLayout(row)
-        layout.addWidget(self.view, 1)
+        column(above, (self.view, 1), on=self, spacing=2)
 
     def _connect(self) -> None:
         view, sonagram = self._session.view, self._session.sonagram

@@ -6,24 +6,14 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QScrollArea,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QScrollArea, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.analyse.look_ahead_slider import NAME as LIVE_LOOK_AHEAD
 from phonemeanalyser.desktop.analyse.look_ahead_slider import LookAheadSlider
 from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
 from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+from phonemeanalyser.desktop.widgets.builders import choice, grid, label, line, named, scrolling, silent, tool_button
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.presets.controls import unused_settings
@@ -68,10 +58,7 @@ TITLES: dict[Filter, tuple[str, str]] = {
         tr_noop("High-pass"),
         tr_noop("Removes what lies below start (hum, rumble), and fades in up to end."),
     ),
-    Filter.LOW_PASS: (
-        tr_noop("Low-pass"),
-        tr_noop("Fades out from start to end, and removes what lies above."),
-    ),
+    Filter.LOW_PASS: (tr_noop("Low-pass"), tr_noop("Fades out from start to end, and removes what lies above.")),
     Filter.DENOISE: (tr_noop("Denoise"), tr_noop("Sets amplitudes below the threshold to 0.")),
     Filter.MEL: (
         tr_noop("Mel"),
@@ -170,26 +157,22 @@ class FilterColumn(QScrollArea):
         self.fields: dict[str, QComboBox | NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
         self.look_ahead = LookAheadSlider(preset)
-        self.bypass = QCheckBox(tr("Bypass all filters"))
-        self.unused = QLabel()
+        self.bypass = named(
+            QCheckBox(tr("Bypass all filters")), tip=tr("All filters off at once, and back to what they were (B)")
+        )
+        self.unused = label(colour=theme.accent, wraps=True)
         self._headings: dict[str, QWidget] = {}
-        self._grid = QGridLayout()
+        self._grid = grid(margins=(6, 6, 2, 6), across=3, down=3)
         self._fill()
         preset.changed.connect(self._show_preset)
         self._show_preset()
 
     def _fill(self) -> None:
-        self.bypass.setToolTip(tr("All filters off at once, and back to what they were (B)"))
         self.bypass.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.bypass.toggled.connect(self.bypass_asked)
-        self._grid.setContentsMargins(6, 6, 2, 6)
-        self._grid.setHorizontalSpacing(3)
-        self._grid.setVerticalSpacing(3)
         self._grid.setColumnStretch(1, 1)
         self._grid.addWidget(self.bypass, 0, 0, 1, 3)
         self.unused.setTextFormat(Qt.TextFormat.PlainText)
-        self.unused.setWordWrap(True)
-        self.unused.setStyleSheet(f"color: {self._theme.accent}")
         self._grid.addWidget(self.unused, 1, 0, 1, 3)
         for step in Filter:
             self._add_step(step.value, TITLES[step], FILTER_PARAMETERS[step], partial(self._switch, step))
@@ -205,33 +188,26 @@ class FilterColumn(QScrollArea):
         body = QWidget()
         body.setLayout(self._grid)
         leave_wheel(body)
-        self.setWidget(body)
-        self.setWidgetResizable(True)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAccessibleName(tr("filters"))
-        self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
+        self.setMinimumWidth(scrolling(self, body))
 
     def _add_step(
         self, key: str, title: tuple[str, str], parameters: tuple[str, ...], switch: Callable[[bool], None] | None
     ) -> None:
         """Add a line above, the switch, its first parameter beside it, further ones below, and the reset."""
-        line = QFrame()
-        line.setFixedHeight(1)
-        line.setStyleSheet(f"background: {self._theme.line}")
         row = self._grid.rowCount()
-        self._grid.addWidget(line, row, 0, 1, 3)
+        self._grid.addWidget(line(self._theme.line), row, 0, 1, 3)
         heading = self._heading(key, title[0], switch)
         self._grid.addWidget(heading, row + 1, 0)
         reset = self._reset(key, title[0])
         for k, name in enumerate(parameters):
-            label = tr(FIELDS[name].label)
-            field = self._field(name)
-            field.setToolTip(f"{tr(title[0])}, {label}: {tr(title[1])}")
-            field.setAccessibleName(f"{tr(title[0])} {label}")
-            self._grid.addWidget(field, row + 1 + k, 1)
+            words = tr(FIELDS[name].label)
+            tip = f"{tr(title[0])}, {words}: {tr(title[1])}"
+            self._grid.addWidget(named(self._field(name), f"{tr(title[0])} {words}", tip), row + 1 + k, 1)
             if k:
-                self._grid.addWidget(self._label(f"{tr(FIELDS[parameters[0]].label)} / {label}"), row + 1 + k, 0)
+                both = label(f"{tr(FIELDS[parameters[0]].label)} / {words}", self._theme.faint)
+                both.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                self._grid.addWidget(both, row + 1 + k, 0)
             else:
                 self._grid.addWidget(reset, row + 1, 2)  # here, since Tab goes as the grid was filled
         if not parameters:
@@ -248,20 +224,14 @@ class FilterColumn(QScrollArea):
         return box
 
     def _reset(self, key: str, text: str) -> QToolButton:
-        reset = QToolButton()
-        reset.setText("↺")
-        reset.setAutoRaise(True)
+        reset = self.resets[key] = tool_button(
+            "↺",
+            tr("Reset {text} to what the preset's file says").format(text=tr_amid(text)),
+            tr("reset {text}").format(text=tr_amid(text)),
+            flat=True,
+        )
         reset.setFixedWidth(RESET_WIDTH)
-        reset.setAccessibleName(tr("reset {text}").format(text=tr_amid(text)))
-        reset.setToolTip(tr("Reset {text} to what the preset's file says").format(text=tr_amid(text)))
-        self.resets[key] = reset
         return reset
-
-    def _label(self, text: str) -> QLabel:
-        label = QLabel(text)
-        label.setStyleSheet(f"color: {self._theme.faint}")
-        label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        return label
 
     def _field(self, name: str) -> QWidget:
         if name == LIVE_LOOK_AHEAD:
@@ -269,19 +239,12 @@ class FilterColumn(QScrollArea):
         field = FIELDS[name]
         widget: QComboBox | NumberField
         if field.choices:
-            widget = QComboBox()
-            for text, value in field.choices:
-                widget.addItem(tr(text), value)
+            widget = choice((tr(text), value) for text, value in field.choices)
             widget.activated.connect(lambda k: self._edit(name, field.choices[k][1]))
         else:
             low, high, unit = LIMITS[name]
-            widget = NumberField()
-            widget.setRange(low, high)
-            widget.setDecimals(field.decimals)
-            widget.setSingleStep(field.step)
-            widget.setSuffix(f" {tr(unit)}" if unit else "")
-            widget.setKeyboardTracking(False)
-            widget.installEventFilter(NumberFieldKeys(widget))
+            unit = f" {tr(unit)}" if unit else ""
+            widget = NumberField(low, high, decimals=field.decimals, step=field.step, unit=unit, waits=True)
             widget.valueChanged.connect(lambda value: self._edit(name, value))
             widget.editingFinished.connect(self._preset.end_edit)
         widget.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
@@ -301,22 +264,17 @@ class FilterColumn(QScrollArea):
 
     def _show_preset(self) -> None:
         settings = self._preset.preset.settings
-        for name, widget in self.fields.items():
-            widget.blockSignals(True)
-            if isinstance(widget, QComboBox):
-                widget.setCurrentIndex([v for _, v in FIELDS[name].choices].index(getattr(settings, name)))
-            else:
-                widget.setValue(getattr(settings, name))
-            widget.blockSignals(False)
-        for key, box in self.switches.items():
-            box.blockSignals(True)
-            box.setChecked(settings.statistics if key == "statistics" else settings.has(Filter(key)))
-            box.setEnabled(key == "statistics" or not self._preset.bypassed)
-            box.blockSignals(False)
+        with silent(*self.fields.values(), *self.switches.values(), self.bypass):
+            for name, widget in self.fields.items():
+                if isinstance(widget, QComboBox):
+                    widget.setCurrentIndex([v for _, v in FIELDS[name].choices].index(getattr(settings, name)))
+                else:
+                    widget.setValue(getattr(settings, name))
+            for key, box in self.switches.items():
+                box.setChecked(settings.statistics if key == "statistics" else settings.has(Filter(key)))
+                box.setEnabled(key == "statistics" or not self._preset.bypassed)
+            self.bypass.setChecked(self._preset.bypassed)
         self._show_unused()
-        self.bypass.blockSignals(True)
-        self.bypass.setChecked(self._preset.bypassed)
-        self.bypass.blockSignals(False)
 
     def _show_unused(self) -> None:
         """Show which steps do nothing to what is recognised; they still shape what is seen."""

@@ -1,24 +1,14 @@
 """What the user is asked about the labels of a file: names, tiers, files, and what becomes of changes."""
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import (
-    QComboBox,
-    QDialog,
-    QDialogButtonBox,
-    QInputDialog,
-    QLabel,
-    QListWidget,
-    QListWidgetItem,
-    QMessageBox,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QDialog, QInputDialog, QListWidget, QListWidgetItem, QMessageBox, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, column, dialog_buttons, label, named
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 
 LABEL_FILTER = tr_noop("Labels (*.TextGrid *.txt *.csv)")
@@ -176,10 +166,8 @@ class TiersDialog(QDialog):
     def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Tiers"))
-        self.list, self.says = QListWidget(), QComboBox()
-        self.list.setAccessibleName(tr("tiers that are shown"))
-        self.says.setAccessibleName(tr("tier that is compared with what is recognised"))
-        self.says.addItem(tr(NONE))
+        self.list = named(QListWidget(), tr("tiers that are shown"))
+        self.says = choice([(tr(NONE), None)], tr("tier that is compared with what is recognised"))
         for k, tier in enumerate(labels.tiers):
             n = len(tier.raw_labels)
             held = tr("{n} points") if tier.points else tr("{n} labels")
@@ -189,15 +177,15 @@ class TiersDialog(QDialog):
             self.list.addItem(item)
             self.says.addItem(tier.name)
         self.says.setCurrentIndex(0 if labels.state.said is None else labels.state.said + 1)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        for widget in (
-            QLabel(tr("Shown under the sonagram:")), self.list,
-            QLabel(tr("Compared with what is recognised:")), self.says, buttons,
-        ):  # fmt: skip
-            layout.addWidget(widget)
+        column(
+            label(tr("Shown under the sonagram:")),
+            self.list,
+            label(tr("Compared with what is recognised:")),
+            self.says,
+            dialog_buttons(self, OK, CANCEL),
+            on=self,
+            margins=None,
+        )
 
     def shown(self) -> list[int]:
         """Return the numbers of the tiers that are to be shown."""

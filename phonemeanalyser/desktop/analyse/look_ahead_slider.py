@@ -1,11 +1,12 @@
 """How far a microphone's recogniser looks ahead, against how late its answers are."""
 
-from PySide6.QtCore import QEvent, QSignalBlocker, Qt
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QLabel, QSlider
+from PySide6.QtWidgets import QSlider
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.widgets.builders import label, named, silent
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, LIMITS
 
@@ -26,14 +27,13 @@ class LookAheadSlider(QSlider):
         super().__init__(Qt.Orientation.Horizontal)
         self._preset = preset
         self._waiting: float | None = None
-        self.words = QLabel()
-        self.words.setWordWrap(True)
-        self.words.setToolTip(
-            tr(
+        self.words = named(
+            label(wraps=True),
+            tip=tr(
                 "Late: from a sound to its phoneme on the screen, as this machine measured it since the start, with "
                 "the microphone that was heard last. Macro F1 and right mouth shapes: of speakers whom the model did "
                 "not learn from, as its training measured them."
-            )
+            ),
         )
         self.setRange(0, round(LIMITS[NAME][1] / FRAME_PERIOD))
         self.setPageStep(1)
@@ -62,7 +62,7 @@ class LookAheadSlider(QSlider):
             self._preset.set_setting(NAME, seconds)
 
     def _show(self) -> None:
-        with QSignalBlocker(self):
+        with silent(self):
             self.setValue(int(getattr(self._preset.preset.settings, NAME) / FRAME_PERIOD + 1e-6))
         self._tell()
 

@@ -7,14 +7,13 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QHeaderView,
-    QLabel,
     QTableWidget,
     QTableWidgetItem,
-    QVBoxLayout,
     QWidget,
 )
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label, named
 from phonemeengine.measurement import MEASUREMENT_COLUMNS, StretchMeasurement, format_measurement
 
 SIZE = 460, 520
@@ -41,37 +40,33 @@ class MeasurementDialog(QDialog):
         )
         self.resize(*SIZE)
         rows = measurement.rows()
-        self.table = QTableWidget(len(rows), len(MEASUREMENT_COLUMNS))
+        self.table = named(QTableWidget(len(rows), len(MEASUREMENT_COLUMNS)), tr("what was measured"))
         self.table.setHorizontalHeaderLabels(list(map(tr, MEASUREMENT_COLUMNS)))
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
-        self.table.setAccessibleName(tr("what was measured"))
         for k, row in enumerate(rows):
-            for column, words in enumerate(row):
-                item = QTableWidgetItem(tr(words) if column == 0 else words)
-                if column > 1:
+            for place, words in enumerate(row):
+                item = QTableWidgetItem(tr(words) if place == 0 else words)
+                if place > 1:
                     item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                self.table.setItem(k, column, item)
-        told = QLabel(
+                self.table.setItem(k, place, item)
+        told = label(
             tr(
                 "Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the "
                 "root mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the "
                 "frames."
-            ).format(preset=preset)
+            ).format(preset=preset),
+            wraps=True,
         )
-        told.setWordWrap(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons = dialog_buttons(self, CLOSE)
         self.copy = buttons.addButton(tr("Copy"), QDialogButtonBox.ButtonRole.ActionRole)
         self.copy.setToolTip(tr("Copy the table, with tabs between the columns"))
         self.copy.clicked.connect(self.copy_table)
-        buttons.rejected.connect(self.reject)
         QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self, self.copy_table)
-        layout = QVBoxLayout(self)
-        for widget in (self.table, told, buttons):
-            layout.addWidget(widget)
+        column(self.table, told, buttons, on=self, margins=None)
 
     def copy_table(self) -> None:
         """Put the table on the clipboard."""

@@ -2,12 +2,12 @@
 
 from functools import partial
 
-from PySide6.QtCore import Qt
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu, QToolButton
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session
+from phonemeanalyser.desktop.widgets.builders import named, open_at_once
 
 SPEEDS = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25)
 DEFAULT = tr_noop("the system's output")
@@ -20,11 +20,8 @@ class OutputButton(QToolButton):
         super().__init__()
         self._session = session
         self._menu = QMenu(self)
-        self.setMenu(self._menu)
-        self.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.setAccessibleName(tr("output device and speed"))
-        self.setToolTip(tr("Volume in dB; click for the output device and the speed"))
+        open_at_once(self, self._menu)
+        named(self, tr("output device and speed"), tr("Volume in dB; click for the output device and the speed"))
         self._menu.aboutToShow.connect(session.loudspeaker.refresh_devices)
         session.loudspeaker.devices_changed.connect(self._fill)
         session.transport_changed.connect(self._show_state)

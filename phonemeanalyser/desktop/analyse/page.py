@@ -16,6 +16,15 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
 
+NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
+HINTS = {
+    SoundSource.FILE: tr_noop("Press Space to play"),
+    SoundSource.MICROPHONE: tr_noop("Press Space to listen, R to record"),
+    SoundSource.TONE: tr_noop("Press Space to hear the tone"),
+    SoundSource.TEXT: tr_noop("Write a text on the page Talk, and press Ctrl+Return there"),
+}
+"""What the user may do while the time view is empty."""
+
 
 class AnalysisPage(QSplitter):
     """Lays out what is drawn of the sound in hand.
@@ -119,6 +128,12 @@ class AnalysisPage(QSplitter):
         self.over_time.setCurrentWidget(self.file if is_file or self._session.looks_back else self.scroll_view)
         if self.hasFocus():
             self.main_view.setFocus()
+
+    def invite(self) -> None:
+        """Say what the user may do with the source in use while nothing is seen over time."""
+        source = self._session.source
+        nothing = source is SoundSource.FILE and not self._session.path
+        self.scroll_view.invite(tr(NOTHING if nothing else HINTS[source]))
 
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)

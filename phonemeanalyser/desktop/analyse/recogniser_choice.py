@@ -2,10 +2,11 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QStandardItemModel
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.widgets.builders import choice, label, row
 from phonemeengine.presets.ears import has_ear, offered_ear
 from phonemeengine.recognition.spec import recogniser_names
 from phonemeengine.settings import Ear
@@ -30,48 +31,37 @@ class RecogniserChoice(QWidget):
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
         self._preset = preset
-        self.names = QComboBox()
-        self.names.addItems(recogniser_names())
-        self.names.setAccessibleName(tr("recogniser"))
-        self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.names.setMinimumWidth(NAMES_WIDTH)
-        self.names.setToolTip(
+        self.names = choice(
+            ((name, None) for name in recogniser_names()),
+            tr("recogniser"),
             tr(
                 "<p>What names the phoneme of each frame. Another one brings the front end and the numbers that it "
                 "was tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, "
                 "install its package beside this program, and start the program again. How to write one is in the "
                 "README.</p>"
-            )
+            ),
         )
-        self.ears = QComboBox()
-        self.ears.addItems([*map(tr, EARS.values())])
-        self.ears.setAccessibleName(tr("ear for files"))
-        self.ears.setToolTip(
+        self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self.names.setMinimumWidth(NAMES_WIDTH)
+        self.ears = choice(
+            ((tr(words), None) for words in EARS.values()),
+            tr("ear for files"),
             tr(
                 "<p>The best that files are heard with. <i>live</i>: as a microphone. <i>twin</i>: by a network that "
                 "hears half a second ahead. <i>Whisper</i>: with a speech encoder besides, where all of a file is "
                 "recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.</p>"
                 "<p>What is grey is not there; <i>File &gt; Speech Encoder…</i> gets Whisper.</p>"
-            )
+            ),
         )
-        self._lay_out()
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        recogniser, files = label(tr("Recogniser")), label(tr("Files"))
+        recogniser.setBuddy(self.names)
+        files.setBuddy(self.ears)
+        row(recogniser, (self.names, 1), files, self.ears, on=self, margins=(8, 4, 8, 2))
         self.names.activated.connect(self._choose)
         self.ears.activated.connect(self._choose_ear)
         preset.changed.connect(self._show_preset)
         self._show_preset()
-
-    def _lay_out(self) -> None:
-        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(8, 4, 8, 2)
-        label = QLabel(tr("Recogniser"))
-        label.setBuddy(self.names)
-        row.addWidget(label)
-        row.addWidget(self.names, 1)
-        files = QLabel(tr("Files"))
-        files.setBuddy(self.ears)
-        row.addWidget(files)
-        row.addWidget(self.ears)
 
     def _choose(self, index: int) -> None:
         self.chosen.emit(self.names.itemText(index))
@@ -84,8 +74,8 @@ class RecogniserChoice(QWidget):
     def _show_preset(self) -> None:
         model = self.ears.model()
         assert isinstance(model, QStandardItemModel)
-        for row, ear in enumerate(EARS):
-            model.item(row).setEnabled(has_ear(self._preset.preset, ear))
+        for k, ear in enumerate(EARS):
+            model.item(k).setEnabled(has_ear(self._preset.preset, ear))
         self.ears.setCurrentIndex(list(EARS).index(offered_ear(self._preset.preset)))
         name = self._preset.preset.recogniser
         self.names.setCurrentIndex(

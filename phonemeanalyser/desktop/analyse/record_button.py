@@ -3,13 +3,14 @@
 from collections.abc import Callable, Mapping
 from typing import TypeVar
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QColor, QIcon, QPainter, QPixmap
 from PySide6.QtWidgets import QMenu, QToolButton
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import silent
 
 Key = TypeVar("Key")
 
@@ -41,7 +42,6 @@ class RecordButton(QToolButton):
         self.setCheckable(True)
         self.setFixedWidth(46)
         self.setAccessibleName(tr("record"))
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         menu = QMenu(self)
         self.folder = QAction(self)
@@ -77,7 +77,7 @@ class RecordButton(QToolButton):
             action.setChecked(suffix == microphone.suffix)
         for latency, action in self.buffers.items():
             action.setChecked(latency == microphone.choice.latency)
-        with QSignalBlocker(self.phonemes), QSignalBlocker(self.gaps), QSignalBlocker(self.else_default):
+        with silent(self.phonemes, self.gaps, self.else_default):
             self.phonemes.setChecked(microphone.with_phonemes)
             self.gaps.setChecked(microphone.fill_gaps)
             self.else_default.setChecked(microphone.choice.else_default)

@@ -8,24 +8,26 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtWidgets import (
-    QComboBox,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QGridLayout, QWidget
 
 from phonemeanalyser.desktop.analyse.sonagram import SPAN, PhonemeLane, SonagramItem, add_colour_maps, colours_of
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import (
+    choice,
+    column,
+    label,
+    named,
+    row,
+    silent,
+    toggle_button,
+    tool_button,
+)
 from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
-from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, live_axes, toggle_button
+from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, live_axes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.arrays import Float32Array
@@ -56,12 +58,22 @@ class ScrollView(QWidget):
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
         self.decibels = toggle_button("dB", tr("Brightness in dB, or linear"))
-        self.back = toggle_button(
+        self.back = tool_button(
             tr("look back"), tr("All that the microphone heard since Clear, on its own time (Ctrl+B)")
         )
-        self.low, self.high = NumberField(), NumberField()
-        self.colours = QComboBox()
-        self.variable = QComboBox()
+        self.low = self._limit(
+            -60,
+            tr("level of the darkest colour"),
+            tr("Level of the darkest colour; where brightness is linear, the amplitude of that level"),
+        )
+        self.high = self._limit(
+            0,
+            tr("level of the brightest colour"),
+            tr("Level of the brightest colour; where brightness is linear, the amplitude of that level"),
+        )
+        self.colours = choice((), tr("colour map"), tr("Colour map"))
+        self.variable = choice((), tr("variable"), tr("The variable whose course and extremes are shown"))
+        self.variable.setMinimumWidth(150)
         self._extremes, self._measured = StillLabel(), StillLabel()
         self._mouse: QPointF | None = None
         self._cursor_label = ReadOut(self._graphics, theme)
@@ -115,11 +127,11 @@ class ScrollView(QWidget):
         layout.setSpacing(0)
         self._plots = [layout.addPlot(row=row, col=0, enableMenu=False, axisItems=live_axes()) for row in range(3)]
         labels = (tr("frequency (Hz)"), "", tr("variable"))
-        for plot, item, label in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
+        for plot, item, name in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
             plot.getAxis("left").setWidth(AXIS_WIDTH)
-            plot.setLabel("left", label)
+            plot.setLabel("left", name)
             plot.setMouseEnabled(x=True, y=plot is self._plots[0])
             plot.vb.setLimits(xMin=-SPAN, xMax=0)
             plot.vb.setDefaultPadding(0)
@@ -141,70 +153,48 @@ class ScrollView(QWidget):
             plot.setXLink(sonagram)
         sonagram.setXRange(-SECONDS_SHOWN, 0, padding=0)
 
+    def _limit(self, value: float, name: str, tip: str) -> NumberField:
+        field = named(NumberField(-120, 0, unit=" dB"), name, tip)
+        field.setValue(value)
+        return field
+
     def _lay_out(self) -> None:
-        header = QHBoxLayout()
-        header.setContentsMargins(6, 3, 6, 1)
-        header.addWidget(QLabel(tr("<b>Sonagram and phonemes</b>")))
-        header.addStretch(1)
-        for box, value, tip in (
-            (
-                self.low,
-                -60,
-                tr("Level of the darkest colour; where brightness is linear, the amplitude of that level"),
-            ),
-            (
-                self.high,
-                0,
-                tr("Level of the brightest colour; where brightness is linear, the amplitude of that level"),
-            ),
-        ):
-            box.setRange(-120, 0)
-            box.setValue(value)
-            box.setSuffix(" dB")
-            box.installEventFilter(NumberFieldKeys(box))
-            box.setToolTip(tip)
         add_colour_maps(self.colours)
-        self.colours.setToolTip(tr("Colour map"))
-        self.colours.setAccessibleName(tr("colour map"))
-        self.low.setAccessibleName(tr("level of the darkest colour"))
-        self.high.setAccessibleName(tr("level of the brightest colour"))
-        self.variable.setAccessibleName(tr("variable"))
         self.decibels.setChecked(True)
-        header.setSpacing(8)
-        self.back.setCheckable(False)
-        controls: tuple[QWidget, ...] = (self.back, self.decibels, self.low, self.high, self.colours)
-        for widget in controls:
-            header.addWidget(widget)
-        footer = QHBoxLayout()
-        footer.setContentsMargins(6, 1, 6, 3)
-        self.variable.setToolTip(tr("The variable whose course and extremes are shown"))
-        self.variable.setMinimumWidth(150)
-        self._extremes.setToolTip(
-            tr(
-                "Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the "
-                "sound was opened), however long ago; what a seek in a pause only shows does not count"
-            )
+        tip = tr(
+            "Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the "
+            "sound was opened), however long ago; what a seek in a pause only shows does not count"
         )
-        self._measured.setToolTip(self._extremes.toolTip())
+        for told in (self._extremes, self._measured):
+            told.setToolTip(tip)
         self._measured.setStyleSheet(f"color: {self._theme.faint}")
-        row: tuple[QWidget, ...] = (QLabel(tr("<b>Variable</b>")), self.variable, self._extremes, self._measured)
-        footer.setSpacing(8)
-        for widget in row:
-            footer.addWidget(widget)
-        footer.addStretch(1)
         plots = QGridLayout()
-        plots.setContentsMargins(0, 0, 0, 0)
         plots.setSpacing(0)
         plots.addWidget(self._graphics, 0, 0, 2, 1)
         plots.addWidget(self._colour_bar, 0, 1)
         plots.setRowMinimumHeight(1, LANE_HEIGHT + COURSE_HEIGHT)
         plots.setRowStretch(0, 1)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addLayout(header)
-        layout.addLayout(plots, 1)
-        layout.addLayout(footer)
+        header = row(
+            label(tr("<b>Sonagram and phonemes</b>")),
+            1,
+            self.back,
+            self.decibels,
+            self.low,
+            self.high,
+            self.colours,
+            margins=(6, 3, 6, 1),
+            spacing=8,
+        )
+        footer = row(
+            label(tr("<b>Variable</b>")),
+            self.variable,
+            self._extremes,
+            self._measured,
+            1,
+            margins=(6, 1, 6, 3),
+            spacing=8,
+        )
+        column(header, (plots, 1), footer, on=self, spacing=0)
 
     def _connect(self) -> None:
         self.decibels.toggled.connect(lambda _on: self._choose_colours())
@@ -234,11 +224,10 @@ class ScrollView(QWidget):
         chosen = self.variable.currentText()
         names = [*BUILT_IN_NAMES, *(v.name for v in self._preset.preset.variables)]
         if names != [self.variable.itemText(k) for k in range(self.variable.count())]:
-            self.variable.blockSignals(True)
-            self.variable.clear()
-            self.variable.addItems(names)
-            self.variable.setCurrentText(chosen if chosen in names else "energy")
-            self.variable.blockSignals(False)
+            with silent(self.variable):
+                self.variable.clear()
+                self.variable.addItems(names)
+                self.variable.setCurrentText(chosen if chosen in names else "energy")
         self._choose_variable()
 
     def _choose_variable(self) -> None:

@@ -43,8 +43,7 @@ class SelectionDialogs(QObject):
         if span is None or path is None:
             return
         suggested = self._files.folder_of("stretch", path.parent) / f"{path.stem} {span.start:.2f}-{span.end:.2f}.wav"
-        target = self._files.ask_target(
+        if target := self._files.ask_target(
             tr("Save the selected sound"), suggested, "WAV (*.wav)", "stretch", other_endings=True
-        )
-        if target is not None:
+        ):
             self._selection.save(target)

@@ -9,7 +9,8 @@ from PySide6.QtWidgets import QSlider
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
+from phonemeanalyser.desktop.widgets.builders import named, toggle_button
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
@@ -40,7 +41,11 @@ class SpectrumView(Plot):
             tr("coarse"), tr("Coarse display: the highest of eight neighbouring bins as one step")
         )
         self.decibels = toggle_button("dB", tr("Amplitude axis in dB"))
-        self.scale = QSlider(Qt.Orientation.Horizontal)
+        self.scale = named(
+            QSlider(Qt.Orientation.Horizontal),
+            tr("{plot}: amplitude scale").format(plot=self.heading.text()),
+            tr("Amplitude scale: enlarges small amplitudes, in dB"),
+        )
         self._add_controls()
         self.reset_zoom()
 
@@ -76,8 +81,6 @@ class SpectrumView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, SCALE_STEPS)
         self.scale.setFixedWidth(54)
-        self.scale.setAccessibleName(tr("{plot}: amplitude scale").format(plot=self.heading.text()))
-        self.scale.setToolTip(tr("Amplitude scale: enlarges small amplitudes, in dB"))
         for widget in (self.coarse, self.decibels, self.scale):
             self.header.addWidget(widget)
         self.coarse.toggled.connect(lambda _on: self.draw(self._amplitudes))
@@ -104,11 +107,7 @@ class SpectrumView(Plot):
         amplitudes = self._amplitudes.astype(float)
         with np.errstate(divide="ignore"):
             levels = 20 * np.log10(amplitudes)
-        return {
-            "frequency (Hz)": self._frequencies,
-            "amplitude (linear)": amplitudes,
-            "level (dB)": levels,
-        }
+        return {"frequency (Hz)": self._frequencies, "amplitude (linear)": amplitudes, "level (dB)": levels}
 
     def _describe(self, frequency: float, _height: float) -> str:
         k = round(frequency / BIN_WIDTH)

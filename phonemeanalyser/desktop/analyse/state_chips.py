@@ -2,10 +2,11 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFontMetrics
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import named, row, tool_button
 
 PADDING = 8
 """Pixels at either side of a chip's text."""
@@ -30,31 +31,27 @@ class StateChips(QWidget):
     def __init__(self, theme: Theme) -> None:
         super().__init__()
         self._theme = theme
-        self.frozen = QToolButton()
-        self.frozen.setText(tr("frozen"))
-        self.frozen.setAccessibleName(tr("views stand still"))
-        self.frozen.setToolTip(tr("The views stand still while sound goes on; click, or press F, and they go on"))
-        self.frozen.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.frozen.clicked.connect(self.go_on_asked)
-        self.changed = QToolButton()
-        self.changed.setToolTip(tr("What became of the file meanwhile"))
-        self.changed.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.changed.clicked.connect(self.open_again_asked)
-        self.unseen, self.lost, self.late = QLabel(), QLabel(), QLabel()
+        self.frozen = tool_button(
+            tr("frozen"),
+            tr("The views stand still while sound goes on; click, or press F, and they go on"),
+            tr("views stand still"),
+            self.go_on_asked.emit,
+        )
+        self.changed = tool_button("", tr("What became of the file meanwhile"), act=self.open_again_asked.emit)
+        self.unseen = named(
+            QLabel(), tip=tr("Frames that were analysed but never drawn: the machine has too much to do")
+        )
+        self.lost = named(QLabel(), tip=tr("Sound that never came from the microphone, since listening began"))
+        self.late = QLabel()
         self.late.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.unseen.setToolTip(tr("Frames that were analysed but never drawn: the machine has too much to do"))
-        self.lost.setToolTip(tr("Sound that never came from the microphone, since listening began"))
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 6, 0)
-        row.setSpacing(4)
+        chips = row(on=self, margins=(0, 0, 6, 0), spacing=4)
         for chip in self._chips:
             chip.hide()
-            row.addWidget(chip, 0, Qt.AlignmentFlag.AlignVCenter)
+            chips.addWidget(chip, 0, Qt.AlignmentFlag.AlignVCenter)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)
         self._dress(self.frozen, theme.accent)
-        self._dress(self.changed, theme.bad)
-        self._dress(self.unseen, theme.bad)
-        self._dress(self.lost, theme.bad)
+        for chip in (self.changed, self.unseen, self.lost):
+            self._dress(chip, theme.bad)
 
     def show_frozen(self, on: bool) -> None:
         """Say that the views stand still, or that they do not."""

@@ -8,22 +8,14 @@ from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QLabel,
-    QScrollArea,
-    QSizePolicy,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+from phonemeanalyser.desktop.widgets.builders import grid, label, named, scrolling, silent, tool_button
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.errors import EngineError
@@ -161,9 +153,6 @@ class ThresholdView(QScrollArea):
         self._theme = theme
         self.rows: dict[str, Row] = {}
         self._shown: tuple[ControlGroup, ...] = ()
-        self.setWidgetResizable(True)
-        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setFrameShape(QFrame.Shape.NoFrame)
         preset.changed.connect(self._show_preset)
         self._show_preset()
 
@@ -199,28 +188,23 @@ class ThresholdView(QScrollArea):
         for name, row in self.rows.items():
             value = row.control.read(preset)
             row.slider.set_value(value)
-            row.number.blockSignals(True)
-            row.number.setValue(value)
-            row.number.blockSignals(False)
+            with silent(row.number):
+                row.number.setValue(value)
             saved = self._preset.saved_value(name)
             row.reset.setVisible(saved is not None and value != saved)
 
     def _fill(self) -> None:
         body = QWidget()
-        grid = QGridLayout(body)
-        grid.setContentsMargins(6, 2, 6, 6)
-        grid.setHorizontalSpacing(5)
-        grid.setVerticalSpacing(1)
-        grid.setColumnStretch(1, 1)
+        fields = grid(body, margins=(6, 2, 6, 6), across=5, down=1)
+        fields.setColumnStretch(1, 1)
         self.rows = {}
         for group in self._shown:
-            grid.addWidget(self._heading(group), grid.rowCount(), 0, 1, 4)
+            fields.addWidget(self._heading(group), fields.rowCount(), 0, 1, 4)
             for control in group.controls:
-                self.rows[control.name] = self._add_row(grid, grid.rowCount(), control)
-        grid.setRowStretch(grid.rowCount(), 1)
+                self.rows[control.name] = self._add_row(fields, fields.rowCount(), control)
+        fields.setRowStretch(fields.rowCount(), 1)
         leave_wheel(body)
-        self.setWidget(body)
-        self.setMinimumWidth(body.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width())
+        self.setMinimumWidth(scrolling(self, body))
 
     def _heading(self, group: ControlGroup) -> QLabel:
         heading = QLabel(
@@ -231,18 +215,16 @@ class ThresholdView(QScrollArea):
         heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         return heading
 
-    def _add_row(self, grid: QGridLayout, at: int, control: Control) -> Row:
-        label = QLabel(tr_engine(control.label))
-        label.setTextFormat(Qt.TextFormat.PlainText)
-        label.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
+    def _add_row(self, fields: QGridLayout, at: int, control: Control) -> Row:
         hint = escape(tr_engine(control.hint))
-        label.setToolTip(f"<p>{hint}</p>")
-        slider = ThresholdSlider(control, self._theme)
-        slider.setAccessibleName(control.name)
-        slider.setToolTip(f"<p>{hint}</p><p>{tr('Drag, or arrow keys (with Shift finer).')}</p>")
+        words = named(label(tr_engine(control.label)), tip=f"<p>{hint}</p>")
+        words.setTextFormat(Qt.TextFormat.PlainText)
+        words.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
+        tip = f"<p>{hint}</p><p>{tr('Drag, or arrow keys (with Shift finer).')}</p>"
+        slider = named(ThresholdSlider(control, self._theme), control.name, tip)
         row = Row(control, slider, self._number(control), self._reset())
-        for column, widget in enumerate((label, slider, row.number, row.reset)):
-            grid.addWidget(widget, at, column)
+        for column, widget in enumerate((words, slider, row.number, row.reset)):
+            fields.addWidget(widget, at, column)
         slider.moved.connect(partial(self._preset.tune, control.name))
         slider.released.connect(self._preset.end_edit)
         row.number.valueChanged.connect(partial(self._type, row))
@@ -250,27 +232,19 @@ class ThresholdView(QScrollArea):
         return row
 
     def _number(self, control: Control) -> NumberField:
-        number = NumberField()
-        number.setRange(-LARGEST, LARGEST)
-        number.setDecimals(control.decimals)
-        number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
-        number.setKeyboardTracking(False)
-        number.installEventFilter(NumberFieldKeys(number))
-        number.setFixedWidth(60)
-        number.setSingleStep((control.high - control.low) / 100)
-        number.setAccessibleName(control.name)
-        number.setToolTip(
-            f"{control.name}{', ' + control.unit if control.unit else ''}: " + tr("type a number, or arrow keys")
+        step = (control.high - control.low) / 100
+        number = named(
+            NumberField(-LARGEST, LARGEST, decimals=control.decimals, step=step, waits=True),
+            control.name,
+            f"{control.name}{', ' + control.unit if control.unit else ''}: " + tr("type a number, or arrow keys"),
         )
+        number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
+        number.setFixedWidth(60)
         number.editingFinished.connect(self._preset.end_edit)
         return number
 
     def _reset(self) -> QToolButton:
-        reset = QToolButton()
-        reset.setText("↺")
-        reset.setAutoRaise(True)
-        reset.setAccessibleName(tr("reset"))
-        reset.setToolTip(tr("Reset to what the preset's file says"))
+        reset = tool_button("↺", tr("Reset to what the preset's file says"), tr("reset"), flat=True)
         keep_place = reset.sizePolicy()
         keep_place.setRetainSizeWhenHidden(True)
         reset.setSizePolicy(keep_place)

@@ -4,12 +4,12 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QSlider, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+from phonemeanalyser.desktop.widgets.builders import choice, label, named, row, silent
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWEL_FORMANTS, Tone, ToneKind, vowel_of
 
@@ -68,10 +68,15 @@ class ToneBar(QWidget):
         super().__init__()
         self._theme = theme
         self._tone = Tone()
-        self.kind = _choice(tr("Kind of tone"), [(tr(kind.value.replace("_", " ")), kind) for kind in ToneKind])
-        self.slider = QSlider(Qt.Orientation.Horizontal)
-        self.unit = QLabel("Hz")
-        self.vowel = _choice(tr("Vowel"), [(tr(name), name) for name in (*VOWEL_FORMANTS, OWN)])
+        kinds = [(tr(kind.value.replace("_", " ")), kind) for kind in ToneKind]
+        self.kind = choice(kinds, tr("Kind of tone"), tr("Kind of tone"))
+        self.slider = named(
+            QSlider(Qt.Orientation.Horizontal),
+            tr("Frequency of the sine on a logarithmic scale"),
+            tr("Frequency of the sine: arrow keys by a semitone, page keys by an octave"),
+        )
+        self.unit = label("Hz", theme.faint)
+        self.vowel = choice([(tr(name), name) for name in (*VOWEL_FORMANTS, OWN)], tr("Vowel"), tr("Vowel"))
         self.numbers = {name: self._number(name) for name in NUMBERS}
         self._lay_out()
         self._connect()
@@ -87,10 +92,10 @@ class ToneBar(QWidget):
         self._tone = tone
         self.kind.setCurrentIndex(self.kind.findData(tone.kind))
         self.vowel.setCurrentIndex(self.vowel.findData(vowel_of(tone.formants) or OWN))
-        with QSignalBlocker(self.slider):
+        with silent(self.slider):
             self.slider.setValue(_step_of(tone.frequency))
         for name, box in self.numbers.items():
-            with QSignalBlocker(box):
+            with silent(box):
                 box.setValue(_value_of(tone, name))
         shown = (*OF_KIND[tone.kind], "level")
         for name, box in self.numbers.items():
@@ -102,19 +107,13 @@ class ToneBar(QWidget):
     def _number(self, name: str) -> NumberField:
         look = NUMBERS[name]
         low, high, unit = TONE_LIMITS.get(name, (*FORMANT_LIMITS, "Hz"))
-        box = NumberField()
-        box.setRange(low, high)
-        box.setDecimals(look.decimals)
-        box.setSingleStep(look.step)
+        tip = f"{tr(look.tip)}, {low:g}..{high:g} {unit}"
+        box = named(NumberField(low, high, decimals=look.decimals, step=look.step, waits=True), tr(look.tip), tip)
         box.setPrefix(tr(look.prefix) if look.prefix else "")
         if name in OF_VOWEL:  # they share one unit behind them, so that they fit into the line
             box.setFixedWidth(box.sizeHint().width() - SPARE)
         else:
             box.setSuffix(f" {unit}")
-        box.setKeyboardTracking(False)
-        box.installEventFilter(NumberFieldKeys(box))
-        box.setToolTip(f"{tr(look.tip)}, {low:g}..{high:g} {unit}")
-        box.setAccessibleName(tr(look.tip))
         box.valueChanged.connect(lambda value: self._edit(name, value))
         return box
 
@@ -123,18 +122,19 @@ class ToneBar(QWidget):
         self.slider.setSingleStep(ARROW_STEPS)
         self.slider.setPageStep(PAGE_STEPS)
         self.slider.setMinimumWidth(120)
-        self.slider.setToolTip(tr("Frequency of the sine: arrow keys by a semitone, page keys by an octave"))
-        self.slider.setAccessibleName(tr("Frequency of the sine on a logarithmic scale"))
-        self.unit.setStyleSheet(f"color: {self._theme.faint}")
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(6, 3, 6, 3)
-        layout.setSpacing(4)
         numbers = [box for name, box in self.numbers.items() if name != "level"]
-        row: tuple[QWidget, ...] = (self.kind, self.slider, self.vowel, *numbers, self.unit)
-        for widget in row:
-            layout.addWidget(widget, 1 if widget is self.slider else 0)
-        layout.addStretch()
-        layout.addWidget(self.numbers["level"])
+        row(
+            self.kind,
+            (self.slider, 1),
+            self.vowel,
+            *numbers,
+            self.unit,
+            0,
+            self.numbers["level"],
+            on=self,
+            margins=(6, 3, 6, 3),
+            spacing=4,
+        )
 
     def _connect(self) -> None:
         self.kind.activated.connect(self._choose_kind)
@@ -160,15 +160,6 @@ class ToneBar(QWidget):
         if tone != self._tone:
             self.show_tone(tone)
             self.tone_changed.emit(tone)
-
-
-def _choice(name: str, items: list[tuple[str, Any]]) -> QComboBox:
-    box = QComboBox()
-    for text, value in items:
-        box.addItem(text, value)
-    box.setToolTip(name)
-    box.setAccessibleName(name)
-    return box
 
 
 def _has(tone: Tone, name: str) -> bool:

@@ -1,19 +1,8 @@
 """The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
 
-from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QIcon, QKeySequence, QPainter, QResizeEvent
-from PySide6.QtWidgets import (
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QSizePolicy,
-    QSlider,
-    QStackedWidget,
-    QStyle,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QSlider, QStackedWidget, QStyle, QToolButton, QWidget
 
 from phonemeanalyser.desktop.analyse.microphone_bar import MicrophoneBar
 from phonemeanalyser.desktop.analyse.output_button import OutputButton
@@ -24,6 +13,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, named, row, silent
 from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.settings import Channel
 
@@ -67,7 +57,9 @@ class Transport(QWidget):
         self.stop = self._button(pixmap.SP_MediaStop, tr("Stop (Escape); a file goes to its beginning"))
         self.record = RecordButton(session, theme)
         self.loop = self._button(pixmap.SP_BrowserReload, tr("Begin again at the end (L)"))
-        self.source = QComboBox()
+        self.source = choice(
+            ((tr(source.value), source) for source in SoundSource), tr("source"), tr("Where the sound comes from")
+        )
         self.position_slider = PositionSlider(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
         self.tone = ToneBar(theme)
@@ -75,10 +67,9 @@ class Transport(QWidget):
         self.pages = Pages()
         self.time = StillLabel(LEAST_TIME_WIDTH)
         self.output, self.channel_label = OutputButton(session), QLabel(tr("channel"))
-        self.volume = QSlider(Qt.Orientation.Horizontal)
-        self.channel = QComboBox()
+        self.volume = named(QSlider(Qt.Orientation.Horizontal), tr("volume"))
+        self.channel = choice((), tr("channel of the file"), tr("Which channel of the file is analysed"))
         self._wrapped_for: tuple[int, SoundSource] | None = None
-        self._rows, self._row = QVBoxLayout(self), QHBoxLayout()
         self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
         self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
         self._lay_out()
@@ -104,37 +95,23 @@ class Transport(QWidget):
         self.time.setText(text)
 
     def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
-        button = QToolButton()
+        button = named(QToolButton(), tip, tip)
         button.setIcon(tinted_icon(self.style(), icon, self._theme))
         button.setIconSize(QSize(20, 20))
-        button.setToolTip(tip)
-        button.setAccessibleName(tip)
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         return button
 
     def _lay_out(self) -> None:
         self.loop.setCheckable(True)
         self.volume.setRange(int(QUIETEST_DB), 0)
         self.volume.setFixedWidth(80)
-        self.volume.setAccessibleName(tr("volume"))
         self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.channel.setToolTip(tr("Which channel of the file is analysed"))
-        self.channel.setAccessibleName(tr("channel of the file"))
-        for source in SoundSource:
-            self.source.addItem(tr(source.value), source)
-        self.source.setToolTip(tr("Where the sound comes from"))
         self.source.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.source.setAccessibleName(tr("source"))
         self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
         for page in (self.position_slider, self.microphone, self.tone):
             self.pages.addWidget(page)
-        self._rows.setContentsMargins(6, 3, 6, 3)
-        self._rows.setSpacing(3)
-        self._row.setSpacing(6)
-        for widget in (*self._first, self.pages, *self._last):
-            self._row.addWidget(widget, 1 if widget is self.pages else 0)
-        self._row.addStretch(0)  # takes what is over while the pages have a row of their own
-        self._rows.addLayout(self._row)
+        # What is over at the right is taken while the pages have a row of their own.
+        self._row = row(*self._first, (self.pages, 1), *self._last, 0, spacing=6)
+        self._rows = column(self._row, on=self, margins=(6, 3, 6, 3), spacing=3)
 
     def minimumSizeHint(self) -> QSize:
         """Ask for the width of the wider row, when what belongs to the source has one of its own."""
@@ -204,7 +181,7 @@ class Transport(QWidget):
             if session.volume > QUIETEST_DB
             else tr("Silent")
         )
-        with QSignalBlocker(self.volume), QSignalBlocker(self.loop):
+        with silent(self.volume, self.loop):
             self.volume.setValue(round(session.volume))
             self.loop.setChecked(session.loop)
         self._show_channels()

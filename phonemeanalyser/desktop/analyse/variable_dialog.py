@@ -3,9 +3,10 @@
 from collections.abc import Callable
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QDialog, QFormLayout, QLineEdit, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, dialog_buttons, label
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
@@ -32,13 +33,11 @@ class VariableDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("New variable"))
         self._add = add
-        self.name, self.trouble = QLineEdit(), QLabel()
-        self.low, self.high = NumberField(), NumberField()
-        self.kind, self.source = QComboBox(), QComboBox()
+        self.name, self.trouble = QLineEdit(), label(wraps=True)
+        self.low, self.high = (NumberField(0, SAMPLE_RATE / 2, decimals=1, unit=" Hz") for _ in range(2))
+        self.kind = choice((tr(kind.value), kind) for kind in Kind)
+        self.source = choice((tr(words), source) for source, words in SOURCES.items())
         self._fill(low, high)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
         form = QFormLayout(self)
         form.addRow(tr("name"), self.name)
         form.addRow(self.trouble)
@@ -46,7 +45,7 @@ class VariableDialog(QDialog):
         form.addRow(tr("to"), self.high)
         form.addRow(tr("kind"), self.kind)
         form.addRow(tr("spectrum"), self.source)
-        form.addRow(buttons)
+        form.addRow(dialog_buttons(self, OK, CANCEL))
 
     def variable(self) -> Variable:
         """Return what was asked for; SettingsError where it is impossible."""
@@ -69,14 +68,6 @@ class VariableDialog(QDialog):
         self.name.setPlaceholderText(tr("a-z, 0-9, _, such as my_hiss"))
         self.name.textEdited.connect(self.trouble.hide)
         self.trouble.setTextFormat(Qt.TextFormat.PlainText)
-        self.trouble.setWordWrap(True)
         self.trouble.hide()
         for box, value in ((self.low, low), (self.high, high)):
-            box.setRange(0, SAMPLE_RATE / 2)
-            box.setDecimals(1)
-            box.setSuffix(" Hz")
             box.setValue(value)
-        for kind in Kind:
-            self.kind.addItem(tr(kind.value), kind)
-        for source, words in SOURCES.items():
-            self.source.addItem(tr(words), source)

@@ -6,11 +6,12 @@ import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QLabel, QSlider
+from PySide6.QtWidgets import QSlider
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot, toggle_button
+from phonemeanalyser.desktop.widgets.builders import label, named, toggle_button
+from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
@@ -47,7 +48,11 @@ class WaveformView(Plot):
         self.auto = toggle_button(
             tr("auto"), tr("The vertical scale follows the loudness; the slider beside it ends that")
         )
-        self.scale = QSlider(Qt.Orientation.Horizontal)
+        self.scale = named(
+            QSlider(Qt.Orientation.Horizontal),
+            tr("vertical scale of the waveform"),
+            tr("Vertical scale: enlarges quiet sound, in dB"),
+        )
         self._loudest = SOFTEST
         self._half = 0.0
         self._add_controls()
@@ -75,12 +80,8 @@ class WaveformView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, 40)
         self.scale.setFixedWidth(70)
-        self.scale.setAccessibleName(tr("vertical scale of the waveform"))
-        self.scale.setToolTip(tr("Vertical scale: enlarges quiet sound, in dB"))
-        self.header.addWidget(self.coarse)
-        self.header.addWidget(QLabel(tr("scale")))
-        self.header.addWidget(self.auto)
-        self.header.addWidget(self.scale)
+        for widget in (self.coarse, label(tr("scale")), self.auto, self.scale):
+            self.header.addWidget(widget)
         self.coarse.toggled.connect(lambda _on: self.draw(self._wave))
         self.auto.setChecked(True)
         self.auto.toggled.connect(lambda _on: self.reset_zoom())

@@ -3,13 +3,14 @@
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QLabel, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QTabWidget, QWidget
 
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.fit_model import ComparisonModel
 from phonemeanalyser.desktop.calibrate.segment_list import SegmentList, SegmentRow
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, named, row
 from phonemeengine.calibration.scores.comparison import DifferingSegment
 
 NONE, OTHER = tr_noop("choose a preset …"), tr_noop("another file …")
@@ -30,9 +31,14 @@ class ComparePanel(QWidget):
     def __init__(self, comparison: ComparisonModel, theme: Theme) -> None:
         super().__init__()
         self._comparison = comparison
-        self.box = QComboBox()
+        tip = tr("Preset to compare with, on the same takes and recordings")
+        shipped = [(path.stem, path) for path in comparison.shipped()]
+        self.box = choice([(tr(NONE), None), *shipped, (tr(OTHER), "")], tip, tip)
         self.state = QLabel()
-        self.difference = QCheckBox(tr("difference in the matrix"))
+        self.difference = named(
+            QCheckBox(tr("difference in the matrix")),
+            tip=tr("Show in the matrix how much more often the preset in use gives each answer"),
+        )
         self.figures = FiguresTable((tr("in use"), tr("second")), theme)
         self.own = SegmentList(tr("only the preset in use is right"), tr("said, not"))
         self.others = SegmentList(tr("only the second preset is right"), tr("said, not"))
@@ -50,24 +56,11 @@ class ComparePanel(QWidget):
         self._comparison.choose(path)
 
     def _lay_out(self) -> None:
-        self.box.addItem(tr(NONE), None)
-        for path in self._comparison.shipped():
-            self.box.addItem(path.stem, path)
-        self.box.addItem(tr(OTHER), "")
-        self.box.setToolTip(tr("Preset to compare with, on the same takes and recordings"))
-        self.box.setAccessibleName(self.box.toolTip())
-        self.difference.setToolTip(tr("Show in the matrix how much more often the preset in use gives each answer"))
         self.tabs.addTab(self.figures, tr("figures"))
         self.tabs.addTab(self.own, tr("only this right"))
         self.tabs.addTab(self.others, tr("only the second right"))
-        row = QHBoxLayout()
-        row.addWidget(self.box, 1)
-        row.addWidget(self.state)
-        row.addWidget(self.difference)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 4)
-        column.addLayout(row)
-        column.addWidget(self.tabs, 1)
+        above = row((self.box, 1), self.state, self.difference)
+        column(above, (self.tabs, 1), on=self, margins=(6, 6, 6, 4))
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
     def _connect(self) -> None:

@@ -5,8 +5,10 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QMessageBox, QWidget
 
+from phonemeanalyser.desktop.calibrate.compare_panel import ComparePanel
 from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import preset_filter
 from phonemeanalyser.desktop.settings import keep, read
@@ -26,6 +28,13 @@ class CalibrationDialogs(QObject):
         calibration.recordings.unknown.connect(self.ask_names)
         calibration.takes.opened.connect(self._remember_project)
 
+    def join(self, page: CalibrationPage) -> None:
+        """Answer what a page asks."""
+        page.takes.project_asked.connect(self.ask_project)
+        page.takes.empty_asked.connect(self.ask_empty_deleted)
+        page.takes.import_asked.connect(self.ask_recordings)
+        page.workbench.compare.file_asked.connect(lambda: self._ask_preset(page.workbench.compare))
+
     def restore(self) -> None:
         """Take up the project and the speaker of the last start, where the project is still there."""
         takes = self._calibration.takes
@@ -41,8 +50,7 @@ class CalibrationDialogs(QObject):
     def ask_project(self) -> None:
         """Let the user choose the folder of his takes."""
         folder = self._calibration.takes.folder or self._calibration.session.microphone.folder
-        chosen = self._files.ask_folder(tr("The folder of the takes"), folder)
-        if chosen is not None:
+        if chosen := self._files.ask_folder(tr("The folder of the takes"), folder):
             self._calibration.takes.open(chosen)
 
     def ask_empty_deleted(self) -> None:
@@ -79,9 +87,10 @@ class CalibrationDialogs(QObject):
         if dialog.exec():
             self._calibration.recordings.map(dialog.mapping(), sources)
 
-    def ask_preset(self) -> Path | None:
+    def _ask_preset(self, panel: ComparePanel) -> None:
         """Let the user choose a preset to compare with."""
-        return self._files.ask_file(tr("A preset to compare with"), preset_filter(), "preset")
+        if path := self._files.ask_file(tr("A preset to compare with"), preset_filter(), "preset"):
+            panel.offer(path)
 
     def _remember_project(self) -> None:
         if self._calibration.takes.folder is not None:

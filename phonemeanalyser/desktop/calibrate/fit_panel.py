@@ -1,12 +1,13 @@
 """Fits thresholds: begins it, shows how far it is, and what it gained."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
 
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.fit_model import FitModel
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column, label, named, row
 
 
 class FitPanel(QWidget):
@@ -16,13 +17,11 @@ class FitPanel(QWidget):
         super().__init__()
         self._fit = fit
         self.begin = QPushButton(tr("Fit thresholds"))
-        self.stop, self.accept, self.refuse = (
-            QPushButton(tr("cancel")),
-            QPushButton(tr("accept")),
-            QPushButton(tr("refuse")),
-        )
+        self.stop = named(QPushButton(tr("cancel")), tip=tr("End the search; the preset stays as it is"))
+        self.accept = named(QPushButton(tr("accept")), tip=tr("Use what was found; Ctrl+Z takes it back"))
+        self.refuse = named(QPushButton(tr("refuse")), tip=tr("Leave the preset as it is"))
         self.progress = QProgressBar()
-        self.words = QLabel()
+        self.words = label(wraps=True)
         self.figures = FiguresTable((tr("before"), tr("after"), tr("left out")), theme)
         self._lay_out()
         self._connect()
@@ -63,21 +62,10 @@ class FitPanel(QWidget):
         )
 
     def _lay_out(self) -> None:
-        self.stop.setToolTip(tr("End the search; the preset stays as it is"))
-        self.refuse.setToolTip(tr("Leave the preset as it is"))
-        self.words.setWordWrap(True)
-        row = QHBoxLayout()
-        for widget in (self.begin, self.progress, self.stop, self.accept, self.refuse):
+        widgets = (self.begin, self.progress, self.stop, self.accept, self.refuse)
+        for widget in widgets:
             widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            row.addWidget(widget)
-        row.addStretch(1)
-        self.accept.setToolTip(tr("Use what was found; Ctrl+Z takes it back"))
-        column = QVBoxLayout(self)
-        column.setContentsMargins(6, 6, 6, 4)
-        column.addLayout(row)
-        column.addWidget(self.words)
-        column.addWidget(self.figures, 1)
-        column.addStretch(0)
+        column(row(*widgets, 1), self.words, (self.figures, 1), 0, on=self, margins=(6, 6, 6, 4))
 
     def _connect(self) -> None:
         self.begin.clicked.connect(self._fit.begin)

@@ -3,9 +3,9 @@
 import math
 from typing import Any
 
-from PySide6.QtCore import QRectF, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.calibrate.figures_table import FiguresTable
 from phonemeanalyser.desktop.calibrate.guide_model import Phase
@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, label, row, silent, spoken_button, tab_buttons
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.sentences import LANGUAGES
 
@@ -123,17 +124,46 @@ class GuideView(QWidget):
         super().__init__()
         self._calibration = calibration
         self._theme = theme
-        self.title, self.hint, self.advice, self.room = QLabel(), QLabel(), QLabel(), QLabel()
+        self.title, self.hint = label(wraps=True), label(wraps=True)
+        self.advice, self.room = label(wraps=True), label(colour=theme.faint, wraps=True)
         self.steps = StepsLine(calibration, theme)
         self.ring = CountdownRing(calibration, theme)
         self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
         self.figures = FiguresTable((tr("before"), tr("after")), theme)
         self.head = head
-        self.language, self.sounds = QComboBox(), QToolButton()
-        self.hear_old, self.hear_new, self.save = QToolButton(), QToolButton(), QToolButton()
-        self.start = QToolButton()
-        self.back, self.again, self.skip = QToolButton(), QToolButton(), QToolButton()
-        self.cancel, self.refuse, self.accept = QToolButton(), QToolButton(), QToolButton()
+        guide = calibration.guide
+        self.language = choice(
+            ((tr(name), name) for name in LANGUAGES),
+            tr("language of the sentences"),
+            tr("The language of the sentences that are read"),
+        )
+        self.sounds = spoken_button(
+            tr("single sounds"),
+            tr("Say nine single sounds in place of the sentence that is learned from"),
+            lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
+        )
+        self.hear_old = spoken_button(
+            tr("▶ old preset"), tr("Hear the sentence, and see the head with the old preset"), self._hear_old
+        )
+        self.hear_new = spoken_button(
+            tr("▶ new preset"), tr("Hear the sentence, and see the head with the new preset"), self._hear_new
+        )
+        self.save = spoken_button(
+            tr("use and save as…"), tr("Change the preset, and save it under a name of its own"), self._save
+        )
+        self.start = spoken_button(tr("start"), tr("Count down from two, then keep quiet (Return)"), guide.start)
+        self.back = spoken_button(tr("◀ back"), tr("Say what came before once more (Backspace)"), guide.back)
+        self.again = spoken_button(tr("again"), tr("Say this once more (R)"), guide.again)
+        self.skip = spoken_button(tr("skip ▶"), tr("Go on without this (Right)"), guide.skip)
+        self.cancel = spoken_button(
+            tr("cancel"), tr("End the guide, and delete its takes; Ctrl+Z brings them back (Escape)"), guide.cancel
+        )
+        self.refuse = spoken_button(
+            tr("keep the old preset"), tr("Leave the preset as it was; the takes stay (Escape)"), guide.cancel
+        )
+        self.accept = spoken_button(
+            tr("use the new preset"), tr("Change the preset; Ctrl+Z takes it back (Return)"), self._accept
+        )
         self._lay_out()
         self._connect()
         self._show()
@@ -145,122 +175,41 @@ class GuideView(QWidget):
         self.meter.update()
 
     def _lay_out(self) -> None:
-        column = QVBoxLayout(self)
-        column.setContentsMargins(24, 12, 24, 12)
-        column.setSpacing(8)
-        for label in (self.title, self.hint, self.advice, self.room):
-            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            label.setWordWrap(True)
+        for told in (self.title, self.hint, self.advice, self.room):
+            told.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.advice.setMinimumHeight(34)
         self.advice.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold")
-        self.room.setStyleSheet(f"color: {self._theme.faint}")
-        column.addWidget(self.title)
-        column.addWidget(self.steps)
-        column.addWidget(self.ring, 3)
-        column.addWidget(self.hint)
-        column.addLayout(self._outcome_row(), 3)
-        for widget in (self.advice, self.meter, self.room):
-            column.addWidget(widget)
         for button in (self.accept, self.start):
             button.setStyleSheet(
                 f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
                 " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
             )
-        row = QHBoxLayout()
-        row.addStretch(1)
-        row.addWidget(self.language)
-        for button in (
-            self.sounds,
-            self.back,
-            self.again,
-            self.skip,
-            self.cancel,
-            self.refuse,
-            self.save,
-            self.accept,
-            self.start,
-        ):
-            button.setMinimumHeight(28)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            row.addWidget(button)
-        row.addStretch(1)
-        column.addLayout(row)
-
-    def _outcome_row(self) -> QHBoxLayout:
-        """Lay the head beside the figures, with what it says below it."""
-        beside, below, sides = QVBoxLayout(), QHBoxLayout(), QHBoxLayout()
-        for button in (self.hear_old, self.hear_new):
+        for button in (self.sounds, self.hear_old, self.hear_new):
             button.setCheckable(True)
-            button.setMinimumHeight(28)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-            below.addWidget(button)
-        beside.addWidget(self.head, 1)
-        beside.addLayout(below)
-        sides.addWidget(self.figures, 3)
-        sides.addLayout(beside, 2)
-        return sides
+        self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        heads = column((self.head, 1), row(*tab_buttons(self.hear_old, self.hear_new, height=28)))
+        learned = (self.refuse, self.save, self.accept)
+        buttons = tab_buttons(
+            self.sounds, self.back, self.again, self.skip, self.cancel, *learned, self.start, height=28
+        )
+        column(
+            self.title,
+            self.steps,
+            (self.ring, 3),
+            self.hint,
+            (row((self.figures, 3), (heads, 2)), 3),
+            self.advice,
+            self.meter,
+            self.room,
+            row(1, self.language, *buttons, 1),
+            on=self,
+            margins=(24, 12, 24, 12),
+            spacing=8,
+        )
 
     def _connect(self) -> None:
         guide = self._calibration.guide
-        for name in LANGUAGES:
-            self.language.addItem(tr(name), name)
-        self.language.setToolTip(tr("The language of the sentences that are read"))
-        self.language.setAccessibleName(tr("language of the sentences"))
-        self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.language.activated.connect(lambda k: guide.choose(LANGUAGES[k], by_sounds=guide.by_sounds))
-        self.sounds.setCheckable(True)
-        for button, text, tip, act in (
-            (
-                self.sounds,
-                tr("single sounds"),
-                tr("Say nine single sounds in place of the sentence that is learned from"),
-                lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
-            ),
-            (self.back, tr("◀ back"), tr("Say what came before once more (Backspace)"), guide.back),
-            (self.again, tr("again"), tr("Say this once more (R)"), guide.again),
-            (self.skip, tr("skip ▶"), tr("Go on without this (Right)"), guide.skip),
-            (self.start, tr("start"), tr("Count down from two, then keep quiet (Return)"), guide.start),
-            (
-                self.cancel,
-                tr("cancel"),
-                tr("End the guide, and delete its takes; Ctrl+Z brings them back (Escape)"),
-                guide.cancel,
-            ),
-            (
-                self.refuse,
-                tr("keep the old preset"),
-                tr("Leave the preset as it was; the takes stay (Escape)"),
-                guide.cancel,
-            ),
-            (
-                self.save,
-                tr("use and save as…"),
-                tr("Change the preset, and save it under a name of its own"),
-                self._save,
-            ),
-            (
-                self.accept,
-                tr("use the new preset"),
-                tr("Change the preset; Ctrl+Z takes it back (Return)"),
-                self._accept,
-            ),
-            (
-                self.hear_old,
-                tr("▶ old preset"),
-                tr("Hear the sentence, and see the head with the old preset"),
-                self._hear_old,
-            ),
-            (
-                self.hear_new,
-                tr("▶ new preset"),
-                tr("Hear the sentence, and see the head with the new preset"),
-                self._hear_new,
-            ),
-        ):
-            button.setText(text)
-            button.setToolTip(tip)
-            button.setAccessibleName(tip)
-            button.clicked.connect(lambda _checked=False, act=act: act())
         for key, buttons in (
             ("Backspace", (self.back,)),
             ("R", (self.again,)),
@@ -313,7 +262,7 @@ class GuideView(QWidget):
         for shown in (self.meter, self.room):
             shown.setVisible(asking or ready or guide.phase is Phase.COUNTING)
         self.start.setVisible(ready)
-        with QSignalBlocker(self.language):
+        with silent(self.language):
             self.language.setCurrentIndex(self.language.findData(guide.language))
         self.back.setVisible(asking or done)
         self.language.setVisible(asking or ready)

@@ -1,18 +1,10 @@
 """Asks which of our phonemes the unknown names in label files stand for."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import (
-    QComboBox,
-    QDialog,
-    QDialogButtonBox,
-    QGridLayout,
-    QLabel,
-    QScrollArea,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QComboBox, QDialog, QGridLayout, QScrollArea, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, column, dialog_buttons, label
 from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.phonemes import Phoneme
 
@@ -24,36 +16,29 @@ class MappingDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Names in the labels"))
         self.boxes: dict[str, QComboBox] = {}
-        intro = QLabel(
+        intro = label(
             tr(
                 "These names stand for no sound that is known here. Say what each one is; what stays unidentified "
                 "counts neither as right nor as wrong."
-            )
+            ),
+            wraps=True,
         )
-        intro.setWordWrap(True)
         body = QWidget()
         grid = QGridLayout(body)
+        phonemes = [(phoneme.label, phoneme) for phoneme in Phoneme]
         for row, (name, count) in enumerate(sorted(counts.items(), key=lambda entry: -entry[1])):
-            label = QLabel(f"{name}")
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            self.boxes[name] = box = QComboBox()
-            for phoneme in Phoneme:
-                box.addItem(phoneme.label, phoneme)
+            words = label(name)
+            words.setTextFormat(Qt.TextFormat.PlainText)
+            self.boxes[name] = box = choice(phonemes, tr("sound of {name}").format(name=name))
             box.setCurrentIndex(box.findData(Phoneme.UNIDENTIFIED))
-            box.setAccessibleName(tr("sound of {name}").format(name=name))
-            for column, widget in enumerate((label, QLabel(f"{count} ×"), box)):
-                grid.addWidget(widget, row, column)
+            for k, widget in enumerate((words, label(f"{count} ×"), box)):
+                grid.addWidget(widget, row, k)
         grid.setRowStretch(len(counts), 1)
         leave_wheel(body)
         scroll = QScrollArea()
         scroll.setWidget(body)
         scroll.setWidgetResizable(True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        column_of_all = QVBoxLayout(self)
-        for part in (intro, scroll, buttons):
-            column_of_all.addWidget(part)
+        column(intro, scroll, dialog_buttons(self, OK, CANCEL), on=self, margins=None)
         self.resize(380, 420)
 
     def mapping(self) -> dict[str, Phoneme]:

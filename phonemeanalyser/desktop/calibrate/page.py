@@ -1,12 +1,13 @@
 """The page of the calibration: takes at the left, and what they say of the preset at the right."""
 
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.calibrate.guide_view import GuideView
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.takes_panel import TakesPanel
 from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import line, row
 from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 
@@ -49,14 +50,6 @@ class CalibrationPage(QWidget):
         self.takes.record.setEnabled(not running)
 
     def _lay_out(self) -> None:
-        line = QFrame()
-        line.setFixedWidth(1)
-        line.setStyleSheet(f"background: {self._theme.line}")
         self.right.addWidget(self.workbench)
         self.right.addWidget(self.guide)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(0)
-        row.addWidget(self.takes)
-        row.addWidget(line)
-        row.addWidget(self.right, 1)
+        row(self.takes, line(self._theme.line, upright=True), (self.right, 1), on=self, spacing=0)

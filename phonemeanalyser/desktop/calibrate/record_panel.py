@@ -2,13 +2,14 @@
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPaintEvent, QShortcut
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QSizePolicy, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.builders import column, row, spoken_button
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.phonemes import Phoneme
 
@@ -25,7 +26,6 @@ class PhonemeButton(QToolButton):
         self._theme = theme
         self.setMinimumSize(52, 40)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         name = phoneme.label
         self.setAccessibleName(tr("record a take of {name}").format(name=name))
         self.setToolTip(
@@ -64,7 +64,8 @@ class RecordPanel(QWidget):
         self._theme = theme
         self.buttons = {phoneme: PhonemeButton(phoneme, theme) for phoneme in KEYS}
         self.hint = QLabel()
-        self.start, self.end = QToolButton(), QToolButton()
+        self.start = spoken_button("[", tr("The marked stretch of the file begins where the file stands ([)"))
+        self.end = spoken_button("]", tr("The marked stretch of the file ends where the file stands (])"))
         self._lay_out()
         self._connect()
         self._show_takes()
@@ -92,28 +93,13 @@ class RecordPanel(QWidget):
                 button.setDown(phoneme is held)
 
     def _lay_out(self) -> None:
-        for button, text, tip in (
-            (self.start, "[", tr("The marked stretch of the file begins where the file stands ([)")),
-            (self.end, "]", tr("The marked stretch of the file ends where the file stands (])")),
-        ):
-            button.setText(text)
-            button.setToolTip(tip)
-            button.setAccessibleName(tip)
+        for button in (self.start, self.end):
             button.setFixedWidth(24)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        head = QHBoxLayout()
-        head.addWidget(self.hint, 1)
-        head.addWidget(self.start)
-        head.addWidget(self.end)
-        grid = QGridLayout()
-        grid.setSpacing(4)
+        buttons = QGridLayout()
+        buttons.setSpacing(4)
         for k, button in enumerate(self.buttons.values()):
-            grid.addWidget(button, k // COLUMNS, k % COLUMNS)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(3)
-        column.addLayout(head)
-        column.addLayout(grid)
+            buttons.addWidget(button, k // COLUMNS, k % COLUMNS)
+        column(row((self.hint, 1), self.start, self.end), buttons, on=self, spacing=3)
 
     def _connect(self) -> None:
         calibration = self._calibration

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 
 MOST = 500
@@ -40,21 +41,9 @@ class SegmentList(QTableWidget):
         self.setHorizontalHeaderLabels([tr("recording"), tr("from (s)"), "ms", words])
         self.setAccessibleName(name)
         self.setToolTip(tr("Click a stretch to hear it, or choose one and press Return"))
-        header = self.horizontalHeader()
-        header.setFixedHeight(22)
-        header.setHighlightSections(False)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column, width in ((1, 60), (2, 44), (3, 90 if words else 0)):
-            header.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
-            header.resizeSection(column, width)
+        style_list(self, 20, (0, 60, 44, 90))
         self.setColumnHidden(3, not words)
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(20)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setShowGrid(False)
-        self.setTabKeyNavigation(False)
         self.setMinimumHeight(60)
         let_copy(self)
         self.cellClicked.connect(lambda row, _column: self._play(row))

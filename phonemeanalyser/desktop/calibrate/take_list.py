@@ -5,12 +5,13 @@ from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
+from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.calibrate.takes_model import TakesModel
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.key_filters import give_letters_to_page
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.takes.take import Take
@@ -95,22 +96,10 @@ class TakeListView(QTableWidget):
         self.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         for k, tip in enumerate(TIPS):
             self.model().setHeaderData(k, Qt.Orientation.Horizontal, tr(tip), Qt.ItemDataRole.ToolTipRole)
-        header = self.horizontalHeader()
-        header.setMinimumSectionSize(20)
-        header.setHighlightSections(False)
-        for k, width in enumerate((70, 0, 40, 38, 82)):
-            header.setSectionResizeMode(k, QHeaderView.ResizeMode.Fixed if width else QHeaderView.ResizeMode.Stretch)
-            if width:
-                header.resizeSection(k, width)
-        header.setFixedHeight(22)
-        self.verticalHeader().hide()
-        self.verticalHeader().setDefaultSectionSize(22)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.horizontalHeader().setMinimumSectionSize(20)
+        style_list(self, 22, (70, 0, 40, 38, 82))
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setShowGrid(False)
-        self.setTabKeyNavigation(False)
         self.setAccessibleName(tr("takes"))
 
     def _fill(self) -> None:

@@ -3,9 +3,9 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QKeySequence, QShortcut
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QLineEdit, QMenu, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLineEdit, QMenu, QToolButton, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.record_panel import RecordPanel
@@ -13,6 +13,16 @@ from phonemeanalyser.desktop.calibrate.take_list import TakeListView
 from phonemeanalyser.desktop.calibrate.take_waveform import TakeWaveform
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import (
+    choice,
+    column,
+    label,
+    named,
+    open_at_once,
+    row,
+    silent,
+    spoken_button,
+)
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 
@@ -40,14 +50,35 @@ class TakesPanel(QWidget):
         self._calibration = calibration
         self._theme = theme
         self.project, self.recordings = ElidedLabel(), ElidedLabel()
-        self.open, self.add, self.clear = QToolButton(), QToolButton(), QToolButton()
-        self.speaker = QLineEdit(calibration.takes.speaker)
-        self.guide, self.room = QToolButton(), QToolButton()
+        self.open = spoken_button(
+            tr("folder…"), tr("Choose the folder of the takes, or write labels for other programs beside them")
+        )
+        self.add = spoken_button(tr("load"), tr("Load labelled recordings: TextGrid, Audacity's labels, CSV"))
+        self.clear = spoken_button("✕", tr("Forget the labelled recordings; their files stay"))
+        self.speaker = named(
+            QLineEdit(calibration.takes.speaker),
+            tr("speaker"),
+            tr("Who says the takes that are recorded from now on"),
+        )
+        self.guide = spoken_button(
+            tr("Guided calibration…"), tr("Be led through silence and all sounds in under a minute (G)")
+        )
+        self.room = spoken_button(
+            tr("room"), tr("Measure the room: two seconds of quiet set silence and denoising of any recogniser")
+        )
         self.record = RecordPanel(calibration, theme)
         self.list = TakeListView(calibration.takes, theme)
         self.wave = TakeWaveform(calibration.takes, theme)
-        self.play, self.exclude, self.delete = QToolButton(), QToolButton(), QToolButton()
-        self.phoneme = QComboBox()
+        self.play = spoken_button(tr("play"), tr("Play what counts of the take (Return, or a double click)"))
+        self.exclude = spoken_button(
+            tr("exclude"), tr("Let the chosen takes count for nothing for now, or count again (X)")
+        )
+        self.delete = spoken_button(tr("delete"), tr("Delete the chosen takes (Delete); Ctrl+Z brings them back"))
+        self.phoneme = choice(
+            ((phoneme.label, phoneme) for phoneme in KEYS),
+            tr("sound of the take"),
+            tr("What the chosen take is: choose another sound to relabel it"),
+        )
         self._fill()
         self._lay_out()
         self._connect()
@@ -56,32 +87,6 @@ class TakesPanel(QWidget):
         self._show_take()
 
     def _fill(self) -> None:
-        for button, text, tip in (
-            (
-                self.open,
-                tr("folder…"),
-                tr("Choose the folder of the takes, or write labels for other programs beside them"),
-            ),
-            (self.add, tr("load"), tr("Load labelled recordings: TextGrid, Audacity's labels, CSV")),
-            (self.clear, "✕", tr("Forget the labelled recordings; their files stay")),
-            (
-                self.guide,
-                tr("Guided calibration…"),
-                tr("Be led through silence and all sounds in under a minute (G)"),
-            ),
-            (
-                self.room,
-                tr("room"),
-                tr("Measure the room: two seconds of quiet set silence and denoising of any recogniser"),
-            ),
-            (self.play, tr("play"), tr("Play what counts of the take (Return, or a double click)")),
-            (self.exclude, tr("exclude"), tr("Let the chosen takes count for nothing for now, or count again (X)")),
-            (self.delete, tr("delete"), tr("Delete the chosen takes (Delete); Ctrl+Z brings them back")),
-        ):
-            button.setText(text)
-            button.setToolTip(tip)
-            button.setAccessibleName(tip)
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self._add_menu(
             self.add,
             (tr("A Folder of Labelled Recordings…"), lambda: self.import_asked.emit(True)),
@@ -103,39 +108,25 @@ class TakesPanel(QWidget):
             " border-radius: 4px; font-weight: bold }"
             f"QToolButton:disabled {{ background: {self._theme.line} }}"
         )
-        self.speaker.setToolTip(tr("Who says the takes that are recorded from now on"))
-        self.speaker.setAccessibleName(tr("speaker"))
-        self.phoneme.setToolTip(tr("What the chosen take is: choose another sound to relabel it"))
-        self.phoneme.setAccessibleName(tr("sound of the take"))
-        for phoneme in KEYS:
-            self.phoneme.addItem(phoneme.label, phoneme)
 
     def _add_menu(self, button: QToolButton, *entries: tuple[str, Callable[[], object]]) -> None:
         menu = QMenu(button)
         for text, act in entries:
             menu.addAction(text, act)
-        button.setMenu(menu)
-        button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        open_at_once(button, menu)
 
     def _lay_out(self) -> None:
-        column = QVBoxLayout(self)
-        column.setContentsMargins(8, 6, 6, 6)
-        column.setSpacing(5)
-        for row in (
-            (QLabel(tr("<b>Takes</b>")), self.project, self.open),
-            (QLabel(tr("Speaker")), self.speaker),
-            (self.guide, self.room),
-            (self.record,),
-            (self.list,),
-            (self.wave,),
-            (self.play, self.phoneme, self.exclude, self.delete),
-            (QLabel(tr("<b>Recordings</b>")), self.recordings, self.clear, self.add),
-        ):
-            line = QHBoxLayout()
-            line.setSpacing(5)
-            for widget in row:
-                line.addWidget(widget, 1 if widget in {self.project, self.recordings, self.phoneme} else 0)
-            column.addLayout(line, 1 if row == (self.list,) else 0)
+        lines = (
+            row(label(tr("<b>Takes</b>")), (self.project, 1), self.open, spacing=5),
+            row(label(tr("Speaker")), self.speaker, spacing=5),
+            row(self.guide, self.room, spacing=5),
+            self.record,
+            (self.list, 1),
+            self.wave,
+            row(self.play, (self.phoneme, 1), self.exclude, self.delete, spacing=5),
+            row(label(tr("<b>Recordings</b>")), (self.recordings, 1), self.clear, self.add, spacing=5),
+        )
+        column(*lines, on=self, margins=(8, 6, 6, 6), spacing=5)
         self.setFixedWidth(WIDTH)
 
     def _connect(self) -> None:
@@ -212,7 +203,7 @@ class TakesPanel(QWidget):
             widget.setEnabled(take is not None)
         self.exclude.setText(tr("include") if take is not None and take.excluded else tr("exclude"))
         if take is not None:
-            with QSignalBlocker(self.phoneme):
+            with silent(self.phoneme):
                 self.phoneme.setCurrentIndex(self.phoneme.findData(take.phoneme))
 
 

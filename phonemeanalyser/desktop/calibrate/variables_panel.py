@@ -4,22 +4,12 @@ import math
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QComboBox,
-    QGridLayout,
-    QHeaderView,
-    QLabel,
-    QPushButton,
-    QTableWidget,
-    QTableWidgetItem,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractItemView, QGridLayout, QPushButton, QTableWidget, QTableWidgetItem, QWidget
 
 from phonemeanalyser.desktop.calibrate.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, silent, style_list, tab_buttons
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
@@ -48,11 +38,25 @@ class VariablesPanel(QWidget):
         super().__init__()
         self._workbench = workbench
         self._theme = theme
-        self.table = QTableWidget(0, 2)
-        self.one, self.other = QComboBox(), QComboBox()
-        self.search = QPushButton(tr("suggest"))
-        self.add = QPushButton(tr("add"))
-        self.words = QLabel()
+        self.table = named(
+            QTableWidget(0, 2),
+            tr("variables"),
+            tr(
+                "The chance that of two frames of different sounds a threshold tells which is which: 50 % says "
+                "nothing"
+            ),
+        )
+        sounds = [(phoneme.label, phoneme) for phoneme in KEYS]
+        told_apart, other = tr("Sound that is to be told apart"), tr("... from this one, or from all")
+        self.one = choice(sounds, told_apart, told_apart)
+        self.other = choice([*sounds, (tr("all others"), None)], other, other)
+        self.search = named(
+            QPushButton(tr("suggest")), tip=tr("Search for frequency ranges that part these two best")
+        )
+        self.add = named(
+            QPushButton(tr("add")), tip=tr("Add the suggested variable to the preset; Ctrl+Z takes it back")
+        )
+        self.words = label(wraps=True)
         self._lay_out()
         self._connect()
         self._fill()
@@ -61,61 +65,22 @@ class VariablesPanel(QWidget):
         self.setFixedWidth(216)
         self.table.setHorizontalHeaderLabels([tr("variable"), tr("separates")])
         let_copy(self.table)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        header.setSectionResizeMode(1, QHeaderView.ResizeMode.Fixed)
-        header.resizeSection(1, 68)
-        header.setFixedHeight(22)
-        header.setHighlightSections(False)
-        self.table.verticalHeader().hide()
-        self.table.verticalHeader().setDefaultSectionSize(20)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        style_list(self.table, 20, (0, 68))
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setShowGrid(False)
         self.table.setWordWrap(False)
-        self.table.setTabKeyNavigation(False)
-        self.table.setAccessibleName(tr("variables"))
-        self.table.setToolTip(
-            tr(
-                "The chance that of two frames of different sounds a threshold tells which is which: 50 % says "
-                "nothing"
-            )
-        )
-        for phoneme in KEYS:
-            self.one.addItem(phoneme.label, phoneme)
-            self.other.addItem(phoneme.label, phoneme)
-        self.other.addItem(tr("all others"), None)
         self.one.setCurrentIndex(self.one.findData(Phoneme.SZ))
         self.other.setCurrentIndex(self.other.findData(Phoneme.SCH))
-        for box, name in (
-            (self.one, tr("Sound that is to be told apart")),
-            (self.other, tr("... from this one, or from all")),
-        ):
-            box.setToolTip(name)
-            box.setAccessibleName(name)
-        self.search.setToolTip(tr("Search for frequency ranges that part these two best"))
-        self.add.setToolTip(tr("Add the suggested variable to the preset; Ctrl+Z takes it back"))
-        for button in (self.search, self.add):
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(6, 4, 4, 4)
-        column.setSpacing(4)
-        column.addWidget(self.table, 1)
-        grid = QGridLayout()
-        grid.setSpacing(4)
-        grid.addWidget(QLabel(tr("part")), 0, 0)
-        grid.addWidget(self.one, 0, 1)
-        grid.addWidget(QLabel(tr("from")), 0, 2)
-        grid.addWidget(self.other, 0, 3)
-        grid.setColumnStretch(1, 1)
-        grid.setColumnStretch(3, 1)
-        grid.addWidget(self.search, 1, 0, 1, 2)
-        grid.addWidget(self.add, 1, 2, 1, 2)
-        column.addLayout(grid)
-        self.words.setWordWrap(True)
+        tab_buttons(self.search, self.add)
+        pair = QGridLayout()
+        pair.setSpacing(4)
+        for k, widget in enumerate((label(tr("part")), self.one, label(tr("from")), self.other)):
+            pair.addWidget(widget, 0, k)
+        pair.setColumnStretch(1, 1)
+        pair.setColumnStretch(3, 1)
+        pair.addWidget(self.search, 1, 0, 1, 2)
+        pair.addWidget(self.add, 1, 2, 1, 2)
         self.words.setVisible(False)
-        column.addWidget(self.words)
+        column((self.table, 1), pair, self.words, on=self, margins=(6, 4, 4, 4), spacing=4)
 
     def _connect(self) -> None:
         self.table.currentCellChanged.connect(self._choose)
@@ -135,21 +100,23 @@ class VariablesPanel(QWidget):
             if s.variable.name not in have
         ]
         rows = [*suggested, *ranked]
-        self.table.blockSignals(True)
-        self.table.setRowCount(len(rows))
-        for row, (name, text, separation, words) in enumerate(rows):
-            new = row < len(suggested)
-            items = QTableWidgetItem(text), QTableWidgetItem("–" if math.isnan(separation) else f"{separation:.0%}")
-            items[1].setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            for column, item in enumerate(items):
-                item.setData(NAME, name)
-                item.setToolTip(words)
-                item.setForeground(QColor(self._theme.accent if new else self._theme.text))
-                self.table.setItem(row, column, item)
-            preview = self._workbench.preview
-            if name == (self._workbench.variable if preview is None else preview.variable.name):
-                self.table.setCurrentCell(row, 0)
-        self.table.blockSignals(False)
+        with silent(self.table):
+            self.table.setRowCount(len(rows))
+            for row, (name, text, separation, words) in enumerate(rows):
+                new = row < len(suggested)
+                items = (
+                    QTableWidgetItem(text),
+                    QTableWidgetItem("–" if math.isnan(separation) else f"{separation:.0%}"),
+                )
+                items[1].setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                for column, item in enumerate(items):
+                    item.setData(NAME, name)
+                    item.setToolTip(words)
+                    item.setForeground(QColor(self._theme.accent if new else self._theme.text))
+                    self.table.setItem(row, column, item)
+                preview = self._workbench.preview
+                if name == (self._workbench.variable if preview is None else preview.variable.name):
+                    self.table.setCurrentCell(row, 0)
         self._show_add()
 
     def _choose(self, row: int, _column: int, old: int, _old_column: int) -> None:

@@ -4,7 +4,7 @@ import math
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QSplitter, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QSplitter, QTabWidget, QWidget
 
 from phonemeanalyser.desktop.calibrate.compare_panel import ComparePanel
 from phonemeanalyser.desktop.calibrate.confusion_view import ConfusionView
@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.calibrate.variables_panel import VariablesPanel
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column, label, named, row
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.presets.ears import ear_in_words, for_files
@@ -46,7 +47,15 @@ class WorkbenchView(QWidget):
         self.variables = VariablesPanel(workbench, theme)
         self.distribution = DistributionView(workbench, theme)
         self.confusion = ConfusionView(theme)
-        self.figures, self.cell = QLabel(), QLabel()
+        self.cell = label(wraps=True)
+        self.figures = named(
+            QLabel(),
+            tip=tr(
+                "<p>Macro F1 is the mean over those of the ten sounds that the labels hold. More changes a second "
+                "than the labels have are flicker.</p><p>Takes and recordings are recognised by the model for live "
+                "sound, which is what you calibrate; files that you open may have a better one.</p>"
+            ),
+        )
         self.segments = SegmentList(tr("stretches of the cell"), "")
         self.fit = FitPanel(calibration.fit, theme)
         self.compare = ComparePanel(calibration.comparison, theme)
@@ -59,18 +68,9 @@ class WorkbenchView(QWidget):
         self._show_confusion()
 
     def _lay_out(self) -> None:
-        upper = QWidget()
-        row = QHBoxLayout(upper)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(0)
-        row.addWidget(self.variables)
-        row.addWidget(self.distribution, 1)
-        listed = QWidget()
-        column = QVBoxLayout(listed)
-        column.setContentsMargins(6, 6, 6, 4)
-        self.cell.setWordWrap(True)
-        column.addWidget(self.cell)
-        column.addWidget(self.segments, 1)
+        upper, listed = QWidget(), QWidget()
+        row(self.variables, (self.distribution, 1), on=upper, spacing=0)
+        column(self.cell, (self.segments, 1), on=listed, margins=(6, 6, 6, 4))
         for widget, name in (
             (listed, tr("Stretches")),
             (Scrolled(self.fit), tr("Fit")),
@@ -82,26 +82,13 @@ class WorkbenchView(QWidget):
         self.columns.addWidget(self.confusion)
         self.columns.addWidget(self.tabs)
         self.columns.setSizes([540, 400])
-        for splitter, widgets in ((self.rows, (upper, self.columns)),):
-            for widget in widgets:
-                splitter.addWidget(widget)
-            splitter.setSizes([320, 300])
+        self.rows.addWidget(upper)
+        self.rows.addWidget(self.columns)
+        self.rows.setSizes([320, 300])
         for splitter in (self.rows, self.columns):
             splitter.setChildrenCollapsible(False)
         self.figures.setContentsMargins(8, 3, 8, 3)
-        self.figures.setToolTip(
-            tr(
-                "<p>Macro F1 is the mean over those of the ten sounds that the labels hold. More changes a second "
-                "than the labels have are flicker.</p><p>Takes and recordings are recognised by the model for live "
-                "sound, which is what you calibrate; files that you open may have a better one.</p>"
-            )
-        )
-        whole = QVBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.setSpacing(0)
-        whole.addWidget(self.rows, 1)
-        whole.addWidget(self.figures)
-        whole.addWidget(self.timeline)
+        column((self.rows, 1), self.figures, self.timeline, on=self, spacing=0)
 
     def _connect(self) -> None:
         calibration = self._calibration

@@ -1,15 +1,15 @@
 """Whose face it is, and how it moves."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.times_view import TransitionTimesView
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, grid, label, named, offer, row, silent, tool_button
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
-from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.mouth.morpher import Detail
 
@@ -42,79 +42,49 @@ class ChoicesPanel(QWidget):
         self._talking = talking
         self._theme = theme
         self.face = ElidedLabel()
-        self.own = _button(
+        self.own = tool_button(
             tr("Own Mesh…"), tr("Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
         )
-        self.shipped = _button(tr("Program’s Own"), tr("Show the head that ships with the program"))
-        self.table, self.detail = QComboBox(), QComboBox()
-        self.attack, self.release = NumberField(), NumberField()
-        self.times = TransitionTimesView(talking, theme)
-        self.blinks, self.motion, self.random = (
-            QCheckBox(tr("blinks")),
-            QCheckBox(tr("head motion")),
-            QCheckBox(tr("randomness")),
+        self.shipped = tool_button(tr("Program’s Own"), tr("Show the head that ships with the program"))
+        self.table = choice(
+            (), tr("mouth table"), tr("Which mouth shape each phoneme has, and which movestates make it")
         )
-        self._describe()
+        self.detail = choice(
+            ((tr(words), detail) for detail, words in DETAILS.items()),
+            tr("level of detail"),
+            tr("How much of the speech the mouth follows: faces that are far away need less"),
+        )
+        self.attack, self.release = _time_factor(tr("attack")), _time_factor(tr("release"))
+        self.times = TransitionTimesView(talking, theme)
+        self.blinks = named(QCheckBox(tr("blinks")), tip=tr("The eyes blink at human intervals"))
+        self.motion = named(
+            QCheckBox(tr("head motion")), tip=tr("The head moves with pitch and loudness of the voice")
+        )
+        self.random = named(
+            QCheckBox(tr("randomness")), tip=tr("Shapes and times vary a little, as they do in people")
+        )
         self._lay_out()
         self._connect()
         self._show_state()
 
-    def _describe(self) -> None:
-        self.table.setAccessibleName(tr("mouth table"))
-        self.table.setToolTip(tr("Which mouth shape each phoneme has, and which movestates make it"))
-        self.detail.setAccessibleName(tr("level of detail"))
-        self.detail.setToolTip(tr("How much of the speech the mouth follows: faces that are far away need less"))
-        for detail, words in DETAILS.items():
-            self.detail.addItem(tr(words), detail)
-        for box, what in ((self.attack, tr("attack")), (self.release, tr("release"))):
-            box.setRange(FASTEST_PERCENT, SLOWEST_PERCENT)
-            box.setSingleStep(STEP_PERCENT)
-            box.setSuffix(" %")
-            box.setAccessibleName(tr("how long every {what} is").format(what=what))
-            box.setToolTip(
-                tr("How long every {what} is: 100 % as the table has it, less is faster, more is slower").format(
-                    what=what
-                )
-            )
-            box.setKeyboardTracking(False)
-            box.installEventFilter(NumberFieldKeys(self))
-        self.blinks.setToolTip(tr("The eyes blink at human intervals"))
-        self.motion.setToolTip(tr("The head moves with pitch and loudness of the voice"))
-        self.random.setToolTip(tr("Shapes and times vary a little, as they do in people"))
-
     def _lay_out(self) -> None:
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setVerticalSpacing(5)
-        grid.setHorizontalSpacing(8)
+        table = grid(self, across=8, down=5)
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
             (tr("Face"), (self.face, self.own, self.shipped)),
-            (tr("Table"), (self.table, QLabel(tr("detail")), self.detail)),
+            (tr("Table"), (self.table, label(tr("detail")), self.detail)),
             (
                 tr("Times"),
-                (
-                    QLabel(tr("attack")),
-                    self.attack,
-                    QLabel(tr("release")),
-                    self.release,
-                    QLabel(tr("of the table’s")),
-                ),
+                (label(tr("attack")), self.attack, label(tr("release")), self.release, label(tr("of the table’s"))),
             ),
             ("", (self.times,)),
             (tr("Life"), (self.blinks, self.motion, self.random)),
         )
         for number, (name, widgets) in enumerate(rows):
-            label = QLabel(name)
-            label.setStyleSheet(f"color: {self._theme.faint}")
-            grid.addWidget(label, number, 0)
-            row = QHBoxLayout()
-            row.setSpacing(8)
-            for widget in widgets:
-                row.addWidget(widget, 1 if isinstance(widget, WIDE) else 0)
-            if not any(isinstance(widget, WIDE) for widget in widgets):
-                row.addStretch(1)
-            grid.addLayout(row, number, 1)
-        grid.setColumnStretch(1, 1)
+            table.addWidget(label(name, self._theme.faint), number, 0)
+            wide = [isinstance(widget, WIDE) for widget in widgets]
+            parts = zip(widgets, map(int, wide), strict=True)
+            table.addLayout(row(*parts, *([] if any(wide) else [1]), spacing=8), number, 1)
+        table.setColumnStretch(1, 1)
 
     def _connect(self) -> None:
         talking = self._talking
@@ -142,35 +112,28 @@ class ChoicesPanel(QWidget):
 
     def _show_state(self) -> None:
         talking = self._talking
-        boxes = (self.attack, self.release, self.blinks, self.motion, self.random)
-        blockers = [QSignalBlocker(box) for box in boxes]
-        self.face.setText(talking.face.name)
-        self.face.setToolTip(talking.face.name)
-        self.shipped.setEnabled(not talking.face.is_shipped)
-        self._list_tables()
-        self.detail.setCurrentIndex(self.detail.findData(talking.idle.detail))
-        self.attack.setValue(round(100 * talking.attack_factor))
-        self.release.setValue(round(100 * talking.release_factor))
-        self.blinks.setChecked(talking.idle.blinks)
-        self.motion.setChecked(talking.idle.head)
-        self.random.setChecked(talking.random)
-        del blockers
+        with silent(self.attack, self.release, self.blinks, self.motion, self.random):
+            self.face.setText(talking.face.name)
+            self.face.setToolTip(talking.face.name)
+            self.shipped.setEnabled(not talking.face.is_shipped)
+            self._list_tables()
+            self.detail.setCurrentIndex(self.detail.findData(talking.idle.detail))
+            self.attack.setValue(round(100 * talking.attack_factor))
+            self.release.setValue(round(100 * talking.release_factor))
+            self.blinks.setChecked(talking.idle.blinks)
+            self.motion.setChecked(talking.idle.head)
+            self.random.setChecked(talking.random)
 
     def _list_tables(self) -> None:
         """List the tables of the program that move this face, the user's own, and the way to another one."""
         talking = self._talking
         listed = talking.face.tables | {talking.table_name: talking.table.name}
-        wanted = [*((tr(words), name) for name, words in listed.items()), (tr(OWN), None)]
-        if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
-            self.table.clear()
-            for words, name in wanted:
-                self.table.addItem(words, name)
-        self.table.setCurrentIndex(self.table.findData(talking.table_name))
+        offer(
+            self.table, [*((tr(words), name) for name, words in listed.items()), (tr(OWN), None)], talking.table_name
+        )
 
 
-def _button(text: str, tip: str) -> QToolButton:
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(tip)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    return button
+def _time_factor(what: str) -> NumberField:
+    tip = tr("How long every {what} is: 100 % as the table has it, less is faster, more is slower").format(what=what)
+    field = NumberField(FASTEST_PERCENT, SLOWEST_PERCENT, step=STEP_PERCENT, unit=" %", waits=True)
+    return named(field, tr("how long every {what} is").format(what=what), tip)

@@ -12,6 +12,7 @@ from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
 from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 
@@ -36,6 +37,17 @@ class TalkDialogs(QObject):
         self._window = window
         self._talking = talking
         self._settings, self._files = settings, files
+
+    def join(self, page: TalkPage) -> None:
+        """Answer what a page asks."""
+        page.choices.mesh_asked.connect(self.ask_mesh)
+        page.choices.table_asked.connect(self.ask_table)
+        page.text.script_asked.connect(self.ask_script)
+        page.text.lexicon_asked.connect(self.ask_lexicon)
+        page.expression.file_asked.connect(self.ask_expression)
+        page.text.voice.panel.table_asked.connect(self.ask_performance)
+        page.words_asked.connect(self.ask_save_words)
+        page.speech_asked.connect(self.ask_save_speech)
 
     @staticmethod
     def opens(path: Path) -> bool:
@@ -95,8 +107,9 @@ class TalkDialogs(QObject):
     def ask_save_speech(self) -> None:
         """Let the user choose a WAV file to have the text spoken to."""
         suggested = self._files.folder_of("speech") / "text.wav"
-        path = self._files.ask_target(tr("Save the spoken text"), suggested, SPEECH, "speech", other_endings=True)
-        if path is not None:
+        if path := self._files.ask_target(
+            tr("Save the spoken text"), suggested, SPEECH, "speech", other_endings=True
+        ):
             self._talking.text.save_speech(path)
 
     def may_leave_words(self) -> bool:
@@ -145,11 +158,13 @@ class TalkDialogs(QObject):
             Kept("talk/head", lambda: talking.idle.head, talking.set_head_motion),
             Kept("talk/random", lambda: talking.random, talking.set_random),
             _kept_percent(
-                "talk/attack_percent", lambda: talking.attack_factor,
+                "talk/attack_percent",
+                lambda: talking.attack_factor,
                 lambda factor: talking.set_speed(factor, talking.release_factor),
             ),
             _kept_percent(
-                "talk/release_percent", lambda: talking.release_factor,
+                "talk/release_percent",
+                lambda: talking.release_factor,
                 lambda factor: talking.set_speed(talking.attack_factor, factor),
             ),
             Kept("talk/text", lambda: text.text if len(text.text) <= MOST_KEPT else "", text.set_text),
@@ -168,7 +183,7 @@ class TalkDialogs(QObject):
             Kept("talk/osc_address", lambda: osc.address, osc.set_address),
             Kept("talk/osc_table", lambda: osc.table, osc.set_table),
             Kept("talk/osc", lambda: osc.on, osc.set_on),
-        )  # fmt: skip
+        )
 
 
 def _kept_percent(key: str, get: Callable[[], float], put: Callable[[float], object]) -> Kept[int]:

@@ -1,26 +1,25 @@
 """Sliders for what the face expresses beside its speech, and how far speech holds that back."""
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QLineEdit,
-    QProgressBar,
-    QSlider,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QProgressBar, QSlider, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import (
+    column,
+    fill_columns,
+    grid,
+    heading,
+    label,
+    named,
+    row,
+    silent,
+    slider_of_percent,
+    tool_button,
+)
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
-from phonemeanalyser.desktop.widgets.heading import heading
 
-COLUMNS = 2
 RECORDING = tr_noop(
     "Show a face that Live Link Face recorded (CSV) beside the speech, in step with the sound in hand"
 )
@@ -51,32 +50,37 @@ class ExpressionPanel(QWidget):
         self.sliders = {
             name: _slider(tr("how far the face shows {name}").format(name=tr(name))) for name in self._model.shares
         }
-        self._percents = {name: _percent() for name in self._model.shares}
-        self.priority = _slider(tr("priority of speech"))
-        self.priority.setToolTip(
+        self._percents = {name: label(width=PERCENT_WIDTH) for name in self._model.shares}
+        self.priority = slider_of_percent(
+            tr("priority of speech"),
             tr(
                 "How much of lips and jaw speech has; the expression has the rest. 50 % gives each all that it asks "
                 "for"
-            )
+            ),
         )
-        self.meter = QProgressBar()
+        self.meter = named(
+            QProgressBar(),
+            tr("how far speech holds the expression back"),
+            tr("How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s"),
+        )
         self.meter.setRange(0, 100)
         self.meter.setTextVisible(False)
         self.meter.setFixedHeight(METER_HEIGHT)
-        self.meter.setAccessibleName(tr("how far speech holds the expression back"))
-        self.meter.setToolTip(
-            tr("How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s")
-        )
-        self.neutral = _button(tr("Neutral"), tr("Set all sliders back to 0"))
-        self.file = _button(tr("Recording…"), tr(RECORDING))
+        self.neutral = tool_button(tr("Neutral"), tr("Set all sliders back to 0"))
+        self.file = tool_button(tr("Recording…"), tr(RECORDING))
         self.recorded, self.state = ElidedLabel(), ElidedLabel()
-        self.switch, self.address = QCheckBox(tr("Listen (OSC) at")), QLineEdit()
-        self.switch.setToolTip(
-            tr("Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)")
+        self.switch = named(
+            QCheckBox(tr("Listen (OSC) at")),
+            tip=tr(
+                "Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)"
+            ),
+        )
+        self.address = named(
+            QLineEdit(),
+            tr("where expressions are listened for"),
+            tr("HOST:PORT at which other programs are heard, such as 127.0.0.1:39540"),
         )
         self.address.setPlaceholderText("HOST:PORT")
-        self.address.setAccessibleName(tr("where expressions are listened for"))
-        self.address.setToolTip(tr("HOST:PORT at which other programs are heard, such as 127.0.0.1:39540"))
         self._lay_out(theme)
         self._connect()
         self._show_state()
@@ -94,39 +98,24 @@ class ExpressionPanel(QWidget):
             self.state.setStyleSheet(f"color: {colour}")
 
     def _lay_out(self, theme: Theme) -> None:
-        head = QHBoxLayout()
-        head.addWidget(heading(tr("Expression")), 1)
-        head.addWidget(self.neutral)
-        grid = QGridLayout()
-        grid.setVerticalSpacing(3)
-        grid.setHorizontalSpacing(5)
-        n_rows = -(-len(self.sliders) // COLUMNS)
-        for k, (name, slider) in enumerate(self.sliders.items()):
-            column = 3 * (k // n_rows)
-            for offset, widget in enumerate((QLabel(tr(name)), slider, self._percents[name])):
-                grid.addWidget(widget, k % n_rows, column + offset)
-            grid.setColumnStretch(column + 1, 1)
-        below = QHBoxLayout()
-        below.setSpacing(8)
-        for words, widget in ((tr("speech priority"), self.priority), (tr("held back"), self.meter)):
-            label = QLabel(words)
-            label.setStyleSheet(f"color: {theme.faint}")
-            below.addWidget(label)
-            below.addWidget(widget, 1)
-        others = QGridLayout()
-        others.setVerticalSpacing(4)
-        others.setHorizontalSpacing(8)
-        for row, widgets in enumerate(((self.file, self.recorded), (self.switch, self.address))):
+        shares = grid(across=5, down=3)
+        fill_columns(shares, [(label(tr(name)), self.sliders[name], self._percents[name]) for name in self.sliders])
+        others = grid(across=8, down=4)
+        for line, widgets in enumerate(((self.file, self.recorded), (self.switch, self.address))):
             for place, widget in enumerate(widgets):
-                others.addWidget(widget, row, place, 1, 2 - row if place else 1)
+                others.addWidget(widget, line, place, 1, 2 - line if place else 1)
         others.addWidget(self.state, 1, 2)
         others.setColumnStretch(1, 1)
         others.setColumnStretch(2, 1)
-        column_of_all = QVBoxLayout(self)
-        column_of_all.setContentsMargins(0, 0, 0, 0)
-        column_of_all.setSpacing(4)
-        for layout in (head, grid, below, others):
-            column_of_all.addLayout(layout)
+        priority, held_back = label(tr("speech priority"), theme.faint), label(tr("held back"), theme.faint)
+        column(
+            row((heading(tr("Expression")), 1), self.neutral),
+            shares,
+            row(priority, (self.priority, 1), held_back, (self.meter, 1), spacing=8),
+            others,
+            on=self,
+            spacing=4,
+        )
 
     def _connect(self) -> None:
         for name, slider in self.sliders.items():
@@ -151,10 +140,10 @@ class ExpressionPanel(QWidget):
 
     def _show_state(self) -> None:
         for name, share in self._model.shares.items():
-            with QSignalBlocker(self.sliders[name]):
+            with silent(self.sliders[name]):
                 self.sliders[name].setValue(round(100 * share))
             self._percents[name].setText(f"{100 * share:.0f} %" if share else "")
-        with QSignalBlocker(self.priority):
+        with silent(self.priority):
             self.priority.setValue(round(100 * self._model.priority))
         self.neutral.setEnabled(any(self._model.shares.values()))
         path, heard = self._model.path, self._model.input
@@ -165,33 +154,12 @@ class ExpressionPanel(QWidget):
             else tr("{path} is shown beside the speech; do without it").format(path=path)
         )
         self.recorded.setText("" if path is None else path.name)
-        with QSignalBlocker(self.switch):
+        with silent(self.switch):
             self.switch.setChecked(heard.on)
         if not self.address.hasFocus() or not self.address.isModified():
             self.address.setText(heard.address)
         self.refresh()
 
 
-def _button(text: str, tip: str) -> QToolButton:
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(tip)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    return button
-
-
 def _slider(name: str) -> QSlider:
-    slider = QSlider(Qt.Orientation.Horizontal)
-    slider.setRange(0, 100)
-    slider.setPageStep(10)
-    slider.setMinimumWidth(44)
-    slider.setAccessibleName(name)
-    slider.setToolTip(f"{name[0].upper()}{name[1:]}")
-    return slider
-
-
-def _percent() -> QLabel:
-    label = QLabel()
-    label.setFixedWidth(PERCENT_WIDTH)
-    label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-    return label
+    return slider_of_percent(name, f"{name[0].upper()}{name[1:]}")

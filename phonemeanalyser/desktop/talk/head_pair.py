@@ -1,7 +1,7 @@
 """The head, and beside it another one that says the same by other means; each says what moves it."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
@@ -9,6 +9,7 @@ from phonemeanalyser.desktop.talk.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.moving_head import MovingHead
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column, named, row
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 
 
@@ -25,16 +26,11 @@ class CaptionedHead(QWidget):
         super().__init__()
         self._head = head
         self.view = HeadView(head, theme)
-        self.caption = ElidedLabel()
+        self.caption = named(ElidedLabel(), tr("what moves the head"))
         self.caption.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.caption.setAccessibleName(tr("what moves the head"))
         self.caption.setContentsMargins(6, 2, 6, 2)
         self.caption.setStyleSheet(f"background: {theme.base}")
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.view, 1)
-        column.addWidget(self.caption)
+        column((self.view, 1), self.caption, on=self, spacing=0)
 
     def show_state(self) -> None:
         """Say what moves it."""
@@ -55,11 +51,7 @@ class HeadPair(QWidget):
         super().__init__()
         self._talking = talking
         self.main, self.beside = CaptionedHead(talking.head, theme), CaptionedHead(talking.beside, theme)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
-        row.setSpacing(1)
-        for head in (self.main, self.beside):
-            row.addWidget(head, 1)
+        row((self.main, 1), (self.beside, 1), on=self, spacing=1)
         self.main.view.looked.connect(lambda: self._look_alike(self.main.view, self.beside.view))
         self.beside.view.looked.connect(lambda: self._look_alike(self.beside.view, self.main.view))
         talking.changed.connect(self._show_state)

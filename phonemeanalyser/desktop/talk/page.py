@@ -2,19 +2,7 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFrame,
-    QHBoxLayout,
-    QLabel,
-    QMenu,
-    QScrollArea,
-    QSizePolicy,
-    QSplitter,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QMenu, QScrollArea, QSizePolicy, QSplitter, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -29,8 +17,18 @@ from phonemeanalyser.desktop.talk.phoneme_chip import PhonemeChip
 from phonemeanalyser.desktop.talk.text_panel import TextPanel
 from phonemeanalyser.desktop.talk.viseme_panel import VisemePanel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import (
+    column,
+    heading,
+    label,
+    line,
+    named,
+    open_at_once,
+    row,
+    scrolling,
+    spoken_button,
+)
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
-from phonemeanalyser.desktop.widgets.heading import heading
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
 from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.mouth.face_driver import FaceDriver
@@ -82,17 +80,16 @@ class TalkPage(QWidget):
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
         self.keys = HeldKeys(talking, self)
-        self.open = _button(tr("Open Sound…"), tr("Open a sound file, and have the head say it at once"))
-        self.play = _button(tr("Play"), tr("Play or pause (Space)"))
-        self.stop = _button(tr("Stop"), tr("Stop (Escape)"))
-        self.preset = _button(tr("Load Preset…"), tr("Load a preset or PhonemeData file (Ctrl+Shift+O)"))
-        self.save = _button(tr("Save ▾"), tr("Save words and phones, or the text as a voice says it"))
-        self.wireframe = QCheckBox(tr("wireframe"))
-        self.wireframe.setToolTip(tr("Draw the edges of the mesh alone (W)"))
-        self.compare = _button(tr("Compare ▾"), tr("Show a second head in step, which other means move"))
-        self.home = _button("⌂", tr("Look at the whole head from the front (Home, or a double click)"))
-        self.light_left = _button("☀ ◂", tr("Move the light to the left (,)"))
-        self.light_right = _button("▸", tr("Move the light to the right (.)"))
+        self.open = spoken_button(tr("Open Sound…"), tr("Open a sound file, and have the head say it at once"))
+        self.play = spoken_button(tr("Play"), tr("Play or pause (Space)"))
+        self.stop = spoken_button(tr("Stop"), tr("Stop (Escape)"))
+        self.preset = spoken_button(tr("Load Preset…"), tr("Load a preset or PhonemeData file (Ctrl+Shift+O)"))
+        self.save = spoken_button(tr("Save ▾"), tr("Save words and phones, or the text as a voice says it"))
+        self.wireframe = named(QCheckBox(tr("wireframe")), tip=tr("Draw the edges of the mesh alone (W)"))
+        self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in step, which other means move"))
+        self.home = spoken_button("⌂", tr("Look at the whole head from the front (Home, or a double click)"))
+        self.light_left = spoken_button("☀ ◂", tr("Move the light to the left (,)"))
+        self.light_right = spoken_button("▸", tr("Move the light to the right (.)"))
         self.said = ElidedLabel()
         self.heard = PhonemeChip(talking, theme)
         self._fill_save_menu()
@@ -119,9 +116,7 @@ class TalkPage(QWidget):
         self.save_words.setToolTip(tr("Of the sound file in hand, as a TextGrid, which exports take"))
         self.save_speech = menu.addAction(tr("Spoken Text as Sound…"), self.speech_asked.emit)
         self.save_speech.setToolTip(tr("As WAV, with words and phones as a TextGrid beside it"))
-        self.save.setMenu(menu)
-        self.save.setStyleSheet("QToolButton::menu-indicator { image: none }")  # it would lie on the text
-        self.save.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        _without_arrow(self.save, menu)
 
     def _fill_compare_menu(self) -> None:
         menu = QMenu(self)
@@ -132,9 +127,7 @@ class TalkPage(QWidget):
             action.setData(driver)
             menu.addAction(action)
         self.comparisons.triggered.connect(self._choose_comparison)
-        self.compare.setMenu(menu)
-        self.compare.setStyleSheet("QToolButton::menu-indicator { image: none }")
-        self.compare.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        _without_arrow(self.compare, menu)
 
     def _choose_comparison(self, action: QAction) -> None:
         driver = action.data()
@@ -170,12 +163,16 @@ class TalkPage(QWidget):
         self.said.setToolTip(f"{session.name}: {tr_engine(session.description)}")
 
     def _lay_out(self) -> None:
+        looks = (self.compare, self.wireframe, self.light_left, self.light_right, self.home)
+        below = column(
+            row(self.open, self.play, self.stop, self.preset, self.save, 1, spacing=6),
+            row(self.heard, (self.said, 1), *looks, spacing=6),
+            self.text,
+            margins=(8, 5, 8, 5),
+            spacing=4,
+        )
         left = QWidget()
-        column = QVBoxLayout(left)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.heads, 1)
-        column.addLayout(self._rows_below())
+        column((self.heads, 1), below, on=left, spacing=0)
         split = QSplitter(Qt.Orientation.Horizontal)
         split.addWidget(left)
         split.addWidget(self._panel())
@@ -183,68 +180,34 @@ class TalkPage(QWidget):
         split.setStretchFactor(1, 0)
         split.setSizes([10_000, PANEL_WIDTH])
         split.setChildrenCollapsible(False)
-        whole = QHBoxLayout(self)
-        whole.setContentsMargins(0, 0, 0, 0)
-        whole.addWidget(split)
-
-    def _rows_below(self) -> QVBoxLayout:
-        rows = QVBoxLayout()
-        rows.setContentsMargins(8, 5, 8, 5)
-        rows.setSpacing(4)
-        looks = (self.compare, self.wireframe, self.light_left, self.light_right, self.home)
-        for widgets in ((self.open, self.play, self.stop, self.preset, self.save), (self.heard, self.said, *looks)):
-            row = QHBoxLayout()
-            row.setSpacing(6)
-            for widget in widgets:
-                row.addWidget(widget, 1 if widget is self.said else 0)
-            if self.said not in widgets:
-                row.addStretch(1)
-            rows.addLayout(row)
-        rows.addWidget(self.text)
-        return rows
+        row(split, on=self)
 
     def _panel(self) -> QWidget:
+        def part(*widgets: QWidget) -> tuple[QWidget, ...]:
+            return (line(self._theme.line), *widgets)
+
         body = QWidget()
-        column = QVBoxLayout(body)
-        column.setContentsMargins(10, 8, 10, 8)
-        column.setSpacing(8)
-        parts: tuple[tuple[QWidget, ...], ...] = (
-            (self.choices,), (self.visemes,), (self.expression,), (heading(tr("Movestates")), self.bars),
-            (heading(tr("Network")), self.osc),
-        )  # fmt: skip
-        for k, part in enumerate(parts):
-            if k:
-                column.addWidget(_line(self._theme))
-            for widget in part:
-                column.addWidget(widget)
-        column.addStretch(1)
-        hint = QLabel(f"{tr(HINT)}.")
-        hint.setWordWrap(True)
-        hint.setStyleSheet(f"color: {self._theme.faint}")
-        column.addWidget(hint)
+        column(
+            self.choices,
+            *part(self.visemes),
+            *part(self.expression),
+            *part(heading(tr("Movestates")), self.bars),
+            *part(heading(tr("Network")), self.osc),
+            1,
+            label(f"{tr(HINT)}.", self._theme.faint, wraps=True),
+            on=body,
+            margins=(10, 8, 10, 8),
+            spacing=8,
+        )
         leave_wheel(body)
         scroll = QScrollArea()
-        scroll.setWidget(body)
-        scroll.setWidgetResizable(True)
-        scroll.setFrameShape(QFrame.Shape.NoFrame)
-        scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        scroll.setMinimumWidth(body.minimumSizeHint().width() + scroll.verticalScrollBar().sizeHint().width())
+        scroll.setMinimumWidth(scrolling(scroll, body))
         scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         scroll.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         return scroll
 
 
-def _line(theme: Theme) -> QFrame:
-    line = QFrame()
-    line.setFixedHeight(1)
-    line.setStyleSheet(f"background: {theme.line}")
-    return line
-
-
-def _button(text: str, tip: str) -> QToolButton:
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(tip)
-    button.setAccessibleName(tip)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    return button
+def _without_arrow(button: QToolButton, menu: QMenu) -> None:
+    """Have a button open a menu; the arrow of the style would lie on its text."""
+    open_at_once(button, menu)
+    button.setStyleSheet("QToolButton::menu-indicator { image: none }")

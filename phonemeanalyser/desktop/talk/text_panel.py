@@ -1,17 +1,8 @@
 """The text below the head: what is said in the sound in hand, or what a voice is to say."""
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QTextCursor
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QHBoxLayout,
-    QLabel,
-    QPlainTextEdit,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -20,6 +11,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words_view import WordsTimeline
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, named, offer, row, silent, spoken_button
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 
 N_LINES = 2
@@ -99,22 +91,23 @@ class TextPanel(QWidget):
         super().__init__()
         self._talking, self._texts = talking, talking.text
         self.field = TextField()
-        self.script = _button(
+        self.script = spoken_button(
             tr("Script…"), tr("Open the words of the sound: a text, a TextGrid, or JSON with times of words")
         )
-        self.speaker = QComboBox()
-        self.language = QComboBox()
+        self.speaker = choice((), tr("speaker"), tr("Whose words of the labels are taken"))
+        self.language = choice((), tr("language of the text"), tr("The language of the text, which is not guessed"))
+        self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
-        self.lexicon = _button(
+        self.lexicon = spoken_button(
             tr("Lexicon…"), tr("A file that says how words are pronounced; without one, the voice knows")
         )
-        self.literal = QCheckBox(tr("Literal"))
-        self.align = _button(tr("Align"), tr("Find the words of the text in the sound (Ctrl+Shift+Return)"))
-        self.anyway = _button(
+        self.literal = named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
+        self.align = spoken_button(tr("Align"), tr("Find the words of the text in the sound (Ctrl+Shift+Return)"))
+        self.anyway = spoken_button(
             tr("Align Anyway"), tr("The text is right: find its words, though another text seems to be said")
         )
         self.refusal = ElidedLabel(tr("The recording doesn’t seem to match this text."))
-        self.say = _button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
+        self.say = spoken_button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
         self._lay_out()
@@ -128,20 +121,15 @@ class TextPanel(QWidget):
         self.lanes.show_position(self._talking.session.position)
 
     def _lay_out(self) -> None:
-        self.language.setToolTip(tr("The language of the text, which is not guessed"))
-        self.language.setAccessibleName(tr("language of the text"))
-        self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.speaker.setToolTip(tr("Whose words of the labels are taken"))
-        self.speaker.setAccessibleName(tr("speaker"))
-        self.literal.setToolTip(tr(NOTATION))
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
-        column.addWidget(self.field)
-        column.addLayout(_row(self.script, self.speaker, self.language, self.lexicon, self.literal))
-        column.addLayout(_row(self.voice, self.align, self.say, self.state))
-        column.addLayout(_row(self.anyway, self.refusal))
-        column.addWidget(self.lanes)
+        column(
+            self.field,
+            row(self.script, self.speaker, self.language, self.lexicon, self.literal, 1, spacing=6),
+            row(self.voice, self.align, self.say, (self.state, 1), spacing=6),
+            row(self.anyway, (self.refusal, 1), spacing=6),
+            self.lanes,
+            on=self,
+            spacing=4,
+        )
 
     def _connect(self) -> None:
         texts, session = self._texts, self._talking.session
@@ -174,7 +162,7 @@ class TextPanel(QWidget):
     def _show_state(self) -> None:
         texts = self._texts
         if self.field.toPlainText() != texts.text:
-            with QSignalBlocker(self.field):
+            with silent(self.field):
                 self.field.replace_text(texts.text)
         self._show_speakers()
         self._show_languages()
@@ -191,12 +179,11 @@ class TextPanel(QWidget):
         self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
 
     def _show_speakers(self) -> None:
-        names = [tr(NO_SPEAKER), *self._texts.speakers]
-        if names != [self.speaker.itemText(k) for k in range(self.speaker.count())]:
-            self.speaker.clear()
-            self.speaker.addItems(names)
-        self.speaker.setCurrentText(self._texts.speaker or tr(NO_SPEAKER))
-        self.speaker.setVisible(len(self._texts.speakers) > 1)
+        speakers = self._texts.speakers
+        offer(
+            self.speaker, [(tr(NO_SPEAKER), None), *((name, name) for name in speakers)], self._texts.speaker or None
+        )
+        self.speaker.setVisible(len(speakers) > 1)
 
     def _show_languages(self) -> None:
         languages = self._texts.voice.installed.languages
@@ -219,23 +206,3 @@ class TextPanel(QWidget):
 def _short(name: str) -> str:
     """Return the name of a language without what the voice does with Latin letters."""
     return name.replace(", latin as English", "").replace("latin as ", "")
-
-
-def _row(*widgets: QWidget) -> QHBoxLayout:
-    """Return a row, in which a label has what is left of the width."""
-    row = QHBoxLayout()
-    row.setSpacing(6)
-    for widget in widgets:
-        row.addWidget(widget, isinstance(widget, QLabel))
-    if not isinstance(widgets[-1], QLabel):
-        row.addStretch(1)
-    return row
-
-
-def _button(text: str, tip: str) -> QToolButton:
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(tip)
-    button.setAccessibleName(tip)
-    button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-    return button

@@ -2,25 +2,26 @@
 
 from collections.abc import Mapping
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import (
-    QComboBox,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QSizePolicy,
-    QSlider,
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QLabel, QSizePolicy, QSlider, QToolButton, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.heading import heading
+from phonemeanalyser.desktop.widgets.builders import (
+    choice,
+    column,
+    fill_columns,
+    grid,
+    heading,
+    label,
+    row,
+    silent,
+    slider_of_percent,
+    tool_button,
+)
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import MouthTable
@@ -31,7 +32,6 @@ MODES = {
     Mode.FORCE_RESET: tr_noop("others and blinks to 0"),
     Mode.INTERACT: tr_noop("others share 100 %"),
 }
-COLUMNS = 2
 PERCENT_WIDTH = 40
 
 
@@ -46,7 +46,6 @@ class VisemeButton(QToolButton):
         self.setFixedHeight(22)
         self.setMinimumWidth(122)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setAccessibleName(tr("hold the mouth shape {shape}").format(shape=shape))
         held = tr("Hold this to see the mouth shape {shape}, whatever is said")
         by_key = tr("Hold this, or the key {keys}, to see the mouth shape {shape}, whatever is said")
@@ -84,40 +83,26 @@ class VisemePanel(QWidget):
         self.buttons: dict[str, VisemeButton] = {}
         self.sliders: dict[str, QSlider] = {}
         self._percents: dict[str, QLabel] = {}
-        self.mode = QComboBox()
-        self.leave = QToolButton()
-        self.leave.setText(tr("Leave It to the Speech"))
-        self.leave.setToolTip(tr("Set all sliders back to 0"))
-        self.leave.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.leave.clicked.connect(lambda _checked: talking.clear_visemes())
-        self._lay_out()
-        talking.changed.connect(self._take_table)
-        self.mode.activated.connect(lambda k: talking.set_mode(Mode(self.mode.itemData(k))))
-        talking.visemes_changed.connect(self._show_shares)
-        self._take_table()
-
-    def _lay_out(self) -> None:
-        for mode, words in MODES.items():
-            self.mode.addItem(tr(words), mode.value)
-        self.mode.setAccessibleName(tr("what becomes of everything else when a slider is pulled"))
-        self.mode.setToolTip(
+        self.mode = choice(
+            ((tr(words), mode.value) for mode, words in MODES.items()),
+            tr("what becomes of everything else when a slider is pulled"),
             tr(
                 "What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all "
                 "stay, and movements add up; all but blinks go to 0; blinks as well; or first the speech and then "
                 "other shapes shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while "
                 "they are held"
-            )
+            ),
         )
-        head = QHBoxLayout()
-        head.addWidget(heading(tr("Mouth shapes")), 1)
-        head.addWidget(self.mode)
-        head.addWidget(self.leave)
+        self.leave = tool_button(
+            tr("Leave It to the Speech"), tr("Set all sliders back to 0"), act=talking.clear_visemes
+        )
         self._body = QWidget()
-        self._column = column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(4)
-        column.addLayout(head)
-        column.addWidget(self._body)
+        head = row((heading(tr("Mouth shapes")), 1), self.mode, self.leave)
+        self._column = column(head, self._body, on=self, spacing=4)
+        talking.changed.connect(self._take_table)
+        self.mode.activated.connect(lambda k: talking.set_mode(Mode(self.mode.itemData(k))))
+        talking.visemes_changed.connect(self._show_shares)
+        self._take_table()
 
     def _take_table(self) -> None:
         """List the shapes, where they are others."""
@@ -128,49 +113,34 @@ class VisemePanel(QWidget):
             self._column.replaceWidget(self._body, body)
             self._body.deleteLater()
             self._body = body
-            self._fill(QGridLayout(body), table)
+            self._fill(body, table)
         self._table = table
         self._show_shares()
 
-    def _fill(self, grid: QGridLayout, table: MouthTable) -> None:
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setVerticalSpacing(3)
-        grid.setHorizontalSpacing(5)
+    def _fill(self, body: QWidget, table: MouthTable) -> None:
         self.buttons, self.sliders, self._percents = {}, {}, {}
-        n_rows = -(-len(table.shapes) // COLUMNS)
-        for k, shape in enumerate(table.shapes):
-            column = 3 * (k // n_rows)
-            for offset, widget in enumerate(self._row_of(shape, keys_of(table).get(shape, ""))):
-                grid.addWidget(widget, k % n_rows, column + offset)
-            grid.setColumnStretch(column + 1, 1)
+        keys = keys_of(table)
+        rows = [self._row_of(shape, keys.get(shape, "")) for shape in table.shapes]
+        fill_columns(grid(body, across=5, down=3), rows)
 
     def _row_of(self, shape: str, keys: str) -> tuple[QWidget, QWidget, QWidget]:
         talking = self._talking
         button = self.buttons[shape] = VisemeButton(shape, keys, self._theme)
         button.pressed.connect(lambda: talking.hold(shape))
         button.released.connect(talking.release)
-        slider = self.sliders[shape] = QSlider(Qt.Orientation.Horizontal)
-        slider.setRange(0, 100)
-        slider.setPageStep(10)
-        slider.setMinimumWidth(44)
-        slider.setAccessibleName(tr("share of the mouth shape {shape}").format(shape=shape))
-        slider.setToolTip(
-            tr("How far the mouth takes the shape {shape}; with all at 0 it is left to the speech").format(
-                shape=shape
-            )
-        )
+        tip = tr("How far the mouth takes the shape {shape}; with all at 0 it is left to the speech")
+        name = tr("share of the mouth shape {shape}")
+        slider = self.sliders[shape] = slider_of_percent(name.format(shape=shape), tip.format(shape=shape))
         slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
-        percent = self._percents[shape] = QLabel()
-        percent.setFixedWidth(PERCENT_WIDTH)
-        percent.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        return button, slider, percent
+        self._percents[shape] = label(width=PERCENT_WIDTH)
+        return button, slider, self._percents[shape]
 
     def _show_shares(self) -> None:
         visemes = self._talking.visemes
         if visemes.shares.keys() != self.sliders.keys():
             return  # the table is about to be listed
         for shape, share in visemes.shares.items():
-            with QSignalBlocker(self.sliders[shape]):
+            with silent(self.sliders[shape]):
                 self.sliders[shape].setValue(round(100 * share))
             self.buttons[shape].setDown(shape == visemes.held)
             self._percents[shape].setText(f"{100 * share:.0f} %" if share else "")

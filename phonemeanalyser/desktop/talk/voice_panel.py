@@ -1,13 +1,14 @@
 """The voice that says texts, and what moves the mouth meanwhile, chosen below a button."""
 
-from PySide6.QtCore import QPoint, QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QComboBox, QFormLayout, QFrame, QLabel, QLineEdit, QToolButton, QWidget
+from PySide6.QtWidgets import QFormLayout, QFrame, QLineEdit, QToolButton, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.voice_model import FASTEST, SLOWEST, VoiceModel
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, label, named, offer, silent
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
@@ -53,12 +54,34 @@ class VoicePanel(QFrame):
         self.setObjectName("voice")
         self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
         self.setAccessibleName(tr("voice"))
-        self.name, self.driver, self.table, self.choice = QComboBox(), QComboBox(), QComboBox(), QComboBox()
-        self.rate, self.program = NumberField(), QLineEdit()
-        self._hint = QLabel(tr(MEANING).format(output=OUTPUT, text=TEXT))
-        self._hint.setWordWrap(True)
-        self._hint.setStyleSheet(f"color: {theme.faint}")
-        self._describe()
+        self.name = choice(
+            (), tr("voice"), tr("Who says the text: a voice of espeak-ng, or a text-to-speech program of your own")
+        )
+        self.rate = named(
+            NumberField(SLOWEST, FASTEST, decimals=1, step=0.1, unit=" " + tr("syllables/s"), waits=True),
+            tr("rate"),
+            tr("How fast a voice of espeak-ng speaks: people say four to five syllables a second"),
+        )
+        self.driver = choice(
+            ((tr(words), driver) for driver, words in DRIVERS.items()),
+            tr("what moves the mouth"),
+            tr("By what the mouth moves where the words are known, of a voice or of a recording"),
+        )
+        self.table = choice(
+            (),
+            tr("table of recorded faces"),
+            tr("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one"),
+        )
+        self.choice = choice(
+            ((tr(words), kind) for kind, words in CHOICES.items()),
+            tr("choice among recordings"),
+            tr("Which of several recordings of the same sounds are taken"),
+        )
+        self.program = named(
+            QLineEdit(), tr("command"), tr("The command that speaks, such as: {example}").format(example=EXAMPLE)
+        )
+        self.program.setPlaceholderText(EXAMPLE)
+        self._hint = label(tr(MEANING).format(output=OUTPUT, text=TEXT), theme.faint, wraps=True)
         self._lay_out()
         self._connect()
         self.show_state()
@@ -79,19 +102,18 @@ class VoicePanel(QFrame):
     def show_state(self) -> None:
         """Show what is chosen."""
         choice = self._voice.choice
-        blockers = [QSignalBlocker(field) for field in (self.rate, self.program)]
-        self._list_voices()
-        own = self.name.count() - 1
-        self.name.setCurrentIndex(own if choice.by_program else max(0, self.name.findData(choice.name)))
-        self.driver.setCurrentIndex(self.driver.findData(self._drivers.chosen))
-        self._show_tables()
-        self.rate.setValue(choice.rate)
-        self.rate.setEnabled(not choice.by_program)
-        if self.program.text() != choice.program:
-            self.program.setText(choice.program)
-        for widget in (self.program, self._hint):
-            self._rows.setRowVisible(widget, choice.by_program)
-        del blockers
+        with silent(self.rate, self.program):
+            self._list_voices()
+            own = self.name.count() - 1
+            self.name.setCurrentIndex(own if choice.by_program else max(0, self.name.findData(choice.name)))
+            self.driver.setCurrentIndex(self.driver.findData(self._drivers.chosen))
+            self._show_tables()
+            self.rate.setValue(choice.rate)
+            self.rate.setEnabled(not choice.by_program)
+            if self.program.text() != choice.program:
+                self.program.setText(choice.program)
+            for widget in (self.program, self._hint):
+                self._rows.setRowVisible(widget, choice.by_program)
         if self.isVisible():
             self._place()
 
@@ -104,32 +126,6 @@ class VoicePanel(QFrame):
             place.setY(button.mapToGlobal(QPoint(0, 0)).y() - self.height())
         place.setX(max(screen.left(), min(place.x(), screen.right() - self.width())))
         self.move(place)
-
-    def _describe(self) -> None:
-        self.name.setAccessibleName(tr("voice"))
-        self.name.setToolTip(tr("Who says the text: a voice of espeak-ng, or a text-to-speech program of your own"))
-        self.rate.setAccessibleName(tr("rate"))
-        self.rate.setToolTip(tr("How fast a voice of espeak-ng speaks: people say four to five syllables a second"))
-        self.rate.setDecimals(1)
-        self.rate.setRange(SLOWEST, FASTEST)
-        self.rate.setSingleStep(0.1)
-        self.rate.setSuffix(" " + tr("syllables/s"))
-        self.rate.setKeyboardTracking(False)
-        self.driver.setAccessibleName(tr("what moves the mouth"))
-        self.driver.setToolTip(tr("By what the mouth moves where the words are known, of a voice or of a recording"))
-        for driver, words in DRIVERS.items():
-            self.driver.addItem(tr(words), driver)
-        self.table.setAccessibleName(tr("table of recorded faces"))
-        self.table.setToolTip(
-            tr("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one")
-        )
-        self.choice.setAccessibleName(tr("choice among recordings"))
-        self.choice.setToolTip(tr("Which of several recordings of the same sounds are taken"))
-        for choice, words in CHOICES.items():
-            self.choice.addItem(tr(words), choice)
-        self.program.setAccessibleName(tr("command"))
-        self.program.setToolTip(tr("The command that speaks, such as: {example}").format(example=EXAMPLE))
-        self.program.setPlaceholderText(EXAMPLE)
 
     def _lay_out(self) -> None:
         self._rows = QFormLayout(self)
@@ -172,14 +168,8 @@ class VoicePanel(QFrame):
     def _show_tables(self) -> None:
         """List the tables that were opened; those of synthetic performers are named so."""
         performance = self._drivers.performance
-        wanted = [(tr(NO_TABLE), None), *((about.title, path) for path, about in performance.tables.items())]
-        wanted.append((tr(OTHER_TABLE), None))
-        if [(self.table.itemText(k), self.table.itemData(k)) for k in range(self.table.count())] != wanted:
-            self.table.clear()
-            for words, path in wanted:
-                self.table.addItem(words, path)
-        places = [path for _, path in wanted]
-        self.table.setCurrentIndex(0 if performance.chosen is None else places.index(performance.chosen))
+        tables = [(about.title, path) for path, about in performance.tables.items()]
+        offer(self.table, [(tr(NO_TABLE), None), *tables, (tr(OTHER_TABLE), OTHER_TABLE)], performance.chosen)
         self.choice.setCurrentIndex(self.choice.findData(performance.choice))
         self._rows.setRowVisible(self.choice, performance.chosen is not None)
 
@@ -209,7 +199,6 @@ class VoiceButton(QToolButton):
         self.panel = VoicePanel(voice, drivers, theme, self)
         self.setText(tr("Voice && Face…"))
         self.setAccessibleName(tr("voice, rate and mouth of a spoken text"))
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.clicked.connect(lambda _checked: self.panel.show_beside())
         for part in (voice, drivers):
             part.changed.connect(self._show_state)

@@ -4,11 +4,12 @@ import logging
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QToolButton, QWidget
+from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import label, row, tool_button
 
 SHOWN_MS = 15_000
 WIDEST = 760
@@ -34,24 +35,12 @@ class Banner(QWidget):
         super().__init__(window)
         self._window, self._page = window, page
         page.installEventFilter(self)
-        self.label = QLabel()
-        self.label.setWordWrap(True)
+        self.label = label(wraps=True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.dismiss = dismiss = QToolButton()
-        dismiss.setText("✕")
-        dismiss.setAutoRaise(True)
-        dismiss.setToolTip(tr("Dismiss"))
-        dismiss.setAccessibleName(tr("dismiss the message"))
-        dismiss.clicked.connect(lambda _checked: self._dismiss())
-        self._row = row = QHBoxLayout(self)
-        row.setContentsMargins(10, 4, 6, 4)
-        self.action = QToolButton()
-        self.action.setToolTip(tr("What can be done about it"))
-        self.action.clicked.connect(self._act)
+        self.dismiss = tool_button("✕", tr("Dismiss"), tr("dismiss the message"), self._dismiss, flat=True)
+        self.action = tool_button("", tr("What can be done about it"), act=self._act)
         self._offer: tuple[str, str, Callable[[], object]] | None = None
-        row.addWidget(self.label, 1)
-        row.addWidget(self.action)
-        row.addWidget(dismiss)
+        self._row = row((self.label, 1), self.action, self.dismiss, on=self, margins=(10, 4, 6, 4))
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setObjectName("banner")
         self._theme = theme

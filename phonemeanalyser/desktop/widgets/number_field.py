@@ -3,13 +3,38 @@
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox
 
+from phonemeanalyser.desktop.widgets.key_filters import NumberFieldKeys
+
 
 class NumberField(QDoubleSpinBox):
-    """Shows a decimal point, and takes a comma for one; whole numbers, unless decimals are asked for."""
+    """Shows a decimal point, and takes a comma for one; keys that write no number stay the window's.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    low, high : the range.
+    decimals : digits behind the point.
+    step : how far an arrow key goes.
+    unit : what stands behind the number.
+    waits : tell a number once it is typed, and not with each digit.
+    """
+
+    def __init__(
+        self,
+        low: float = 0.0,
+        high: float = 99.99,
+        *,
+        decimals: int = 0,
+        step: float = 1.0,
+        unit: str = "",
+        waits: bool = False,
+    ) -> None:
         super().__init__()
-        self.setDecimals(0)
+        self.setDecimals(decimals)
+        self.setRange(low, high)
+        self.setSingleStep(step)
+        self.setSuffix(unit)
+        self.setKeyboardTracking(not waits)
+        self.installEventFilter(NumberFieldKeys(self))
 
     def validate(self, text: str, place: int) -> tuple[QValidator.State, str, int]:
         """Judge what was typed, with a point for a comma; gives state, text and place of the cursor."""

@@ -4,9 +4,10 @@ from collections.abc import Callable
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QStackedWidget, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QStackedWidget, QWidget
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.widgets.builders import row, toggle_button
 from phonemeanalyser.desktop.widgets.scrolled import Scrolled
 
 Page = TypeVar("Page", bound=QWidget)
@@ -74,19 +75,13 @@ class PageSwitch(QWidget):
 
     def __init__(self, names: tuple[str, ...]) -> None:
         super().__init__()
-        self.buttons = [QToolButton() for _ in names]
+        tip = tr("The page {name} (Ctrl+{number})")
+        self.buttons = [toggle_button(name, tip.format(name=name, number=k)) for k, name in enumerate(names, 1)]
         self._group = QButtonGroup(self)
-        row = QHBoxLayout(self)
         self.setStyleSheet("QToolButton[checkable=true] { padding: 0px 8px }")
-        row.setContentsMargins(4, 0, 8, 0)
-        row.setSpacing(2)
-        for number, (button, name) in enumerate(zip(self.buttons, names, strict=True)):
-            button.setText(name)
-            button.setCheckable(True)
-            button.setToolTip(tr("The page {name} (Ctrl+{number})").format(name=name, number=number + 1))
-            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        for number, button in enumerate(self.buttons):
             self._group.addButton(button, number)
-            row.addWidget(button)
+        row(*self.buttons, on=self, margins=(4, 0, 8, 0), spacing=2)
         self._group.idClicked.connect(self.chosen)
 
     def show_page(self, number: int) -> None:

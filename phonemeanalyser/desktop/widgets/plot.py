@@ -9,10 +9,11 @@ import pyqtgraph as pg
 from numpy.typing import ArrayLike
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QPainter, QPen, QPolygonF
-from PySide6.QtWidgets import QGraphicsItem, QHBoxLayout, QLabel, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGraphicsItem, QLabel, QWidget
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column, row
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeengine.arrays import Float64Array
 
@@ -183,7 +184,6 @@ class Plot(QWidget):
         self.theme = theme
         self.graphics = pg.PlotWidget(viewBox=RangeBox(), enableMenu=False, axisItems=live_axes())
         self.item: Any = self.graphics.getPlotItem()
-        self.header = QHBoxLayout()
         self._read_out = read_out
         self._mouse: QPointF | None = None
         self.graphics.setAccessibleName(title.lower())
@@ -235,20 +235,11 @@ class Plot(QWidget):
     def _lay_out(self, title: str, tip: str) -> None:
         self.heading = bold(ElidedLabel(title))
         self.heading.setToolTip(tip or title)
-        self.header.setContentsMargins(6, 3, 6, 1)
-        self.header.setSpacing(6)
-        self.header.addWidget(self.heading, 1)
-        self._body = QVBoxLayout(self)
-        layout = self._body
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(0)
-        layout.addLayout(self.header)
-        layout.addWidget(self.graphics, 1)
+        self.header = row((self.heading, 1), margins=(6, 3, 6, 1), spacing=6)
+        self._body = column(self.header, (self.graphics, 1), on=self, spacing=0)
         self._hint.setStyleSheet(f"color: {self.theme.faint}; background: transparent")
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        over = QVBoxLayout(self.graphics)
-        over.setContentsMargins(52, 0, 0, 40)  # the axes
-        over.addWidget(self._hint)
+        column(self._hint, on=self.graphics, margins=(52, 0, 0, 40))  # beside the axes
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._hint.setWordWrap(True)
 
@@ -268,12 +259,3 @@ def bold(label: QLabel) -> QLabel:
     font.setBold(True)
     label.setFont(font)
     return label
-
-
-def toggle_button(text: str, tip: str) -> QToolButton:
-    """Make a small button that stays down while it is on."""
-    button = QToolButton()
-    button.setText(text)
-    button.setToolTip(tip)
-    button.setCheckable(True)
-    return button

@@ -18,10 +18,11 @@ from PySide6.QtGui import (
     QResizeEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QScrollBar, QSizePolicy, QToolTip, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QScrollBar, QSizePolicy, QToolTip, QWidget
 
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, letters_on
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column
 from phonemeengine.arrays import Float64Array, UInt32Array
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -271,11 +272,7 @@ class TimelineView(QWidget):
         keeps_its_room.setRetainSizeWhenHidden(True)
         self.bar.setSizePolicy(keeps_its_room)
         self.bar.hide()
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.setSpacing(0)
-        column.addWidget(self.lanes)
-        column.addWidget(self.bar)
+        column(self.lanes, self.bar, on=self, spacing=0)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setMouseTracking(True)
         lanes.setMouseTracking(True)

@@ -1,0 +1,235 @@
+"""How views are put together: rows and columns, buttons, choices and labels, each in one call."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+from PySide6.QtCore import QObject, QSignalBlocker, Qt
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QBoxLayout,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFrame,
+    QGridLayout,
+    QHBoxLayout,
+    QHeaderView,
+    QLabel,
+    QLayout,
+    QMenu,
+    QScrollArea,
+    QSlider,
+    QTableWidget,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
+
+Part = QWidget | QLayout | int | tuple[QWidget | QLayout, int]
+"""Of a row or a column: what stands there, also with its share of the room that is left, or such a share empty."""
+Margins = tuple[int, int, int, int]
+W = TypeVar("W", bound=QWidget)
+NONE = (0, 0, 0, 0)
+Button = QDialogButtonBox.StandardButton
+OK, CANCEL, CLOSE = Button.Ok, Button.Cancel, Button.Close
+
+
+def row(
+    *parts: Part, on: QWidget | None = None, margins: Margins | None = NONE, spacing: int | None = None
+) -> QHBoxLayout:
+    """Lay out from left to right, on a widget or for another layout; None is what the style has."""
+    return _filled(QHBoxLayout(on) if on else QHBoxLayout(), parts, margins, spacing)
+
+
+def column(
+    *parts: Part, on: QWidget | None = None, margins: Margins | None = NONE, spacing: int | None = None
+) -> QVBoxLayout:
+    """Lay out from top to bottom, as `row` does from left to right."""
+    return _filled(QVBoxLayout(on) if on else QVBoxLayout(), parts, margins, spacing)
+
+
+def grid(on: QWidget | None = None, *, margins: Margins = NONE, across: int = -1, down: int = -1) -> QGridLayout:
+    """Make a grid, with this much room between its columns and its rows, pixels; -1 is what the style has."""
+    made = QGridLayout(on) if on else QGridLayout()
+    made.setContentsMargins(*margins)
+    made.setHorizontalSpacing(across)
+    made.setVerticalSpacing(down)
+    return made
+
+
+def named(widget: W, name: str = "", tip: str = "") -> W:
+    """Give a widget its name for screen readers, and its tip; what is empty is left out."""
+    if name:
+        widget.setAccessibleName(name)
+    if tip:
+        widget.setToolTip(tip)
+    return widget
+
+
+def tool_button(
+    text: str, tip: str = "", name: str = "", act: Callable[[], object] | None = None, *, flat: bool = False
+) -> QToolButton:
+    """Make a button, which takes the focus by Tab only."""
+    button = named(QToolButton(), name, tip)
+    button.setText(text)
+    button.setAutoRaise(flat)
+    if act is not None:
+        button.clicked.connect(lambda _checked: act())
+    return button
+
+
+def spoken_button(text: str, tip: str, act: Callable[[], object] | None = None) -> QToolButton:
+    """Make a button that screen readers call by its tip."""
+    return tool_button(text, tip, tip, act)
+
+
+def tab_buttons(*buttons: QAbstractButton, height: int = 0) -> tuple[QAbstractButton, ...]:
+    """Have buttons take the focus by Tab only, and be this high at least, pixels; return them."""
+    for button in buttons:
+        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        button.setMinimumHeight(height)
+    return buttons
+
+
+def open_at_once(button: QToolButton, menu: QMenu) -> None:
+    """Have a button open its menu when it is pressed."""
+    button.setMenu(menu)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+
+
+def toggle_button(text: str, tip: str) -> QToolButton:
+    """Make a small button that stays down while it is on."""
+    button = tool_button(text, tip)
+    button.setCheckable(True)
+    return button
+
+
+def choice(items: Iterable[tuple[str, Any]], name: str = "", tip: str = "") -> QComboBox:
+    """Make a box to choose from: what is read, and what it stands for."""
+    box = named(QComboBox(), name, tip)
+    for text, value in items:
+        box.addItem(text, value)
+    return box
+
+
+def offer(box: QComboBox, items: Iterable[tuple[str, Any]], chosen: Any) -> None:
+    """Have a box offer these, where it offers others, and show what is chosen; the first, where that is not there."""
+    wanted = list(items)
+    if [(box.itemText(k), box.itemData(k)) for k in range(box.count())] != wanted:
+        box.clear()
+        for text, value in wanted:
+            box.addItem(text, value)
+    values = [value for _, value in wanted]
+    box.setCurrentIndex(values.index(chosen) if chosen in values else 0)
+
+
+def slider_of_percent(name: str, tip: str) -> QSlider:
+    """Make a slider from 0 to 100 %."""
+    slider = named(QSlider(Qt.Orientation.Horizontal), name, tip)
+    slider.setRange(0, 100)
+    slider.setPageStep(10)
+    slider.setMinimumWidth(44)
+    return slider
+
+
+def fill_columns(grid: QGridLayout, rows: Sequence[Sequence[QWidget]], n_columns: int = 2) -> None:
+    """Fill a grid with rows of three widgets, column by column; the second ones take what is left."""
+    n_rows = -(-len(rows) // n_columns)
+    for k, widgets in enumerate(rows):
+        first = len(widgets) * (k // n_rows)
+        for offset, widget in enumerate(widgets):
+            grid.addWidget(widget, k % n_rows, first + offset)
+        grid.setColumnStretch(first + 1, 1)
+
+
+def label(text: str = "", colour: str = "", *, wraps: bool = False, width: int = 0) -> QLabel:
+    """Make a label, in a colour and of several lines where that is wanted; numbers of a width stand at the right."""
+    made = QLabel(text)
+    made.setWordWrap(wraps)
+    if width:
+        made.setFixedWidth(width)
+        made.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+    if colour:
+        made.setStyleSheet(f"color: {colour}")
+    return made
+
+
+def heading(text: str) -> QLabel:
+    """Make the heading of a part of a page."""
+    return QLabel(f"<b>{text}</b>")
+
+
+def line(colour: str, *, upright: bool = False) -> QFrame:
+    """Make a line of one pixel between two parts."""
+    made = QFrame()
+    (made.setFixedWidth if upright else made.setFixedHeight)(1)
+    made.setStyleSheet(f"background: {colour}")
+    return made
+
+
+def scrolling(area: QScrollArea, body: QWidget) -> int:
+    """Have an area scroll a body downwards only; return the least width at which all of it is seen, pixels."""
+    area.setWidget(body)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    return body.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width()
+
+
+def dialog_buttons(dialog: QDialog, *buttons: Button) -> QDialogButtonBox:
+    """Make the buttons that end a dialog."""
+    box = QDialogButtonBox()
+    for button in buttons:
+        box.addButton(button)
+    box.accepted.connect(dialog.accept)
+    box.rejected.connect(dialog.reject)
+    return box
+
+
+def style_list(table: QTableWidget, row_height: int, widths: Sequence[int]) -> None:
+    """Have a table be a plain list of lines to choose from; a column of width 0 takes what is left, pixels."""
+    table.verticalHeader().hide()
+    table.verticalHeader().setDefaultSectionSize(row_height)
+    header = table.horizontalHeader()
+    header.setFixedHeight(22)
+    header.setHighlightSections(False)
+    for k, width in enumerate(widths):
+        header.setSectionResizeMode(k, QHeaderView.ResizeMode.Fixed if width else QHeaderView.ResizeMode.Stretch)
+        if width:
+            header.resizeSection(k, width)
+    table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+    table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+    table.setShowGrid(False)
+    table.setTabKeyNavigation(False)
+
+
+@contextmanager
+def silent(*objects: QObject) -> Iterator[None]:
+    """Have objects tell nothing while they are shown other values."""
+    blockers = [QSignalBlocker(each) for each in objects]
+    try:
+        yield
+    finally:
+        for blocker in blockers:
+            blocker.unblock()
+
+
+L = TypeVar("L", bound=QBoxLayout)
+
+
+def _filled(layout: L, parts: Iterable[Part], margins: Margins | None, spacing: int | None) -> L:
+    if margins is not None:
+        layout.setContentsMargins(*margins)
+    if spacing is not None:
+        layout.setSpacing(spacing)
+    for part in parts:
+        item, stretch = part if isinstance(part, tuple) else (part, 0)
+        if isinstance(item, int):
+            layout.addStretch(item)
+        elif isinstance(item, QWidget):
+            layout.addWidget(item, stretch)
+        else:
+            layout.addLayout(item, stretch)
+    return layout
