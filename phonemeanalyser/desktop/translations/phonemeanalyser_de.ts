@@ -49,7 +49,7 @@
             <translation>Aufnah&amp;me</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>&amp;Selection</source>
             <translation>A&amp;uswahl</translation>
         </message>
@@ -1129,7 +1129,7 @@
             <translation>Frames als Tabelle kopieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Copy Picture</source>
             <translation>Bild kopieren</translation>
         </message>
@@ -1199,7 +1199,7 @@
             <translation>Dänisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>dark</source>
             <translation>dunkel</translation>
         </message>
@@ -1354,7 +1354,7 @@
             <translation>Nur die Kanten des Netzes zeichnen (W)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
             <source>Drop a sound here, or open one with Ctrl+O</source>
             <translation>Einen Klang hierher ziehen oder mit Strg+O öffnen</translation>
         </message>
@@ -2510,7 +2510,7 @@
             <translation>Spuren darunter, wo die Wörter bekannt sind: Wörter, Silben oder Buchstaben, Phone, Einheiten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Language</source>
             <translation>Sprache</translation>
         </message>
@@ -2700,7 +2700,7 @@
             <translation>Leben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>light</source>
             <translation>hell</translation>
         </message>
@@ -2730,7 +2730,7 @@
             <translation>hört zu</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Listening for clicks from the loudspeaker, for three seconds …</source>
             <translation>Es wird drei Sekunden lang auf Klicks aus dem Lautsprecher gehört …</translation>
         </message>
@@ -3030,7 +3030,7 @@
             <translation>Auswahl messen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Measure the Latency by Clicks</source>
             <translation>Latenz mit Klicks messen</translation>
         </message>
@@ -3640,7 +3640,7 @@
             <translation>Öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Open Recent</source>
             <translation>Zuletzt geöffnet</translation>
         </message>
@@ -3960,17 +3960,17 @@
             <translation>Presets ({endings})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
             <source>Press Space to hear the tone</source>
             <translation>Leertaste drücken, um den Ton zu hören</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
             <source>Press Space to listen, R to record</source>
             <translation>Leertaste drücken, um zuzuhören, R, um aufzunehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
             <source>Press Space to play</source>
             <translation>Leertaste drücken, um abzuspielen</translation>
         </message>
@@ -4436,7 +4436,7 @@
             <translation>Als TOML speichern…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Save As…</source>
             <translation>Speichern unter…</translation>
         </message>
@@ -4456,7 +4456,7 @@
             <translation>Beschriftungen speichern unter…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Save Picture…</source>
             <translation>Bild speichern…</translation>
         </message>
@@ -5256,7 +5256,7 @@
             <translation>Silben/s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>system</source>
             <translation>System</translation>
         </message>
@@ -5326,7 +5326,7 @@
             <translation>Thailändisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>The calibrated preset is in use, and not saved yet.</source>
             <translation>Das kalibrierte Preset ist in Gebrauch, aber noch nicht gespeichert.</translation>
         </message>
@@ -5721,7 +5721,7 @@
             <translation>Text der Aufnahme</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Theme</source>
             <translation>Farben</translation>
         </message>
@@ -6066,7 +6066,7 @@
             <translation>benutzen und speichern…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Use as a Take of</source>
             <translation>Als Take benutzen von</translation>
         </message>
@@ -6501,7 +6501,7 @@
             <translation>Wörter oder Text neben jedem Klang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
             <source>Write a text on the page Talk, and press Ctrl+Return there</source>
             <translation>Auf der Seite Sprechen einen Text schreiben und dort Strg+Return drücken</translation>
         </message>
@@ -6831,7 +6831,7 @@
             <translation>{path} sagt, wie Wörter ausgesprochen werden; darauf verzichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
             <source>{path}: cannot be written ({fault}); choose another folder</source>
             <translation>{path}: kann nicht geschrieben werden ({fault}); einen anderen Ordner wählen</translation>
         </message>
