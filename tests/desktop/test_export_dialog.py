@@ -242,7 +242,7 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     QTest.mouseClick(dialog.remove, LEFT)
     dialog.add([folder / "one.flac"])
     choose(dialog, "clip-gif")
-    dialog.rate.setValue(4)
+    dialog.rate.setValue(1)
     dialog.head.setChecked(False)
     QTest.mouseClick(dialog.look, LEFT)
     qtbot.waitUntil(lambda: dialog.preview.toPlainText().startswith("A clip is seen once it is made"))
@@ -250,11 +250,11 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
         QTest.mouseClick(dialog.start, LEFT)
     assert dialog.told.text() == "1 done"
     other, preset = tmp_path / "other.gif", str(THESIS_PRESET)
-    words = [str(folder / "one.flac"), "-o", str(other), "--fps", "4", "--preset", preset, "--no-head"]
+    words = [str(folder / "one.flac"), "-o", str(other), "--fps", "1", "--preset", preset, "--no-head"]
     assert main(["preview", *words]) == 0
     assert (folder / "one.gif").read_bytes() == other.read_bytes()
     before = (folder / "one.gif").read_bytes()
-    dialog.rate.setValue(3)
+    dialog.rate.setValue(2)
     QTest.mouseClick(dialog.start, LEFT)
     assert dialog.question.text() == "one.gif is there already."
     dialog.question.reject()
