@@ -18,7 +18,7 @@ from phonemeengine.calibration.sentences import SENTENCES, sentences_in
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
-from phonemeengine.recognition.model import load_model
+from phonemeengine.recognition.model import Model, load_model
 from phonemeengine.settings import SAMPLE_RATE, Ear
 from phonemeengine.text.pronunciation import words_of
 from tests.corpora import put
@@ -80,11 +80,18 @@ def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, tmp_
     assert (tmp_path / "voice.npz").is_file()
 
 
-@pytest.fixture
-def read(tmp_path: Path) -> Path:
+@pytest.fixture(scope="module")
+def read(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Somebody reads the English line."""
-    soundfile.write(tmp_path / "me.wav", english_read()[0], SAMPLE_RATE)
-    return tmp_path / "me.wav"
+    path = tmp_path_factory.mktemp("read") / "me.wav"
+    soundfile.write(path, english_read()[0], SAMPLE_RATE)
+    return path
+
+
+@pytest.fixture(scope="module")
+def by_text(read: Path) -> Model | None:
+    """What that teaches by the API, whose words are given as a text."""
+    return calibrate(load_preset("learned"), [read_sentence(read, words_of(SENTENCES[0].text, "en-us"))]).preset.model
 
 
 def test_one_read_line_is_aligned_with_what_is_read_and_learned(read, tmp_path, capsys):
@@ -98,17 +105,16 @@ def test_one_read_line_is_aligned_with_what_is_read_and_learned(read, tmp_path, 
 
 
 @pytest.mark.parametrize("where", ["text", "script"])
-def test_any_text_may_be_read(read, tmp_path, capsys, where):
+def test_any_text_may_be_read(read, by_text, tmp_path, where):
     text = SENTENCES[0].text
     (tmp_path / "me.txt").write_text(text)
     words = ["--text", text] if where == "text" else ["--script", str(tmp_path / "me.txt")]
     out = tmp_path / "voice.toml"
     assert main(["adapt", str(read), *words, "--language", "en-us", "-o", str(out)]) == 0
-    by_api = calibrate(load_preset("learned"), [read_sentence(read, words_of(text, "en-us"))])
-    assert load_preset(out).model == by_api.preset.model
+    assert load_preset(out).model == by_text
 
 
-def test_a_table_says_what_is_read_in_a_folder_as_it_does_for_other_commands(read, tmp_path, capsys):
+def test_a_table_says_what_is_read_in_a_folder_as_it_does_for_other_commands(read, by_text, tmp_path, capsys):
     folder, out = tmp_path / "takes", tmp_path / "voice.toml"
     folder.mkdir()
     for name in ("me.wav", "silent.wav"):
@@ -117,10 +123,7 @@ def test_a_table_says_what_is_read_in_a_folder_as_it_does_for_other_commands(rea
     words = ["adapt", str(folder), "--script", str(tmp_path / "table.tsv"), "--language", "en-us", "-o", str(out)]
     assert main(words) == 0
     assert "there is no text for silent.wav" in capsys.readouterr().err
-    by_api = calibrate(
-        load_preset("learned"), [read_sentence(folder / "me.wav", words_of(SENTENCES[0].text, "en-us"))]
-    )
-    assert load_preset(out).model == by_api.preset.model
+    assert load_preset(out).model == by_text
 
 
 def test_another_text_is_refused_and_nothing_is_written(read, tmp_path, capsys):
