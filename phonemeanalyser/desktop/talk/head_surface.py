@@ -129,7 +129,7 @@ class GlSurface(QOpenGLWidget):
     def _renderer_of(self, morph_mesh: MorphMesh) -> Any:
         if self._renderer is None or morph_mesh is not self._morph_mesh:
             self._leave()
-            context = rendering().contexts.window_context()
+            context = rendering().offscreen.window_context()
             self._renderer, self._morph_mesh = rendering().renderer.HeadRenderer(context, morph_mesh), morph_mesh
         return self._renderer
 

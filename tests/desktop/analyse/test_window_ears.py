@@ -15,7 +15,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Ear
-from tests.desktop.hands import CARDS, followed, shown
+from tests.desktop.hands import CARDS, followed, shown, wait_for_results
 from tests.fakes.whisper_model import encoder_head
 from tests.models import centred_model, tone_model
 
@@ -40,7 +40,8 @@ def choose(box: QComboBox, ear: Ear) -> None:
     box.activated.emit(box.currentIndex())
 
 
-def shown_phonemes(desktop) -> np.ndarray:
+def shown_phonemes(desktop, qtbot) -> np.ndarray:
+    wait_for_results(desktop, qtbot)
     history = desktop.session.history
     return history.phonemes[history.indices(0, history.n)]
 
@@ -50,23 +51,23 @@ def in_file(preset: Preset, n: int) -> np.ndarray:
         return concatenate_analyses(list(analyse_file(reader, preset))).phonemes[:n]
 
 
-def test_the_opened_file_is_heard_as_the_commands_hear_it(window, desktop):
-    found = shown_phonemes(desktop)
+def test_the_opened_file_is_heard_as_the_commands_hear_it(window, desktop, qtbot):
+    found = shown_phonemes(desktop, qtbot)
     np.testing.assert_array_equal(found, in_file(PRESET, len(found)))
     assert window.recogniser.ears.currentText() == "twin"
     window.status.refresh(frozen=False)
     assert "heard with: twin, 0.51 s each way" in window.status.left.text()
 
 
-def test_another_ear_acts_at_once_and_undo_takes_it_back(window, desktop):
+def test_another_ear_acts_at_once_and_undo_takes_it_back(window, desktop, qtbot):
     choose(window.recogniser.ears, Ear.LIVE)
-    found = shown_phonemes(desktop)
+    found = shown_phonemes(desktop, qtbot)
     np.testing.assert_array_equal(found, in_file(replace(PRESET, file_ear=Ear.LIVE), len(found)))
     window.status.refresh(frozen=False)
     assert "heard with: learned, 50 ms ahead" in window.status.left.text()
     desktop.preset.undo_stack.undo()
     assert window.recogniser.ears.currentText() == "twin"
-    np.testing.assert_array_equal(shown_phonemes(desktop), in_file(PRESET, len(found)))
+    np.testing.assert_array_equal(shown_phonemes(desktop, qtbot), in_file(PRESET, len(found)))
 
 
 @pytest.mark.parametrize("ear", [Ear.TWIN, Ear.WHISPER])

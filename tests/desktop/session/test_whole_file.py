@@ -76,7 +76,7 @@ def test_a_file_that_vanishes_is_said_once_and_what_was_found_stays(desktop, qtb
     desktop.session.open(path)
     known = settled(desktop, qtbot).phonemes.copy()
     path.unlink()
-    desktop.preset.set_setting("minimum_hold", 0.05)
+    desktop.preset.set_setting("high_pass_end", 2000.0)
     qtbot.waitUntil(lambda: bool(errors))
     assert "sound.wav" in errors[0]
     np.testing.assert_array_equal(desktop.session.whole.tracks.phonemes, known)
