@@ -78,13 +78,20 @@ class HandDrivenSound(Sound):
 
 
 class Outputs:
-    """Opens outputs that the test moves, and remembers them."""
+    """Opens outputs that the test moves, and remembers them.
+
+    Attributes
+    ----------
+    alive : whether those that are opened from now on ask for sound; a card that is gone does not.
+    """
 
     def __init__(self) -> None:
         self.opened: list[HandDrivenOutput] = []
+        self.alive = True
 
     def __call__(self, n_channels: int) -> HandDrivenOutput:
         self.opened.append(HandDrivenOutput(n_channels, ahead=10 * SAMPLE_RATE))
+        self.opened[-1].alive = self.alive
         return self.opened[-1]
 
     @property
