@@ -59,6 +59,13 @@ SPEECH = np.concatenate(
 )
 
 
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let long tests take what they take."""
+    for item in items:
+        if item.get_closest_marker("long"):
+            item.add_marker(pytest.mark.timeout(0))
+
+
 @pytest.fixture(scope="session")
 def corpus() -> Path:
     """The labelled development corpus: 91 utterances of 8 speakers."""

@@ -179,8 +179,8 @@ def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, w
     assert len(heard(sound.with_suffix(".TextGrid"))) > 2
 
 
-def test_what_was_asked_for_is_written_before_the_program_ends(own_desktop, qtbot, sound, answer, held):
-    answer(sound.with_suffix(".csv"))
+def test_what_was_asked_for_is_written_before_the_program_ends(own_desktop, qtbot, sound, held):
+    own_desktop.files.show = FileAnswers(sound.with_suffix(".csv"))
     press(shown(own_desktop, qtbot, sound), Qt.Key.Key_E, CONTROL)
     threading.Timer(0.2, held.set).start()
     own_desktop.session.close()
