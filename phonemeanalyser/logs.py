@@ -8,7 +8,7 @@ from logging.handlers import RotatingFileHandler
 from pathlib import Path
 
 from phonemeengine.errors import EngineError
-from phonemeengine.files import printable_name, reason_of
+from phonemeengine.storage.files import printable_name, reason_of
 
 PACKAGES = ("phonemeengine", "phonemeanalyser")
 LINE = "%(asctime)s %(levelname)s %(name)s: %(message)s"

@@ -5,11 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 
 from phonemeengine.dsp.log_mel import FLOOR, N_BANDS, log_mels
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import SAMPLE_RATE, WINDOW
-from phonemeengine.visemes import Viseme
 
 QUIET = np.float32(np.log10(FLOOR))
 HEARD = -6.0

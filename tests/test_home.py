@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 from phonemeengine.encoder.model_folder import FOLDER_VARIABLE
-from phonemeengine.paths import cache_folder, data_folder, presets_folder, recordings_folder
+from phonemeengine.storage.paths import cache_folder, data_folder, presets_folder, recordings_folder
 from tests.conftest import ROOT
 from tests.homes import environment_of
 

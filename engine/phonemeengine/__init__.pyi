@@ -47,20 +47,25 @@ from .errors import TakeError as TakeError
 from .errors import TextError as TextError
 from .errors import UnknownPhonemeError as UnknownPhonemeError
 from .errors import VoiceError as VoiceError
+from .execution import Cancelled as Cancelled
+from .execution import Progress as Progress
 from .features.front_end import FrameBlock as FrameBlock
 from .features.measure import Features as Features
 from .features.variables import Variable as Variable
+from .inspection.measurement import measure as measure
+from .inspection.preset_difference import difference as difference
 from .labels.label import Label as Label
 from .labels.phoneme_map import PhonemeMap as PhonemeMap
 from .labels.phoneme_map import load_phoneme_map as load_phoneme_map
 from .labels.utterance import Utterance as Utterance
 from .labels.utterance import Word as Word
 from .labels.utterance_files import format_utterance as format_utterance
+from .labels.visemes import NO_VISEME as NO_VISEME
+from .labels.visemes import Viseme as Viseme
 from .live.incoming_speech import IncomingSpeech as IncomingSpeech
 from .live.listener import Listener as Listener
 from .live.recorder import Recorder as Recorder
 from .live.sound import Sound as Sound
-from .measurement import measure as measure
 from .mouth.animation import Animation as Animation
 from .mouth.animation import animation_of as animation_of
 from .mouth.cues import cues_of as cues_of
@@ -112,13 +117,10 @@ from .performance.track import PerformanceTrack as PerformanceTrack
 from .performance.track import face_table as face_table
 from .performance.units import UnitKind as UnitKind
 from .phonemes import Phoneme as Phoneme
-from .preset_difference import difference as difference
 from .presets.ears import for_files as for_files
 from .presets.files import load_preset as load_preset
 from .presets.files import save_preset as save_preset
 from .presets.preset import Preset as Preset
-from .progress import Cancelled as Cancelled
-from .progress import Progress as Progress
 from .recognition.recognition import Recognition as Recognition
 from .recognition.recognition import RuleComparison as RuleComparison
 from .recognition.recognition import Trace as Trace
@@ -148,7 +150,5 @@ from .text.pronunciation import ScriptWord as ScriptWord
 from .text.pronunciation import notes_on as notes_on
 from .text.pronunciation import words_of as words_of
 from .text.script import timed_script as timed_script
-from .visemes import NO_VISEME as NO_VISEME
-from .visemes import Viseme as Viseme
 
 __version__: str

@@ -19,12 +19,12 @@ from phonemeengine.audio.intake import SampleIntake
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.plug_ins import completed
 from phonemeengine.recognition.recognition import Recognition

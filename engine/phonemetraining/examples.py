@@ -20,9 +20,9 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import N_HEARD, TrainingExample, example_of, sound_of
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import EngineError
-from phonemeengine.files import atomic_write
+from phonemeengine.execution import end_with_parent
 from phonemeengine.labels.label import Label
-from phonemeengine.processes import end_with_parent
+from phonemeengine.storage.files import atomic_write
 from phonemetraining.augment_waveform import Augmentation, augment, draw_augmentation
 from phonemetraining.soft_labels import SoftLabels, key_of
 

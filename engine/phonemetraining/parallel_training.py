@@ -11,8 +11,8 @@ from typing import Any, TypeVar
 import numpy as np
 
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.execution import end_with_parent, single_threaded
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.processes import end_with_parent, single_threaded
 from phonemeengine.recognition.model import Model, load_model, save_model
 from phonemetraining.examples import read_examples
 from phonemetraining.training import Checkpoint, TrainingConfig, train

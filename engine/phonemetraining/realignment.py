@@ -23,11 +23,11 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_lab
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
 from phonemeengine.calibration.training_examples import N_HEARD
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import FRAME_PERIOD, HOP
-from phonemeengine.visemes import viseme_of
 from phonemetraining.examples import INDEX, write_examples
 from phonemetraining.parallel_training import TrainingPart, train_parts
 from phonemetraining.soft_labels import SoftLabels, key_of

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import N_HEARD
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import reason_of
+from phonemeengine.storage.files import reason_of
 
 SOFT_LABELS, HEAD = "heard.npz", "head.npz"
 """Files of what the teacher heard, and of a head that heard all."""

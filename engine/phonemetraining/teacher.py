@@ -21,9 +21,9 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_lab
 from phonemeengine.calibration.training_examples import certainties_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
 from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
-from phonemeengine.files import atomic_write
+from phonemeengine.execution import end_with_parent
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.processes import end_with_parent
+from phonemeengine.storage.files import atomic_write
 from phonemetraining.soft_labels import (
     HEAD,
     SOFT_LABELS,

@@ -15,10 +15,10 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.calibration.fine_tuning import HEAD_SHARES, VISEME_SHARE
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
-from phonemeengine.visemes import Viseme
 
 SMOOTHING = 0.05
 """Share of the certainty that is spread over all classes: labels lie a little beside the truth."""

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.calibration.optimiser import Optimiser
-from phonemeengine.files import atomic_write
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
-from phonemeengine.visemes import Viseme
+from phonemeengine.storage.files import atomic_write
 from phonemetraining.augment_spectrum import augment_spectra
 from phonemetraining.examples import ARRAYS, SpeakerExamples
 from phonemetraining.trainable_network import TrainableNetwork, targets_of

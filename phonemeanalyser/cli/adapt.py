@@ -28,8 +28,8 @@ from phonemeengine.calibration.calibrate import CalibrationResult
 from phonemeengine.calibration.sentences import LANGUAGES, sentences_in
 from phonemeengine.calibration.takes.room_noise import measure_room
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
-from phonemeengine.replacing import Guard, nothing_is_own
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.storage.replacing import Guard, nothing_is_own
 
 MOST_ROOM = 60
 """Seconds of a room's sound that are read."""

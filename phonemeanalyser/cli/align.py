@@ -16,9 +16,9 @@ from phonemeengine.analyser import analyse_file
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.conversion.spoken_texts import SpokenTexts, made_of, open_sound
-from phonemeengine.files import begins_like
-from phonemeengine.progress import Progress
-from phonemeengine.replacing import Guard, guarded_text
+from phonemeengine.execution import Progress
+from phonemeengine.storage.files import begins_like
+from phonemeengine.storage.replacing import Guard, guarded_text
 
 COLUMNS = ("file", "text", "score", "skipped", "unknown", "best")
 OTHER_TEXT = "another text"

@@ -18,15 +18,15 @@ from phonemeanalyser.cli.arguments import (
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, share_paths
 from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeengine import Channel, EngineError, Preset, difference
-from phonemeengine.analysis_tables import TABLES
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, open_sound
 from phonemeengine.conversion.work import ConversionWork
-from phonemeengine.files import begins_like, printable_name
-from phonemeengine.preset_difference import DIFFERENCE_COLUMNS, format_difference
-from phonemeengine.progress import Progress
-from phonemeengine.replacing import Guard, guarded_text
+from phonemeengine.execution import Progress
+from phonemeengine.inspection.analysis_tables import TABLES
+from phonemeengine.inspection.preset_difference import DIFFERENCE_COLUMNS, format_difference
+from phonemeengine.storage.files import begins_like, printable_name
+from phonemeengine.storage.replacing import Guard, guarded_text
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -9,7 +9,7 @@ from tqdm import tqdm
 
 from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.rendering.clip_options import ClipOptions
-from phonemeengine.progress import Progress
+from phonemeengine.execution import Progress
 
 
 def clip_options(options: argparse.Namespace) -> ClipOptions:

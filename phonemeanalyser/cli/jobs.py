@@ -15,9 +15,9 @@ from phonemeengine import Ear, EngineError, LabelledUtterance, Preset, for_files
 from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Work
-from phonemeengine.files import is_device, is_folder, printable, printable_name
 from phonemeengine.presets.ears import ear_in_words
-from phonemeengine.replacing import STANDARD_OUTPUT
+from phonemeengine.storage.files import is_device, is_folder, printable, printable_name
+from phonemeengine.storage.replacing import STANDARD_OUTPUT
 
 SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
 """Arguments that name files which are opened where the work is done."""

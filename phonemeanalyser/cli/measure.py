@@ -10,11 +10,16 @@ from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, a
 from phonemeanalyser.cli.jobs import file_preset
 from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
-from phonemeengine.averaged_spectrum import FORMAT, format_averaged_spectrum
 from phonemeengine.dsp.formants import CEILING
-from phonemeengine.files import begins_like
-from phonemeengine.measurement import MEASUREMENT_COLUMNS, average_spectrum, format_measurement, save_stretch
-from phonemeengine.replacing import STANDARD_OUTPUT, Guard, guarded_text, nothing_is_own, output_path
+from phonemeengine.inspection.averaged_spectrum import FORMAT, format_averaged_spectrum
+from phonemeengine.inspection.measurement import (
+    MEASUREMENT_COLUMNS,
+    average_spectrum,
+    format_measurement,
+    save_stretch,
+)
+from phonemeengine.storage.files import begins_like
+from phonemeengine.storage.replacing import STANDARD_OUTPUT, Guard, guarded_text, nothing_is_own, output_path
 
 HEADING = ",".join(MEASUREMENT_COLUMNS).encode()
 

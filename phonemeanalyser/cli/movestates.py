@@ -22,7 +22,7 @@ from phonemeengine import (
 from phonemeengine.mouth.files.io import TARGET_SUFFIXES
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 from phonemeengine.mouth.movestate import LONGEST_NAME
-from phonemeengine.replacing import Guard, guarded_text, nothing_is_own
+from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""

@@ -12,10 +12,10 @@ from phonemeanalyser.cli.arguments import add_clip, add_overwrite, file_place, n
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.performance.making import sentences
 from phonemeengine.performance.table_file import TableAbout
-from phonemeengine.replacing import Guard, guarded_text, nothing_is_own
+from phonemeengine.storage.files import printable_name, read_text_file
+from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
 USUAL_MINUTES, MOST_MINUTES = 15.0, 600.0
 BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"

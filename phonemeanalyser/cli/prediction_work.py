@@ -17,10 +17,10 @@ from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import atomic_write, printable_name, reason_of
-from phonemeengine.npz import read_npz
-from phonemeengine.progress import Progress
+from phonemeengine.execution import Progress
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.storage.files import atomic_write, printable_name, reason_of
+from phonemeengine.storage.npz import read_npz
 
 LARGEST = 1 << 30
 """Bytes of the answers in one recording that are read."""

@@ -27,7 +27,7 @@ from phonemeengine.batch.pool import n_cores
 from phonemeengine.batch.work import Job
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.table import USUAL_TABLE, shipped_tables
-from phonemeengine.replacing import STANDARD_OUTPUT
+from phonemeengine.storage.replacing import STANDARD_OUTPUT
 
 CLIPS = ("mp4", "gif")
 """What the clips of several sounds are."""

@@ -23,10 +23,10 @@ from phonemeengine import (
     original_sound,
 )
 from phonemeengine.conversion.spoken_texts import open_sound
-from phonemeengine.files import printable
 from phonemeengine.mouth.animation import animation_by
 from phonemeengine.performance.recording import Performance
-from phonemeengine.replacing import STANDARD_OUTPUT, Guard, output_path
+from phonemeengine.storage.files import printable
+from phonemeengine.storage.replacing import STANDARD_OUTPUT, Guard, output_path
 
 MILLISECOND = 0.001
 """The times of units are written as exactly."""

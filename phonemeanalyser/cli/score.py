@@ -45,8 +45,8 @@ from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.evaluation import CorpusScores, corpus_scores_of
 from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
-from phonemeengine.files import printable, printable_name
-from phonemeengine.replacing import Guard, guarded_text, nothing_is_own
+from phonemeengine.storage.files import printable, printable_name
+from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
 KINDS = {".html": "html", ".htm": "html", ".json": "json"}
 """The formats that an ending asks for; text is the format of all others."""

@@ -19,7 +19,7 @@ from phonemeengine import (
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Say
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
-from phonemeengine.files import printable_name
+from phonemeengine.storage.files import printable_name
 from phonemeengine.text.espeak import languages
 from phonemeengine.text.script import is_timed, load_script
 

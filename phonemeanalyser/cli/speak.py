@@ -36,7 +36,6 @@ from phonemeengine import (
 from phonemeengine.audio.output import Output, open_output
 from phonemeengine.conversion.driving import Driving
 from phonemeengine.conversion.spoken_texts import say_misfits
-from phonemeengine.files import printable, read_text_file
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.live.player import Player
 from phonemeengine.presets.files import DEFAULT_PRESET
@@ -44,6 +43,7 @@ from phonemeengine.speech.pinyin.timing import FASTEST, SLOWEST, USUAL_RATE
 from phonemeengine.speech.silent import ENGLISH
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
+from phonemeengine.storage.files import printable, read_text_file
 from phonemeengine.text import mandarin
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.script import LARGEST

@@ -15,19 +15,19 @@ from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import EngineError, ExportOptions, SilentText, Transcript, Utterance, spoken_text
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.conversion.driving import Driving, FaceTrack
-from phonemeengine.files import begins_like
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.utterance import shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.replacing import STANDARD_OUTPUT, Guard, guarded_write, nothing_is_own, write_guarded
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, PlanRow, plan_lines
 from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, has_pinyin, plan_of, says_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack
 from phonemeengine.speech.spoken_text import written_as_spoken
 from phonemeengine.speech.voice import SpokenSentence
+from phonemeengine.storage.files import begins_like
+from phonemeengine.storage.replacing import STANDARD_OUTPUT, Guard, guarded_write, nothing_is_own, write_guarded
 
 SILENCE = "sil"
 """The name of what lies between words, in labels."""

@@ -11,7 +11,7 @@ from tqdm import tqdm
 from phonemeanalyser.cli.arguments import add_channel, file_place, whole_in
 from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.replacing import guarded_text
+from phonemeengine.storage.replacing import guarded_text
 from phonemetraining.model_card import model_card, validations_of
 from phonemetraining.pipeline import TrainedModel, TrainingResult, train_and_validate
 from phonemetraining.training import TrainingConfig

@@ -8,10 +8,10 @@ from PySide6.QtCore import QSettings, Qt
 from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtWidgets import QMenu, QWidget
 
-from phonemeanalyser.desktop.analyse.label_dialogs import LabelDialogs
-from phonemeanalyser.desktop.analyse.output_button import SPEEDS, next_speed
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
+from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
+from phonemeanalyser.desktop.analyse.transport.output_button import SPEEDS, next_speed
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
 from phonemeanalyser.desktop.menus import Command, Menus

@@ -11,8 +11,8 @@ from PySide6.QtCore import QFileSystemWatcher, QObject, QSettings, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
 
-from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
-from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.analyse.recognition.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
@@ -26,7 +26,6 @@ from phonemeanalyser.desktop.widgets.plot_menu import save_picture
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
-from phonemeengine.paths import presets_folder
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY_PRESETS,
@@ -36,6 +35,7 @@ from phonemeengine.presets.files import (
     own_presets,
     preset_entries,
 )
+from phonemeengine.storage.paths import presets_folder
 
 N_RECENT = 8
 CURVE_SUFFIX = ".csv"

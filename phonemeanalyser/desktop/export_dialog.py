@@ -32,7 +32,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, work_of
 from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
-from phonemeanalyser.desktop.talk.choices_panel import DETAILS
+from phonemeanalyser.desktop.talk.mouth_table.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.table_copy import let_copy
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
 from phonemeengine.conversion.work import targets_of

@@ -5,12 +5,12 @@ import time
 from PySide6.QtCore import QObject, Qt, QTimer
 
 from phonemeanalyser.desktop import calibrate
-from phonemeanalyser.desktop.analyse.look_ahead_slider import LookAheadSlider
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
+from phonemeanalyser.desktop.analyse.recognition.look_ahead_slider import LookAheadSlider
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
-from phonemeanalyser.desktop.analyse.transport import Transport
+from phonemeanalyser.desktop.analyse.transport.transport import Transport
 from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.talk.heads import Heads
+from phonemeanalyser.desktop.talk.head.heads import Heads
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack
 
 FRAME_MS = 16

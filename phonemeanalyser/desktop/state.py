@@ -11,7 +11,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QMainWindow, QSplitter
 
-from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
+from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
 from phonemeanalyser.desktop.session.microphone import SUFFIXES, Microphone
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.settings import Kept, keep, read

@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 from PySide6.QtCore import QObject, Qt, Signal
 
 from phonemeengine.errors import EngineError
-from phonemeengine.progress import Cancelled, Progress
+from phonemeengine.execution import Cancelled, Progress
 
 Result = TypeVar("Result")
 CLOSE_TIMEOUT = 1.0

@@ -9,14 +9,14 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent
 from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
 
 from phonemeanalyser.desktop import calibrate, commands
-from phonemeanalyser.desktop.analyse.filter_column import FilterColumn
-from phonemeanalyser.desktop.analyse.label_dialogs import LabelDialogs
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
+from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.analyse.preset_box import PresetBox
-from phonemeanalyser.desktop.analyse.recogniser_choice import RecogniserChoice
-from phonemeanalyser.desktop.analyse.selection_dialogs import SelectionDialogs
+from phonemeanalyser.desktop.analyse.recognition.filter_column import FilterColumn
+from phonemeanalyser.desktop.analyse.recognition.preset_box import PresetBox
+from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import RecogniserChoice
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
-from phonemeanalyser.desktop.analyse.transport import Transport
+from phonemeanalyser.desktop.analyse.transport.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.docks import Docks
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -30,11 +30,11 @@ from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
-from phonemeanalyser.desktop.talk.head_view import HeadView
-from phonemeanalyser.desktop.talk.heads import Heads
+from phonemeanalyser.desktop.talk.head.head_view import HeadView
+from phonemeanalyser.desktop.talk.head.heads import Heads
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import TalkPage
-from phonemeanalyser.desktop.talk.words_view import spoken_lanes
+from phonemeanalyser.desktop.talk.words.words_view import spoken_lanes
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis

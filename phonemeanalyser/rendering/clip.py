@@ -39,16 +39,16 @@ from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
-from phonemeengine.files import printable, printable_name
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.ears import for_files
-from phonemeengine.progress import Progress, no_progress, report_progress, subrange
-from phonemeengine.replacing import REPLACING, Guard, guarded_write, output_path
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.storage.files import printable, printable_name
+from phonemeengine.storage.replacing import REPLACING, Guard, guarded_write, output_path
 
 # A mesh that plays an animation, frame by frame.
 

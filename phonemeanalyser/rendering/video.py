@@ -13,7 +13,7 @@ from PIL import Image
 
 from phonemeanalyser.rendering import RenderingError
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.files import reason_of
+from phonemeengine.storage.files import reason_of
 
 QUALITY = "18"
 """The constant rate factor of H.264: smaller is better, 18 looks like the original."""

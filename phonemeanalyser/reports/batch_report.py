@@ -13,7 +13,7 @@ from phonemeanalyser.reports.templates import rendered
 from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import JobState, Outcome
 from phonemeengine.errors import BatchError
-from phonemeengine.files import printable, write_file
+from phonemeengine.storage.files import printable, write_file
 
 TABLE, PAGE = "phonemeanalyser-report.csv", "phonemeanalyser-report.html"
 """The names of the files."""

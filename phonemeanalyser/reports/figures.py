@@ -20,10 +20,10 @@ from phonemeengine.arrays import Int64Array
 from phonemeengine.calibration.scores.comparison import Difference, DifferingSegment, PresetComparison
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
-from phonemeengine.files import printable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import ear_in_words
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.storage.files import printable
 
 # A report as text: the table of the corpus scorer, the confusion in percent, and what only one preset gets right.
 

@@ -12,9 +12,9 @@ from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
-from phonemeengine.files import printable, printable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.storage.files import printable, printable_name
 
 CLASSES = (*SCORED_PHONEMES, Phoneme.UNIDENTIFIED)
 """The order in which phonemes are listed."""

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from phonemeengine.files import printable
+from phonemeengine.storage.files import printable
 
 
 def rendered(

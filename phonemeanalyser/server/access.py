@@ -16,7 +16,7 @@ from pathlib import Path
 
 from phonemeanalyser.server.limits import RefusedError
 from phonemeengine import EngineError
-from phonemeengine.files import printable_name, read_text_file
+from phonemeengine.storage.files import printable_name, read_text_file
 
 PROTOCOL = "phonemeanalyser"
 """The subprotocol of streams; a page names the token as another one, since it cannot set headers."""

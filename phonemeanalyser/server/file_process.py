@@ -12,8 +12,7 @@ import traceback
 
 from phonemeengine import EngineError, load_preset
 from phonemeengine.batch.order import worked_on
-from phonemeengine.processes import end_with_input
-from phonemeengine.progress import no_progress
+from phonemeengine.execution import end_with_input, no_progress
 
 MADE, REFUSED, NO_MEMORY, CRASHED = "made", "refused", "no memory", "crashed"
 CODE = "from phonemeanalyser.server.file_process import run; run()"

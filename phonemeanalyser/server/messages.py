@@ -13,10 +13,10 @@ from phonemeanalyser.server.limits import RefusedError
 from phonemeengine import GrownWords, MouthTable, Phoneme, Viseme, Word, load_table
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
+from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.visemes import viseme_of
 
 _PHONEMES = [phoneme.label for phoneme in Phoneme]
 _VISEMES: list[str | None] = [*(viseme.label for viseme in Viseme), *[None] * (256 - len(Viseme))]

@@ -20,11 +20,11 @@ from phonemeanalyser.server.session import StreamSession
 from phonemeanalyser.server.turns import Turns
 from phonemeengine import FORMATS, EngineError, ScriptWord, __version__, load_preset, words_of
 from phonemeengine.audio.incoming import Encoding, StreamFormat
-from phonemeengine.files import reason_of
 from phonemeengine.live.incoming_speech import IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import WINDOW
+from phonemeengine.storage.files import reason_of
 
 STREAM, EXPORT = "/stream", "/export"
 PREFLIGHT = {

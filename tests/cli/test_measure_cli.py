@@ -8,8 +8,8 @@ import soundfile
 import phonemeanalyser
 from phonemeanalyser.__main__ import main
 from phonemeengine import load_preset, measure
-from phonemeengine.averaged_spectrum import load_averaged_spectrum
-from phonemeengine.measurement import format_measurement
+from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
+from phonemeengine.inspection.measurement import format_measurement
 
 DEMO = Path(phonemeanalyser.__file__).parent / "demo" / "demo.flac"
 

@@ -7,7 +7,7 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
-from phonemeengine.analysis_tables import TABLES
+from phonemeengine.inspection.analysis_tables import TABLES
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.files.gltf_writing import format_glb

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.analyse.waveform_view import SOFTEST
+from phonemeanalyser.desktop.analyse.spectra.waveform_view import SOFTEST
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import Session, SoundSource
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.text_model import TextModel
+from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.conftest import AHEAD, STEP, ended

@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
-from phonemeanalyser.desktop.analyse.label_dialogs import TiersDialog
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import DARK, LIGHT, PHONEME_COLOURS, Theme
 from tests.desktop.accessible import controls_of, spoken_name

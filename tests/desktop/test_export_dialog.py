@@ -12,7 +12,7 @@ from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
 from phonemeanalyser.desktop.session import export_queue
 from phonemeanalyser.desktop.session.export_queue import ExportState
-from phonemeanalyser.desktop.talk.sound_words import KnownWords
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeengine import Channel, SoundReader, convert, load_preset
 from phonemeengine.conversion.spoken_texts import NO_TEXTS
 from phonemeengine.labels.files import write_labels

@@ -11,16 +11,16 @@ from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QDoubleSpinBox, QSpinBox
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
-from phonemeanalyser.desktop.analyse.label_dialogs import TiersDialog
-from phonemeanalyser.desktop.analyse.variable_dialog import VariableDialog
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
+from phonemeanalyser.desktop.analyse.recognition.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.engine_words import SPOKEN, tr_engine
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language
 from phonemeanalyser.desktop.session.session import SoundSource
-from phonemeanalyser.desktop.talk.text_panel import _short
-from phonemeanalyser.desktop.talk.voice_model import installed
+from phonemeanalyser.desktop.talk.words.text_panel import _short
+from phonemeanalyser.desktop.talk.words.voice_model import installed
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import ToneKind
 from phonemeengine.calibration.sentences import LANGUAGES

@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.errors import EngineError
-from phonemeengine.progress import Progress, report_progress
+from phonemeengine.execution import Progress, report_progress
 
 HANG = 60
 

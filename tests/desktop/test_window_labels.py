@@ -7,7 +7,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QInputDialog, QMessageBox
 
-from phonemeanalyser.desktop.analyse.label_dialogs import TiersDialog
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.labels.label import RawLabel

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
 )
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.calibrate.guide_model import Phase
+from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import Tone, ToneKind

@@ -10,14 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.analyser import analyse_blocks
-from phonemeengine.averaged_spectrum import (
+from phonemeengine.errors import CurveError
+from phonemeengine.inspection.averaged_spectrum import (
     AveragedSpectrum,
     SpectrumAverage,
     distance_of,
     load_averaged_spectrum,
     save_averaged_spectrum,
 )
-from phonemeengine.errors import CurveError
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
 from tests.sounds import Sound, noise, tone, vowel

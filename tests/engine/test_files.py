@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from phonemeengine.errors import CurveError
-from phonemeengine.files import atomic_write, is_portable, read_file, read_text_file, write_file
+from phonemeengine.storage.files import atomic_write, is_portable, read_file, read_text_file, write_file
 
 
 def write(path, content, **options):

@@ -8,15 +8,15 @@ import pytest
 import soundfile
 
 from phonemeengine import AudioError, EngineError, Phoneme, SoundReader, load_preset, measure
-from phonemeengine.measurement import (
+from phonemeengine.inspection.measurement import (
     average_spectrum,
     format_measurement,
     frames_between,
     measure_stretch,
     save_stretch,
 )
+from phonemeengine.inspection.whole_sound import tracks_of
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.whole_sound import tracks_of
 
 PRESET = load_preset("learned")
 
@@ -64,7 +64,7 @@ def test_pitch_and_formants_are_those_that_praat_finds(demo: Path) -> None:
 
 def test_a_long_stretch_is_measured_in_parts(demo: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     whole = measure(demo, 0.123, 3.456, PRESET)
-    monkeypatch.setattr("phonemeengine.measurement.AT_ONCE", 0.5)
+    monkeypatch.setattr("phonemeengine.inspection.measurement.AT_ONCE", 0.5)
     parts = measure(demo, 0.123, 3.456, PRESET)
     assert (parts.level, parts.peak) == pytest.approx((whole.level, whole.peak), abs=1e-4)
     assert parts.shares == whole.shares

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from phonemeengine import Ear, SoundReader, load_preset
+from phonemeengine.inspection.retuning import RetunedSound
+from phonemeengine.inspection.whole_sound import SoundTracks, analyse_whole, tracks_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.retuning import RetunedSound
 from phonemeengine.settings import Filter
-from phonemeengine.whole_sound import SoundTracks, analyse_whole, tracks_of
 from tests.conftest import ROOT
 
 CARDS = ROOT / "tests" / "data" / "cards.flac"

@@ -8,7 +8,7 @@ import pytest
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.expression.streams import load_expressions
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.strict_table import parse_toml
+from phonemeengine.storage.strict_table import parse_toml
 
 
 class Colour(StrEnum):

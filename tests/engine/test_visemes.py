@@ -5,11 +5,7 @@ import pytest
 
 from phonemeengine.labels.articulation import IPA_LETTERS
 from phonemeengine.labels.phone_sets import ipa_phoneme
-from phonemeengine.mouth.blendshape_names import OCULUS
-from phonemeengine.mouth.table import load_table
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.smoothing import MARGIN, VisemeSmoother
-from phonemeengine.visemes import (
+from phonemeengine.labels.visemes import (
     NO_VISEME,
     PHONEME_VISEMES,
     VISEME_PHONES,
@@ -18,6 +14,10 @@ from phonemeengine.visemes import (
     viseme_of,
     viseme_phones,
 )
+from phonemeengine.mouth.blendshape_names import OCULUS
+from phonemeengine.mouth.table import load_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.smoothing import MARGIN, VisemeSmoother
 
 
 def test_visemes_are_called_as_avatars_call_them():

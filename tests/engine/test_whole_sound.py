@@ -10,11 +10,11 @@ import soundfile
 from phonemeengine.analyser import Analysis, analyse_file, concatenate_analyses
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
+from phonemeengine.execution import Cancelled
+from phonemeengine.inspection.whole_sound import FrameRange, FrameState, SoundTracks, analyse_whole, tracks_of
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Cancelled
 from phonemeengine.settings import SAMPLE_RATE, Ear
-from phonemeengine.whole_sound import FrameRange, FrameState, SoundTracks, analyse_whole, tracks_of
 from tests.conftest import ROOT
 from tests.fakes.whisper_model import encoder_head
 
@@ -114,7 +114,7 @@ def test_the_outline_goes_on_where_a_cancelled_analysis_left_it(long: Path):
 
 
 def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr("phonemeengine.whole_sound.MOST_PREVIEWED", 300)
+    monkeypatch.setattr("phonemeengine.inspection.whole_sound.MOST_PREVIEWED", 300)
     tracks, known = empty(long), []
 
     def watch(_share: float) -> bool:

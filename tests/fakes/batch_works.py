@@ -12,9 +12,9 @@ from pathlib import Path
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
 from phonemeengine.errors import ExportError
-from phonemeengine.files import atomic_write
+from phonemeengine.execution import Cancelled, Progress, report_progress
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Cancelled, Progress, report_progress
+from phonemeengine.storage.files import atomic_write
 
 SECONDS = 2.0
 

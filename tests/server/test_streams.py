@@ -12,10 +12,10 @@ from phonemeengine import Analyser, Phoneme, Viseme, load_preset, load_table
 from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.labels.visemes import NO_VISEME, viseme_phones
 from phonemeengine.live.incoming_speech import in_time
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.presets.preset import Preset
-from phonemeengine.visemes import NO_VISEME, viseme_phones
 from tests.conftest import CORPUS
 from tests.server.conftest import FAST
 from tests.server.servers import Told, as_s16, cut, served, streamed

@@ -13,11 +13,11 @@ from phonemeengine.calibration.training_examples import N_HEARD, NOT_SAID, Train
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.visemes import Viseme
 from phonemetraining.augment_spectrum import augment_spectra
 from phonemetraining.augment_waveform import Augmentation, augment
 from phonemetraining.examples import SpeakerExamples, examples_of

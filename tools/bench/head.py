@@ -7,7 +7,7 @@ from collections.abc import Callable
 import moderngl
 import numpy as np
 
-from phonemeanalyser.desktop.talk.head_surface import MOST_QUICK_PIXELS
+from phonemeanalyser.desktop.talk.head.head_surface import MOST_QUICK_PIXELS
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
 from phonemeanalyser.rendering.renderer import HeadRenderer

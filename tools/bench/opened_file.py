@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.presets.files import THESIS_PRESET
-from phonemeengine.whole_sound import FrameState
 from tools.bench.desktop import live_for, shown_desktop, written_speech
 from tools.bench.figures import Absolute, Figure, answer_of
 from tools.bench.memory import Highest, resident_megabytes

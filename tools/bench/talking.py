@@ -14,7 +14,7 @@ from pathlib import Path
 from PySide6.QtWidgets import QDockWidget
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.window import ANALYSE, TALK
 from phonemeengine.settings import FRAME_PERIOD
 from tools.bench.desktop import live_for, shown_desktop, written_speech

@@ -8,9 +8,9 @@ import numpy as np
 from phonemeengine.alignment.manners import KINDS, levels_of, log_likelihoods, measured_of
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.scores import scores_in
-from phonemeengine.visemes import Viseme
 
 SHARES: dict[Phoneme, float] = {
     Phoneme.SILENCE: 0.14,

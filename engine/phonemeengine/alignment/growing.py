@@ -9,8 +9,8 @@ from phonemeengine.alignment.evidence import Evidence, joined, shortfalls_of, sp
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.viterbi import LeastFrames, WayStep, cheapest_way
 from phonemeengine.errors import TextError
-from phonemeengine.files import printable
 from phonemeengine.labels.utterance import Word
+from phonemeengine.storage.files import printable
 from phonemeengine.text.pronunciation import ScriptWord
 
 LONGEST, UNSETTLED = 200, 100

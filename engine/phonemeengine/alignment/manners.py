@@ -11,9 +11,9 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.labels.phone_sets import ipa_phoneme
+from phonemeengine.labels.visemes import Viseme, viseme_of
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import WINDOW
-from phonemeengine.visemes import Viseme, viseme_of
 
 HEARD = slice(WINDOW // 2 - 330, WINDOW // 2 + 331)
 """The middle of a window that is measured, 15 ms."""

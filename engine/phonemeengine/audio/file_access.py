@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from phonemeengine.errors import AudioError
-from phonemeengine.files import reason_of
+from phonemeengine.storage.files import reason_of
 
 
 def open_checked(path: Path, name: str) -> BinaryIO:

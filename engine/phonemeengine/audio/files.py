@@ -22,9 +22,9 @@ from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.mixing import PLAIN, Mix, measured_mix
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.errors import AudioError
-from phonemeengine.files import printable_name
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel
+from phonemeengine.storage.files import printable_name
 
 SUFFIXES = frozenset(
     {".wav", ".wave", ".bwf", ".rf64", ".w64", ".aif", ".aiff", ".aifc", ".flac", ".ogg", ".oga", ".opus", ".mp3"}

@@ -15,7 +15,7 @@ from typing import Any
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.errors import AudioError
-from phonemeengine.files import atomic_write
+from phonemeengine.storage.files import atomic_write
 
 
 class RecordingMarker:

@@ -19,7 +19,7 @@ from phonemeengine.audio.libsndfile import FlacEncoder
 from phonemeengine.audio.recording_file import RecordingFile, describe_os_error, shown_folder
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import RecordingError
-from phonemeengine.files import printable_name, reason_of
+from phonemeengine.storage.files import printable_name, reason_of
 
 PERIOD = 0.2
 """Seconds between two writings to the disk."""

@@ -11,7 +11,7 @@ from typing import BinaryIO
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.libsndfile import DecodingError, FlacEncoder
 from phonemeengine.errors import RecordingError
-from phonemeengine.files import atomic_write, free_path, printable, printable_name, reason_of
+from phonemeengine.storage.files import atomic_write, free_path, printable, printable_name, reason_of
 
 COPIED_AT_ONCE = 1 << 20
 """Bytes."""

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.gaps import MOST_MARKED, Gap
 from phonemeengine.errors import AudioError
-from phonemeengine.files import printable_name
+from phonemeengine.storage.files import printable_name
 
 # Sound as whole numbers of 24 bits, and bytes on their way to the disk.
 

@@ -21,8 +21,8 @@ from phonemeengine.batch.folder_lock import holder_of
 from phonemeengine.batch.order import Order, act_of, failed, worked_through
 from phonemeengine.batch.work import Job, Outcome
 from phonemeengine.errors import BatchError, EngineError
-from phonemeengine.files import printable_name
-from phonemeengine.processes import keep_memory
+from phonemeengine.execution import keep_memory
+from phonemeengine.storage.files import printable_name
 
 PACKAGES = ("numpy", "scipy", "soundfile", "soxr")
 """What decides with the program what outputs are, to the last bit."""

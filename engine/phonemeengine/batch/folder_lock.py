@@ -11,13 +11,13 @@ from typing import Any
 from phonemeengine.audio.locking import lock_at
 from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.errors import BatchError
-from phonemeengine.files import printable_name, reason_of
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
+from phonemeengine.storage.files import printable_name, reason_of
 
 LOCK = ".phonemeanalyser-batch.lock"
 """The name of the file that is locked; it tells who holds it."""
 PART = re.compile(r"(.+)\.[0-9a-f]{8}\.part")
-"""The name of what is being written, see `phonemeengine.files.atomic_write`."""
+"""The name of what is being written, see `phonemeengine.storage.files.atomic_write`."""
 
 
 class FolderLock(Closing):

@@ -15,8 +15,8 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.remote import fetched, is_remote
 from phonemeengine.batch.work import Act, Job, JobState, Made, Outcome, Work
 from phonemeengine.errors import EngineError
-from phonemeengine.files import is_portable, printable_name, reason_of
-from phonemeengine.progress import Cancelled, Progress
+from phonemeengine.execution import Cancelled, Progress
+from phonemeengine.storage.files import is_portable, printable_name, reason_of
 
 FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
 """Why nothing else can be written either."""

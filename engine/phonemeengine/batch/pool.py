@@ -12,8 +12,7 @@ from typing import Any
 
 from phonemeengine.batch.order import Order, act_of, worked_through
 from phonemeengine.batch.work import Job, Outcome
-from phonemeengine.processes import end_with_parent, single_threaded
-from phonemeengine.progress import Progress
+from phonemeengine.execution import Progress, end_with_parent, single_threaded
 
 WAITING = 2
 """Chunks that are given out for each process, so that none waits for the next."""

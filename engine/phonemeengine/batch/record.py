@@ -17,8 +17,8 @@ from phonemeengine.batch.fingerprint import digest_of, size_and_time
 from phonemeengine.batch.remote import is_remote, write_place
 from phonemeengine.batch.work import FileState, Job, JobState, Made, Outcome
 from phonemeengine.errors import BatchError
-from phonemeengine.files import atomic_write, printable_name, reason_of
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
+from phonemeengine.storage.files import atomic_write, printable_name, reason_of
 
 RECORD = ".phonemeanalyser-batch"
 """Its name."""

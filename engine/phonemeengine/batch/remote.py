@@ -14,7 +14,7 @@ from typing import cast
 from phonemeengine.batch.fingerprint import digest_of, size_and_time
 from phonemeengine.batch.work import FileState, Job
 from phonemeengine.errors import BatchError
-from phonemeengine.files import printable, printable_name, reason_of
+from phonemeengine.storage.files import printable, printable_name, reason_of
 
 
 def place_of(text: str) -> Path:

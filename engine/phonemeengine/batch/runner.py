@@ -16,8 +16,8 @@ from phonemeengine.batch.pool import Pool, n_cores
 from phonemeengine.batch.record import BatchRecord
 from phonemeengine.batch.work import Act, Job, JobState, Outcome, Work
 from phonemeengine.errors import BatchError
-from phonemeengine.files import printable, printable_name
-from phonemeengine.progress import Cancelled
+from phonemeengine.execution import Cancelled
+from phonemeengine.storage.files import printable, printable_name
 
 WORTH_A_POOL = 16 << 20
 """Bytes of sound for which it is worth it to start processes, where nobody says how many."""

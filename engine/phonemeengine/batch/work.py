@@ -7,7 +7,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any, Protocol
 
-from phonemeengine.progress import Progress
+from phonemeengine.execution import Progress
 
 Say = Callable[[str, str], None]
 """Told what is odd about something that is worked on all the same: its name, and a sentence."""

@@ -25,13 +25,13 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import TrainingExample, example_of_recording
 from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Progress, report_progress
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
 from phonemeengine.recognition.scores import MOST_LOG_ODDS
-from phonemeengine.visemes import Viseme
 
 FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
 """Steps that are taken: one for so many frames of the voice, within these bounds."""

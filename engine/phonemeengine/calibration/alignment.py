@@ -19,7 +19,6 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import TakeError
-from phonemeengine.files import printable_name
 from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
@@ -28,6 +27,7 @@ from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
+from phonemeengine.storage.files import printable_name
 from phonemeengine.text.pronunciation import ScriptWord
 
 LEAST_FRAMES = 3

@@ -30,9 +30,9 @@ from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room, room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
 from phonemeengine.errors import CorpusError, RecogniserError
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.spec import BUILT_IN, spec_of
 from phonemeengine.settings import Ear
 

@@ -10,10 +10,10 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.calibration.optimiser import Optimiser
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
-from phonemeengine.visemes import Viseme
 
 KINDS = (slice(0, len(Phoneme)), slice(len(Phoneme), len(Phoneme) + len(Viseme)))
 """The classes of a head that compete with each other: phonemes, and visemes."""

@@ -12,8 +12,8 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_lab
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.visemes import Viseme
 
 TOGETHER = 512
 """Frames that are measured at once."""

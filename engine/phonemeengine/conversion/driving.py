@@ -18,11 +18,11 @@ from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
 from phonemeengine.performance.keywords import load_keywords
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import PerformanceTrack, format_units, owns
-from phonemeengine.replacing import Guard, write_guarded
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import has_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+from phonemeengine.storage.replacing import Guard, write_guarded
 
 FaceTrack = PerformanceTrack | PinyinTrack
 """What moves a face that does not follow its phones by rules."""

@@ -12,10 +12,10 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Made, Say
 from phonemeengine.errors import AudioError, EngineError
-from phonemeengine.files import is_folder, printable, printable_name
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.transcript import Script, Transcript, scripted_transcript_of, transcript_of
 from phonemeengine.settings import Channel
+from phonemeengine.storage.files import is_folder, printable, printable_name
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import notes_on, words_of
 from phonemeengine.text.script import is_timed, load_script, script_beside, timed_script, words_beside

@@ -9,23 +9,23 @@ from functools import partial
 from pathlib import Path
 
 from phonemeengine.analyser import analyse_file
-from phonemeengine.analysis_tables import TABLES
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Act, Job, JobState, Made, Say
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
 from phonemeengine.errors import ExportError, remedy
-from phonemeengine.files import Owns, printable_name
+from phonemeengine.execution import Progress, no_progress
+from phonemeengine.inspection.analysis_tables import TABLES
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import Script
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress
-from phonemeengine.replacing import Guard, guarded_text, write_guarded
 from phonemeengine.settings import Channel
+from phonemeengine.storage.files import Owns, printable_name
+from phonemeengine.storage.replacing import Guard, guarded_text, write_guarded
 
 
 @dataclass(frozen=True)

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.whisper import N_STATES
 from phonemeengine.errors import ModelError
-from phonemeengine.files import atomic_write, reason_of
-from phonemeengine.npz import read_npz
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.visemes import Viseme
+from phonemeengine.storage.files import atomic_write, reason_of
+from phonemeengine.storage.npz import read_npz
 
 FORMAT = 1
 LARGEST_FILE = 4 << 20

@@ -22,8 +22,8 @@ from phonemeengine.encoder.whisper import (
     missing_files,
 )
 from phonemeengine.errors import ModelError
-from phonemeengine.files import atomic_write, read_text_file, reason_of, write_file
-from phonemeengine.paths import data_folder
+from phonemeengine.storage.files import atomic_write, read_text_file, reason_of, write_file
+from phonemeengine.storage.paths import data_folder
 
 FOLDER_VARIABLE = "PHONEMEANALYSER_WHISPER"
 """Names the folder of the model, whatever else there is."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.errors import ModelError
-from phonemeengine.processes import threads_allowed
+from phonemeengine.execution import threads_allowed
 from phonemeengine.settings import SAMPLE_RATE
 
 # The log-mel spectrogram that Whisper's encoder takes (A. Radford et al., arXiv:2212.04356, section 2.2).

@@ -13,11 +13,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from phonemeengine.errors import CorpusError, UnknownPhonemeError
-from phonemeengine.files import printable_name
 from phonemeengine.labels.label import Label, RawLabel
 from phonemeengine.labels.phone_sets import AFFRICATE, PhoneClass, own_phone_class, phone_classes_in
 from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
+from phonemeengine.storage.files import printable_name
 
 FORMAT = "phonemeanalyser mapping 1"
 COLUMNS = ("name", "phoneme")

@@ -12,9 +12,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import begins_like
+from phonemeengine.execution import Closing
 from phonemeengine.labels.label import ROUNDING, Label, RawLabel
-from phonemeengine.lifetime import Closing
+from phonemeengine.storage.files import begins_like
 
 INTERVALS, POINTS = "IntervalTier", "TextTier"
 _IN_MEMORY = 1 << 20

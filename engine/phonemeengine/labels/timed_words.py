@@ -11,12 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import printable_name
 from phonemeengine.labels.files import TIER_NAMES
 from phonemeengine.labels.label import in_order
 from phonemeengine.labels.phone_sets import marks_silence
 from phonemeengine.labels.table import read_text
 from phonemeengine.labels.textgrid import Tier, tiers_of
+from phonemeengine.storage.files import printable_name
 
 WORD_TIER = "word"
 """What the names of tiers of words begin with, in small letters."""

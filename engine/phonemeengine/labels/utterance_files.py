@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from phonemeengine.errors import CorpusError, TextError
-from phonemeengine.files import printable_name
+from phonemeengine.execution import Closing
 from phonemeengine.labels.files import TIER_NAMES, names_in
 from phonemeengine.labels.label import LONGEST_OVERHANG, ROUNDING, RawLabel, in_order
 from phonemeengine.labels.phone_sets import marks_silence
@@ -20,8 +20,8 @@ from phonemeengine.labels.table import read_text
 from phonemeengine.labels.textgrid import Interval, Tier, TierSpool, grid_lines, length_of, tiers_of
 from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER, tiers_of_speaker
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.lifetime import Closing
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.storage.files import printable_name
 
 WORDS, SYLLABLES, PHONES, PHONEMES = "words", "syllables", "phones", "phonemes"
 """The names of the tiers that are written; of those that are read, the beginnings count."""

@@ -14,9 +14,9 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
 from phonemeengine.audio.resampling import Resampler
 from phonemeengine.audio.wav import WavEncoder
-from phonemeengine.files import reason_of
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.settings import SAMPLE_RATE, Channel
+from phonemeengine.storage.files import reason_of
 
 MOST_WAITING = 2000
 """Blocks that wait for the disk at most; a disk that is stuck for longer loses what comes after them."""

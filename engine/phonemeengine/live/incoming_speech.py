@@ -11,6 +11,7 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, pus
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
+from phonemeengine.labels.visemes import viseme_phones
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.presets.ears import for_live_use
@@ -18,7 +19,6 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
 from phonemeengine.text.pronunciation import ScriptWord
-from phonemeengine.visemes import viseme_phones
 
 MOST_LATE = 0.06
 """Seconds from when the last sample of a frame has come to when it is known what it is, work included."""

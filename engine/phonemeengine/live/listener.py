@@ -21,7 +21,7 @@ from phonemeengine.audio.input import CardInput, Input
 from phonemeengine.audio.level import Level, PeakMeter
 from phonemeengine.audio.stream import STALLED, missing_library
 from phonemeengine.errors import DeviceError
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.live.microphone_analyser import Latency, MicrophoneAnalyser
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.preset import Preset

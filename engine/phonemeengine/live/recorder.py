@@ -15,11 +15,11 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.gaps import Gap, gaps_in_words
 from phonemeengine.audio.recording import Recording
 from phonemeengine.errors import RecordingError
-from phonemeengine.files import free_path
-from phonemeengine.lifetime import Closing
-from phonemeengine.paths import journal_folder, recordings_folder
+from phonemeengine.execution import Closing
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.storage.files import free_path
+from phonemeengine.storage.paths import journal_folder, recordings_folder
 
 _log = logging.getLogger(__name__)
 

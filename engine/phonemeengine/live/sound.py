@@ -10,7 +10,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
 from phonemeengine.audio.output import AHEAD, Output, open_output
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.live.player import STEP, Player
 from phonemeengine.presets.ears import while_played
 from phonemeengine.presets.preset import Preset

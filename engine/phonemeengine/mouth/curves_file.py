@@ -10,10 +10,10 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.files import MEGABYTE
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.strict_table import StrictTable, load_text, shown
+from phonemeengine.storage.files import MEGABYTE
+from phonemeengine.storage.strict_table import StrictTable, load_text, shown
 
 FORMAT = "phonemeanalyser curves 1"
 HEAD = ("yaw", "pitch", "roll")

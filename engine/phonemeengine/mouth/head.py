@@ -13,7 +13,7 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import movestate_of
-from phonemeengine.npz import read_npz
+from phonemeengine.storage.npz import read_npz
 
 HEAD = Path(__file__).with_name("head.npz")
 LARGEST = 64 << 20

@@ -6,16 +6,16 @@ from pathlib import Path
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import ExportError
-from phonemeengine.files import printable_name
+from phonemeengine.execution import Progress, no_progress
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Script, Transcript, scripted_transcript_of, transcript_of
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress
-from phonemeengine.replacing import Guard, write_guarded
 from phonemeengine.settings import Channel
+from phonemeengine.storage.files import printable_name
+from phonemeengine.storage.replacing import Guard, write_guarded
 
 
 def transcribe(

@@ -26,7 +26,7 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.performer import Performer
 from phonemeengine.mouth.table import MouthTable

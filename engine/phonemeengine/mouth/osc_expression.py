@@ -18,7 +18,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.streams import held_expression
 from phonemeengine.mouth.osc import OscAddress

@@ -17,6 +17,7 @@ from typing import NamedTuple, Protocol
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
+from phonemeengine.labels.visemes import viseme_phones
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.coarticulation import PlannedMovement, planned_movements
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_runs
@@ -29,7 +30,6 @@ from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.visemes import viseme_phones
 
 REMEMBERED = 100
 """Frames that are replayed when another table takes over: one second."""

@@ -20,11 +20,11 @@ import tomli_w
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.errors import MouthError, remedy
-from phonemeengine.files import printable_name
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.strict_table import StrictTable, load_text, parse_toml, shown
+from phonemeengine.storage.files import printable_name
+from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml, shown
 
 # How a mouth moves between its shapes: how fast for which sound, how far, and how much it varies.
 

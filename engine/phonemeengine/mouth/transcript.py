@@ -18,11 +18,11 @@ from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.phoneme_map import CLOSURE
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Utterance, Word
+from phonemeengine.labels.visemes import viseme_phones
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.text.pronunciation import ScriptWord
-from phonemeengine.visemes import viseme_phones
 
 NOTHING = np.zeros(0, np.float32)
 NUCLEUS = 0.6

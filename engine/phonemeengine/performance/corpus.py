@@ -20,7 +20,7 @@ from phonemeengine.audio.files import SoundReader, is_sound, once_each
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.errors import AudioError, CorpusError, PerformanceError
-from phonemeengine.files import printable_name
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
 from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.labels.utterance import Syllable, Utterance, Word
@@ -31,9 +31,9 @@ from phonemeengine.performance.livelink import read_livelink
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import TableAbout, check_fits, write_table
 from phonemeengine.performance.vmc import read_vmc
-from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.settings import HOP, SAMPLE_RATE
-from phonemeengine.strict_table import load_text, parse_toml
+from phonemeengine.storage.files import printable_name
+from phonemeengine.storage.strict_table import load_text, parse_toml
 from phonemeengine.text.syllables import syllables_of
 
 # How loud and how high each phone is spoken.

@@ -11,7 +11,6 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError, MeshError
-from phonemeengine.files import MEGABYTE, printable_name, read_file
 from phonemeengine.mouth.files.gltf import target_names
 from phonemeengine.mouth.files.gltf_document import (
     Beside,
@@ -25,6 +24,7 @@ from phonemeengine.mouth.files.gltf_document import (
 )
 from phonemeengine.mouth.files.io import LARGEST, files_beside
 from phonemeengine.performance.face_track import LONGEST, FaceTrack, check_weights, shape_name
+from phonemeengine.storage.files import MEGABYTE, printable_name, read_file
 
 CUBIC, IN_BETWEEN = "CUBICSPLINE", 1
 """Of a cubic key's three values, the middle one is the weight; its tangents are left out."""

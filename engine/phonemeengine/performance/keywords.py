@@ -16,7 +16,7 @@ from phonemeengine.arrays import Float64Array
 from phonemeengine.errors import PerformanceError
 from phonemeengine.mouth.blendshape_names import BROWS, SHOULDERS, both_sides
 from phonemeengine.performance.recording import HEAD
-from phonemeengine.strict_table import StrictTable, load_text, parse_toml
+from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
 from phonemeengine.text import mandarin
 
 FORMAT = "phonemeanalyser keywords 1"

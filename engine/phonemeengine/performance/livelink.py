@@ -13,10 +13,10 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
 from phonemeengine.mouth.expression.streams import ExpressionStream, recorded_expression
 from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
+from phonemeengine.storage.files import printable_name, read_text_file
 
 LARGEST = 32 << 20
 """Bytes of a file at most: more than half an hour."""

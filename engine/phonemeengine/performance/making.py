@@ -14,15 +14,15 @@ import tomli_w
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.wav import WavEncoder
 from phonemeengine.errors import EngineError, PerformanceError
-from phonemeengine.files import atomic_write, printable_name, reason_of
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.exports.livelink import lines_of
 from phonemeengine.performance.corpus import ABOUT, FORMAT
 from phonemeengine.performance.recording import SILENCE, phones_of
 from phonemeengine.performance.synthetic import perform
-from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.storage.files import atomic_write, printable_name, reason_of
 
 # Sentences for a performer to read: English ones of a small grammar whose words hold every sound many times.
 

@@ -17,7 +17,7 @@ from phonemeengine.labels.articulation import articulations_of, letters_of
 from phonemeengine.mouth.table import movestates_of, phone_named, shape_named, shapes_in
 from phonemeengine.performance.recording import SILENCE
 from phonemeengine.performance.sentence import Sentence
-from phonemeengine.strict_table import StrictTable, load_text, parse_toml
+from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
 
 FORMAT = "phonemeanalyser poses 1"
 USUAL_POSES = Path(__file__).with_name("poses.toml")

@@ -8,10 +8,10 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PerformanceError
-from phonemeengine.files import printable
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.labels.phone_sets import ipa_of
 from phonemeengine.labels.utterance import Phone, Utterance
+from phonemeengine.storage.files import printable
 
 SILENCE = "sil"
 """The name of the phone before the first word, after the last one, and in pauses."""

@@ -23,11 +23,11 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError, PerformanceError
-from phonemeengine.files import atomic_write, printable, printable_name, reason_of
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.performance.phrases import PhraseIndex
 from phonemeengine.performance.recording import Performance, PerformedPhone
 from phonemeengine.performance.units import UnitKind, duration_of, units_of
+from phonemeengine.storage.files import atomic_write, printable, printable_name, reason_of
 
 VERSION = 1
 """``PRAGMA user_version`` of the tables that are written."""

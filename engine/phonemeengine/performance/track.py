@@ -12,7 +12,6 @@ from functools import cached_property
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation, animation_by, check_rate
 from phonemeengine.mouth.idle_motion import HeadPose
@@ -27,6 +26,7 @@ from phonemeengine.performance.recording import HEAD
 from phonemeengine.performance.sentence import Sentence, joined, performed_phones, sentences_in
 from phonemeengine.performance.smoothing import TO_REST, crossed
 from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.storage.files import begins_like
 
 RATE = 60.0
 """Frames a second at least of what is looked up."""

@@ -20,8 +20,8 @@ from pathlib import Path
 import numpy as np
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
+from phonemeengine.storage.files import printable_name, read_text_file
 
 LARGEST = 64 << 20
 """Bytes of a file at most."""

@@ -27,7 +27,7 @@ from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates
 from phonemeengine.settings import AnalysisSettings, Decimation, Ear, Filter, WindowFunction
-from phonemeengine.strict_table import StrictTable, parse_toml, shown
+from phonemeengine.storage.strict_table import StrictTable, parse_toml, shown
 
 FORMAT = "phonemeanalyser preset 1"
 

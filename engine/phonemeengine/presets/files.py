@@ -14,13 +14,13 @@ import numpy as np
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.encoder.head import load_head, save_head
 from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
-from phonemeengine.files import read_text_file, write_file
-from phonemeengine.paths import presets_folder
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 from phonemeengine.recognition.spec import spec_of
+from phonemeengine.storage.files import read_text_file, write_file
+from phonemeengine.storage.paths import presets_folder
 
 # PhonemeData files: 21 numbers as text, the thesis's own format.
 

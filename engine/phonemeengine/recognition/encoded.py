@@ -7,11 +7,11 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.recognition import Recognition, Trace
 from phonemeengine.recognition.scores import SCORES, Sensitivity, deficits_of_scores, trace_of_scores
 from phonemeengine.settings import HOP, WINDOW
-from phonemeengine.visemes import Viseme
 
 STRETCH, OVERLAP = 2800, 100
 """Frames that the encoder hears at once, and how many more of the sound on both sides; both even."""

@@ -13,12 +13,12 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
-from phonemeengine.files import atomic_write, reason_of
-from phonemeengine.npz import read_npz
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.visemes import Viseme
+from phonemeengine.storage.files import atomic_write, reason_of
+from phonemeengine.storage.npz import read_npz
 
 FORMAT = 3
 """The version of the file's layout; a newer one is refused. The first knew no visemes, the second no centred ones."""

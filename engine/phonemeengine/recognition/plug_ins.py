@@ -19,9 +19,9 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import AudioError, CorpusError, RecogniserError
+from phonemeengine.execution import Cancelled
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recognition import Recognition, RuleComparison, Trace
 

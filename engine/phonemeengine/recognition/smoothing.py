@@ -6,9 +6,9 @@ from types import MappingProxyType
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.labels.visemes import ALLOWED, usual_visemes
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.visemes import ALLOWED, usual_visemes
 
 SUCCESSORS: Mapping[Phoneme, Phoneme] = MappingProxyType(
     {

@@ -5,11 +5,11 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from phonemeengine.errors import ExportError, remedy
-from phonemeengine.files import atomic_write, reason_of
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
 from phonemeengine.shipping.sections import is_ear_file, join_sections, mouth_section, recogniser_sections
 from phonemeengine.shipping.targets import TARGETS
+from phonemeengine.storage.files import atomic_write, reason_of
 
 USUAL_TABLES = ("arkit", "rhubarb")
 MOST_TABLES = 16

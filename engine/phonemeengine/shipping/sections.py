@@ -21,6 +21,7 @@ from phonemeengine.features.variables import (
     Spectrum,
     Variable,
 )
+from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_live_use
@@ -32,7 +33,6 @@ from phonemeengine.recognition.smoothing import frames_held
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning, spec_of
 from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
-from phonemeengine.visemes import VISEME_PHONES, Viseme
 
 # The bytes of an ``.ear`` file: little-endian numbers of 32 bits, in sections that say how long they are.
 

@@ -9,10 +9,10 @@ from pathlib import Path
 from phonemeengine.alignment.align import align
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import VoiceError
-from phonemeengine.files import printable
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.speech.voice import SpokenSentence
+from phonemeengine.storage.files import printable
 from phonemeengine.text.cleaning import speakable
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.lexicon import Lexicon

@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.execution import Closing
 from phonemeengine.labels.utterance import Word, shifted
-from phonemeengine.lifetime import Closing
 from phonemeengine.settings import SAMPLE_RATE, Channel
 from phonemeengine.speech.voice import SpokenSentence
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from phonemeengine.errors import TextError
-from phonemeengine.files import printable
+from phonemeengine.storage.files import printable
 from phonemeengine.text.notation import spoken_part
 
 # Sentences and clauses: how a text is cut, so that a long one need never be held, or be spoken, as a whole.

@@ -23,9 +23,9 @@ import numpy as np
 
 from phonemeengine.arrays import Int16Array
 from phonemeengine.errors import TextError, VoiceError
-from phonemeengine.files import printable_name, reason_of
 from phonemeengine.labels.phone_sets import split_ipa
-from phonemeengine.paths import cache_folder
+from phonemeengine.storage.files import printable_name, reason_of
+from phonemeengine.storage.paths import cache_folder
 
 VOICE_RATE = 22_050
 """Samples a second of all its voices."""

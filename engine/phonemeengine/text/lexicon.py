@@ -14,10 +14,10 @@ from pathlib import Path
 from typing import TypeVar
 
 from phonemeengine.errors import CorpusError, TextError
-from phonemeengine.files import printable_name, read_text_file
 from phonemeengine.labels.phone_sets import ipa_class, split_ipa
 from phonemeengine.labels.table import rows_of
-from phonemeengine.strict_table import parse_toml, shown
+from phonemeengine.storage.files import printable_name, read_text_file
+from phonemeengine.storage.strict_table import parse_toml, shown
 from phonemeengine.text.syllables import SpokenSyllable, syllables_of
 
 FORMAT = "phonemeanalyser lexicon 1"

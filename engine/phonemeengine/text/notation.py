@@ -8,7 +8,7 @@ from functools import lru_cache, partial
 from pathlib import Path
 
 from phonemeengine.errors import TextError
-from phonemeengine.strict_table import load_text, parse_toml
+from phonemeengine.storage.strict_table import load_text, parse_toml
 
 FORMAT = "phonemeanalyser notation 1"
 SHIPPED = Path(__file__).resolve().parent / "notation.toml"

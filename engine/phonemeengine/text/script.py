@@ -12,10 +12,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from phonemeengine.errors import TextError
-from phonemeengine.files import printable, printable_name, read_text_file
 from phonemeengine.labels.timed_words import read_timed_words
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import has_words, read_utterance, tells_sounds
+from phonemeengine.storage.files import printable, printable_name, read_text_file
 from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.pronunciation import ScriptWord, timed_words_of
 

@@ -4,13 +4,13 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QSplitter, QStackedWidget, QWidget
 
-from phonemeanalyser.desktop.analyse.averaged_view import AveragedView
-from phonemeanalyser.desktop.analyse.file_panel import FilePanel
-from phonemeanalyser.desktop.analyse.phoneme_view import PhonemeView
-from phonemeanalyser.desktop.analyse.scroll_view import ScrollView
-from phonemeanalyser.desktop.analyse.spectrum_view import SpectrumView
-from phonemeanalyser.desktop.analyse.threshold_view import ThresholdView
-from phonemeanalyser.desktop.analyse.waveform_view import WaveformView
+from phonemeanalyser.desktop.analyse.lanes.file_panel import FilePanel
+from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
+from phonemeanalyser.desktop.analyse.recognition.phoneme_view import PhonemeView
+from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdView
+from phonemeanalyser.desktop.analyse.spectra.averaged_view import AveragedView
+from phonemeanalyser.desktop.analyse.spectra.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.analyse.spectra.waveform_view import WaveformView
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session, SoundSource

@@ -5,10 +5,10 @@ from pathlib import Path
 from PySide6.QtCore import QObject, QSettings
 from PySide6.QtWidgets import QMessageBox, QWidget
 
-from phonemeanalyser.desktop.calibrate.compare_panel import ComparePanel
-from phonemeanalyser.desktop.calibrate.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
+from phonemeanalyser.desktop.calibrate.workbench.compare_panel import ComparePanel
+from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import preset_filter
 from phonemeanalyser.desktop.settings import keep, read

@@ -2,10 +2,10 @@
 
 from PySide6.QtWidgets import QWidget
 
-from phonemeanalyser.desktop.calibrate.guide_view import GuideView
+from phonemeanalyser.desktop.calibrate.guide.guide_view import GuideView
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.calibrate.takes_panel import TakesPanel
-from phonemeanalyser.desktop.calibrate.workbench_view import WorkbenchView
+from phonemeanalyser.desktop.calibrate.takes.takes_panel import TakesPanel
+from phonemeanalyser.desktop.calibrate.workbench.workbench_view import WorkbenchView
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import line, row
 from phonemeanalyser.desktop.widgets.pages import PageStack

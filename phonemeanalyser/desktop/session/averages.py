@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr_noop
 from phonemeengine.analyser import Analysis
-from phonemeengine.averaged_spectrum import (
+from phonemeengine.inspection.averaged_spectrum import (
     AveragedSpectrum,
     SpectrumAverage,
     distance_of,

@@ -16,13 +16,13 @@ from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion.spoken_texts import BESIDE, NO_TEXTS, SpokenTexts
 from phonemeengine.conversion.work import CONVERSIONS, ConversionWork
+from phonemeengine.execution import Progress
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress
-from phonemeengine.replacing import Guard, write_guarded
 from phonemeengine.settings import Channel
+from phonemeengine.storage.replacing import Guard, write_guarded
 
 
 @dataclass(frozen=True)

@@ -19,8 +19,8 @@ from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.runner import in_the_way as jobs_in_the_way
 from phonemeengine.batch.work import Job, JobState, Outcome
 from phonemeengine.conversion.work import CONVERSIONS
-from phonemeengine.measurement import save_stretch
-from phonemeengine.progress import Progress
+from phonemeengine.execution import Progress
+from phonemeengine.inspection.measurement import save_stretch
 from phonemeengine.settings import Channel
 
 MOST_PREVIEWED = 4000

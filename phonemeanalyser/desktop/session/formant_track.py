@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.formants import CEILING, WINDOW_SECONDS, formants_of
-from phonemeengine.progress import Progress
+from phonemeengine.execution import Progress
 from phonemeengine.settings import FRAME_PERIOD, HOP
 
 MOST_SECONDS = 60.0

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
 from phonemeengine.calibration.scores.label_errors import LabelError, label_errors
 from phonemeengine.errors import CorpusError, EngineError, UnknownPhonemeError
-from phonemeengine.files import printable_name
+from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.labels.files import known_labels, phoneme_tier_of
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.labels.textgrid import Tier
@@ -26,7 +26,7 @@ from phonemeengine.labels.tiers import (
     renamed,
     write_tiers,
 )
-from phonemeengine.whole_sound import FrameState, SoundTracks
+from phonemeengine.storage.files import printable_name
 
 MOST_SHOWN = 3
 """Tiers that are shown of a file at first: more leave the sonagram little room."""

@@ -23,8 +23,8 @@ from phonemeengine.live.listener import NOT_LISTENING, Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
-from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.presets.preset import Preset
+from phonemeengine.storage.paths import journal_folder, new_recording_path, recordings_folder
 
 RATES = (0, 16_000, 22_050, 32_000, 44_100, 48_000, 96_000)
 """Sample rates to choose from, Hz; 0 leaves it to the device."""

@@ -12,10 +12,10 @@ from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.analyser import BLOCK, analyse_blocks
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.source import Reader
+from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.files import write_labels
 from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.segments import SegmentBuilder, labels_of_segments
 from phonemeengine.settings import HOP
 

@@ -13,8 +13,8 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis, analyse_range
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import EngineError
+from phonemeengine.execution import Progress
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress
 from phonemeengine.recognition.recognition import Trace
 from phonemeengine.settings import FRAME_PERIOD, Channel
 

@@ -8,10 +8,10 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.whole_file import WholeFile
 from phonemeengine.errors import EngineError
-from phonemeengine.preset_difference import difference_in
+from phonemeengine.inspection.preset_difference import difference_in
+from phonemeengine.inspection.whole_sound import FrameRange
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.whole_sound import FrameRange
 
 NO_SECOND = tr_noop("There is no second preset yet; choose one by Analysis > Second Preset.")
 

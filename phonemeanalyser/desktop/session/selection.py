@@ -10,15 +10,15 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.averaged_spectrum import AveragedSpectrum
-from phonemeengine.measurement import (
+from phonemeengine.execution import Progress
+from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum
+from phonemeengine.inspection.measurement import (
     StretchMeasurement,
     average_spectrum,
     format_frames,
     measure_stretch,
     save_stretch,
 )
-from phonemeengine.progress import Progress
 
 NOTHING_SELECTED = tr_noop("Nothing is selected; drag with Shift over the file's sonagram, then try again.")
 

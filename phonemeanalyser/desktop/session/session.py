@@ -27,11 +27,11 @@ from phonemeengine.audio.source import Reader
 from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.errors import EngineError
+from phonemeengine.inspection.whole_sound import FrameRange
 from phonemeengine.live.player import Player
 from phonemeengine.presets.ears import for_live_use, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
-from phonemeengine.whole_sound import FrameRange
 
 QUIETEST_DB = -60.0
 """At this volume and below nothing is heard."""

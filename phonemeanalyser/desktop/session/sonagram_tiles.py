@@ -18,8 +18,8 @@ from phonemeengine.analyser import PRE_ROLL
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.sonagram import FLOOR, SPAN, SonagramSettings, level_range_of, sonagram_of
+from phonemeengine.execution import Progress, report_progress, subrange
 from phonemeengine.features.filtered_sonagram import filtered_sonagram_of
-from phonemeengine.progress import Progress, report_progress, subrange
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 
 FINEST = 0.001

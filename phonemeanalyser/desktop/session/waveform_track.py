@@ -9,7 +9,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.waveform_peaks import FINEST, Peaks, WaveformPeaks
-from phonemeengine.progress import Progress, report_progress
+from phonemeengine.execution import Progress, report_progress
 from phonemeengine.settings import SAMPLE_RATE
 
 MOST_SECONDS = 600.0

@@ -6,10 +6,10 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.execution import Progress
+from phonemeengine.inspection.retuning import RetunedSound
+from phonemeengine.inspection.whole_sound import FrameRange, SoundTracks, analyse_whole, tracks_of
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress
-from phonemeengine.retuning import RetunedSound
-from phonemeengine.whole_sound import FrameRange, SoundTracks, analyse_whole, tracks_of
 
 MOST_AT_ONCE = 1_000_000
 """Frames of a file that the window itself recognises anew: more take longer than a picture may."""

@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QMessageBox, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
-from phonemeanalyser.desktop.talk.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
-from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES

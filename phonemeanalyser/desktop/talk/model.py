@@ -9,11 +9,11 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.expression_model import ExpressionModel
-from phonemeanalyser.desktop.talk.face_model import FaceModel
-from phonemeanalyser.desktop.talk.moving_head import MovingHead
-from phonemeanalyser.desktop.talk.osc_model import OscModel
-from phonemeanalyser.desktop.talk.text_model import TextModel
+from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
+from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
+from phonemeanalyser.desktop.talk.head.face_model import FaceModel
+from phonemeanalyser.desktop.talk.head.moving_head import MovingHead
+from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT

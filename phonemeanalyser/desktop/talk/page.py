@@ -6,16 +6,16 @@ from PySide6.QtWidgets import QCheckBox, QMenu, QScrollArea, QSizePolicy, QSplit
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.talk.choices_panel import ChoicesPanel
-from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
-from phonemeanalyser.desktop.talk.head_pair import HeadPair
-from phonemeanalyser.desktop.talk.head_view import HINT, LIGHT_STEP
+from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel
+from phonemeanalyser.desktop.talk.expression.osc_panel import OscPanel
+from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
+from phonemeanalyser.desktop.talk.head.head_view import HINT, LIGHT_STEP
+from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
+from phonemeanalyser.desktop.talk.head.phoneme_chip import PhonemeChip
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
-from phonemeanalyser.desktop.talk.osc_panel import OscPanel
-from phonemeanalyser.desktop.talk.phoneme_chip import PhonemeChip
-from phonemeanalyser.desktop.talk.text_panel import TextPanel
-from phonemeanalyser.desktop.talk.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
+from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     column,

@@ -9,7 +9,7 @@
             <translation> und </translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source> or </source>
             <translation> oder </translation>
         </message>
@@ -64,32 +64,32 @@
             <translation>({n} weitere sind in {folder})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>... from this one, or from all</source>
             <translation>... von diesem oder von allen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>0 at</source>
             <translation>0 bei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>1 at</source>
             <translation>1 bei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>1 label file for {program} lies beside the takes in {folder}.</source>
             <translation>1 Beschriftungsdatei für {program} liegt neben den Takes in {folder}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>&lt;b&gt;File&lt;/b&gt;</source>
             <translation>&lt;b&gt;Datei&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>&lt;b&gt;Heard&lt;/b&gt;</source>
             <translation>&lt;b&gt;Gehörtes&lt;/b&gt;</translation>
         </message>
@@ -99,27 +99,27 @@
             <translation>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Kalibriert die Phonemerkennung in Echtzeit für Lippensynchronisation und zeigt, warum ein Phonem erkannt wurde.&lt;p&gt;Version {version}, MIT-Lizenz; &lt;i&gt;Hilfe &amp;gt; Lizenzen&lt;/i&gt; nennt alle Teile. Die Demo ist eine künstliche Stimme des Festival-Projekts (CMU slt). Der Kopf ist gemeinfrei (CC0).&lt;p&gt;&lt;b&gt;Das Preset Learned.&lt;/b&gt; {notes}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>&lt;b&gt;Recordings&lt;/b&gt;</source>
             <translation>&lt;b&gt;Aufnahmen&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>&lt;b&gt;Sonagram and phonemes&lt;/b&gt;</source>
             <translation>&lt;b&gt;Sonagramm und Phoneme&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>&lt;b&gt;Takes&lt;/b&gt;</source>
             <translation>&lt;b&gt;Takes&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>&lt;b&gt;Taking {phoneme}&lt;/b&gt;: let go when it is said</source>
             <translation>&lt;b&gt;{phoneme} wird aufgenommen&lt;/b&gt;: loslassen, wenn es gesagt ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>&lt;b&gt;Variable&lt;/b&gt;</source>
             <translation>&lt;b&gt;Variable&lt;/b&gt;</translation>
         </message>
@@ -129,22 +129,22 @@
             <translation>&lt;b&gt;Womit soll es losgehen?&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>&lt;b&gt;{truth}&lt;/b&gt; recognised as &lt;b&gt;{answer}&lt;/b&gt;: {n} stretches, {seconds:.2f} s</source>
             <translation>&lt;b&gt;{truth}&lt;/b&gt; erkannt als &lt;b&gt;{answer}&lt;/b&gt;: {n} Strecken, {seconds:.2f} s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>&lt;p&gt;Macro F1 is the mean over those of the ten sounds that the labels hold. More changes a second than the labels have are flicker.&lt;/p&gt;&lt;p&gt;Takes and recordings are recognised by the model for live sound, which is what you calibrate; files that you open may have a better one.&lt;/p&gt;</source>
             <translation>&lt;p&gt;Makro-F1 ist das Mittel über die der zehn Laute, die in der Beschriftung vorkommen. Mehr Wechsel pro Sekunde, als die Beschriftung hat, sind Flackern.&lt;/p&gt;&lt;p&gt;Aufnahmen erkennt hier das Modell für Live-Klang, das kalibriert wird; geöffnete Dateien haben vielleicht ein besseres.&lt;/p&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>&lt;p&gt;The best that files are heard with. &lt;i&gt;live&lt;/i&gt;: as a microphone. &lt;i&gt;twin&lt;/i&gt;: by a network that hears half a second ahead. &lt;i&gt;Whisper&lt;/i&gt;: with a speech encoder besides, where all of a file is recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.&lt;/p&gt;&lt;p&gt;What is grey is not there; &lt;i&gt;File &amp;gt; Speech Encoder…&lt;/i&gt; gets Whisper.&lt;/p&gt;</source>
             <translation>&lt;p&gt;Das Beste, womit Dateien erkannt werden. &lt;i&gt;live&lt;/i&gt;: wie ein Mikrofon. &lt;i&gt;Zwilling&lt;/i&gt;: von einem Netz, das eine halbe Sekunde vorausblickt. &lt;i&gt;Whisper&lt;/i&gt;: dazu mit einem Sprach-Encoder, wo eine ganze Datei auf einmal erkannt wird: gespeichert, exportiert oder am Text ausgerichtet; beim Abspielen dient der Zwilling.&lt;/p&gt;&lt;p&gt;Graues ist nicht vorhanden; &lt;i&gt;Datei &amp;gt; Sprach-Encoder…&lt;/i&gt; holt Whisper.&lt;/p&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>&lt;p&gt;What names the phoneme of each frame. Another one brings the front end and the numbers that it was tuned with, unless you tuned it yourself. What it is tuned by is below.&lt;/p&gt;&lt;p&gt;To add one, install its package beside this program, and start the program again. How to write one is in the README.&lt;/p&gt;</source>
             <translation>&lt;p&gt;Benennt das Phonem jedes Frames. Ein anderer bringt die Filter und Zahlen mit, für die er eingestellt wurde, sofern sie nicht schon geändert wurden. Was sich an ihm einstellen lässt, steht darunter.&lt;/p&gt;&lt;p&gt;Einen weiteren bekommt das Programm, indem sein Paket daneben installiert und das Programm neu gestartet wird. Wie man einen schreibt, steht im README.&lt;/p&gt;</translation>
         </message>
@@ -154,7 +154,7 @@
             <translation>A und E</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>a blue line, 0 to 500 Hz from the lower edge to the upper</source>
             <translation>eine blaue Linie, 0 bis 500 Hz vom unteren bis zum oberen Rand</translation>
         </message>
@@ -179,7 +179,7 @@
             <translation>ein Clip des Kopfes mit Ton</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>A file that says how words are pronounced; without one, the voice knows</source>
             <translation>Eine Datei, die sagt, wie Wörter ausgesprochen werden; ohne sie weiß es die Stimme</translation>
         </message>
@@ -189,7 +189,7 @@
             <translation>ein eigener Ordner</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>A Folder of Labelled Recordings…</source>
             <translation>Ordner mit beschrifteten Aufnahmen…</translation>
         </message>
@@ -239,7 +239,7 @@
             <translation>Ein Preset zum Vergleichen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>a program of your own</source>
             <translation>ein eigenes Programm</translation>
         </message>
@@ -264,7 +264,7 @@
             <translation>Eine Tabelle aufgezeichneter Gesichter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>a table of recorded faces</source>
             <translation>eine Tabelle aufgezeichneter Gesichter</translation>
         </message>
@@ -284,12 +284,12 @@
             <translation>Eine Stimme spricht, und es ist zu sehen, was davon erkannt wird und warum.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>a yellow line, peaks of -80 to 0 dB</source>
             <translation>eine gelbe Linie, Spitzen von -80 bis 0 dB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>a-z, 0-9, _, such as my_hiss</source>
             <translation>a-z, 0-9, _, zum Beispiel mein_zischen</translation>
         </message>
@@ -299,17 +299,17 @@
             <translation>Über PhonemeAnalyser</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>accept</source>
             <translation>annehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>accuracy</source>
             <translation>Genauigkeit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>add</source>
             <translation>hinzufügen</translation>
         </message>
@@ -324,7 +324,7 @@
             <translation>Ordner hinzufügen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>Add the suggested variable to the preset; Ctrl+Z takes it back</source>
             <translation>Die vorgeschlagene Variable ins Preset aufnehmen; Strg+Z nimmt es zurück</translation>
         </message>
@@ -339,22 +339,22 @@
             <translation>wird zur logarithmierten Chance von {phoneme} addiert: Jede +1 macht es 2.7-mal wahrscheinlicher. Der Balken zeigt, wie viel ihm zum wahrscheinlichsten anderen fehlt: Es gilt, solange der Balken links vom Griff endet.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>after</source>
             <translation>nachher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>after all filters</source>
             <translation>nach allen Filtern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>after smoothing and pass filters</source>
             <translation>nach Glätten und Passfiltern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>again</source>
             <translation>noch einmal</translation>
         </message>
@@ -364,12 +364,12 @@
             <translation>Albanisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Align</source>
             <translation>Ausrichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Align Anyway</source>
             <translation>Trotzdem ausrichten</translation>
         </message>
@@ -384,12 +384,12 @@
             <translation>ausgerichtete Wörter ({n})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>alignment</source>
             <translation>Ausrichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>all</source>
             <translation>alles</translation>
         </message>
@@ -399,7 +399,7 @@
             <translation>Alle Dateien (*)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>All filters off at once, and back to what they were (B)</source>
             <translation>Alle Filter auf einmal aus, und wieder wie zuvor (B)</translation>
         </message>
@@ -414,17 +414,17 @@
             <translation>alles davon, sonst keine Stille</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>all others</source>
             <translation>alle anderen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>all phonemes</source>
             <translation>alle Phoneme</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>All that the microphone heard since Clear, on its own time (Ctrl+B)</source>
             <translation>Alles, was das Mikrofon seit dem Leeren gehört hat, auf eigener Zeitachse (Strg+B)</translation>
         </message>
@@ -434,17 +434,17 @@
             <translation>Amharisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>amplitude</source>
             <translation>Amplitude</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>Amplitude axis in dB</source>
             <translation>Amplitudenachse in dB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>Amplitude scale: enlarges small amplitudes, in dB</source>
             <translation>Amplitudenmaßstab: vergrößert kleine Amplituden, in dB</translation>
         </message>
@@ -464,12 +464,12 @@
             <translation>Analyse</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>and {n} more words</source>
             <translation>und {n} weitere Wörter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/performance_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
             <source>and {n} more, below the head</source>
             <translation>und {n} weitere, unter dem Kopf</translation>
         </message>
@@ -479,7 +479,7 @@
             <translation>Ärger</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>another file …</source>
             <translation>eine andere Datei …</translation>
         </message>
@@ -489,22 +489,22 @@
             <translation>Ein anderes Phonem folgt nur, wenn es um so viel besser passt. Der Balken zeigt, um wie viel es jetzt ist.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Another text seems to be said in this sound; check the text and its language, or align anyway.</source>
             <translation>In dieser Aufnahme scheint ein anderer Text gesprochen zu werden; Text und Sprache prüfen oder trotzdem ausrichten.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>anti-aliased</source>
             <translation>ohne Aliasing</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>any</source>
             <translation>beliebige</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>any within 15 % of the duration</source>
             <translation>beliebige innerhalb von 15 % der Dauer</translation>
         </message>
@@ -539,7 +539,7 @@
             <translation>wie im Format üblich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>as the head</source>
             <translation>wie der Kopf</translation>
         </message>
@@ -559,17 +559,17 @@
             <translation>in Arbeit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>attack</source>
             <translation>Attack</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/times_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/times_view.py" />
             <source>attack and release of each sound</source>
             <translation>Attack und Release jedes Lautes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/times_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/times_view.py" />
             <source>Attack: until the mouth has gone nine tenths of the way to the sound’s shape. Release: nine tenths of the way back, when silence follows. They stand under [times] in the table: copy one from {tables}, change it, and choose it as your own table.</source>
             <translation>Attack: bis der Mund neun Zehntel des Weges zur Form des Lautes gegangen ist. Release: neun Zehntel des Weges zurück, wenn Stille folgt. Beide stehen unter [times] in der Tabelle: eine aus {tables} kopieren, ändern und als eigene Tabelle wählen.</translation>
         </message>
@@ -584,7 +584,7 @@
             <translation>Audacity-Beschriftungen (*.txt)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>auto</source>
             <translation>auto</translation>
         </message>
@@ -594,7 +594,7 @@
             <translation>automatisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>automatic: recorded faces, pinyin, sounds</source>
             <translation>automatisch: Gesichter, Pinyin, Laute</translation>
         </message>
@@ -604,7 +604,7 @@
             <translation>Ihr Spektrum mitteln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Averaged spectrum</source>
             <translation>Gemitteltes Spektrum</translation>
         </message>
@@ -619,7 +619,7 @@
             <translation>1 s zurück</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>Back to what the microphone hears now (Ctrl+B)</source>
             <translation>Zurück zu dem, was das Mikrofon jetzt hört (Strg+B)</translation>
         </message>
@@ -629,7 +629,7 @@
             <translation>Rücktaste</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>bands</source>
             <translation>Bänder</translation>
         </message>
@@ -644,7 +644,7 @@
             <translation>Baskisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Be led through silence and all sounds in under a minute (G)</source>
             <translation>In weniger als einer Minute durch Stille und alle Laute führen lassen (G)</translation>
         </message>
@@ -654,17 +654,17 @@
             <translation>Wird zu</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>before</source>
             <translation>vorher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>before all filters of the spectrum</source>
             <translation>vor allen Filtern des Spektrums</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Begin again at the end (L)</source>
             <translation>Am Ende von vorn beginnen (L)</translation>
         </message>
@@ -689,32 +689,32 @@
             <translation>neben jeden Klang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>best rate</source>
             <translation>beste Rate</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Better on what is loaded, but not on a {left_out} that was left out: load more of them.</source>
             <translation>Besser im Geladenen, aber nicht bei dem, was ausgelassen wurde ({left_out}): mehr davon laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Better. The last column leaves each {left_out} out in turn, and fits without it.</source>
             <translation>Besser. In der letzten Spalte fehlte beim Anpassen jeweils ein Teil ({left_out}).</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>blinks</source>
             <translation>Blinzeln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Blurs each bin with its neighbours; 1 is the mean of three.</source>
             <translation>Verwischt jede Frequenzstufe mit ihren Nachbarn; 1 ist das Mittel aus dreien.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Blurs each spectrum with the one before; nearer 1 is slower.</source>
             <translation>Verwischt jedes Spektrum mit dem vorigen; je näher an 1, desto träger.</translation>
         </message>
@@ -724,7 +724,7 @@
             <translation>Bosnisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>boundary of a {unit}</source>
             <translation>Verschieben einer Grenze ({unit})</translation>
         </message>
@@ -739,7 +739,7 @@
             <translation>Grenz-Triphon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>Brightness in dB, or linear</source>
             <translation>Helligkeit in dB oder linear</translation>
         </message>
@@ -749,7 +749,7 @@
             <translation>Bulgarisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>By what the mouth moves where the words are known, of a voice or of a recording</source>
             <translation>Wonach sich der Mund bewegt, wo die Wörter bekannt sind, ob von einer Stimme oder einer Aufnahme</translation>
         </message>
@@ -759,7 +759,7 @@
             <translation>Alle Filter umgehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Bypass all filters</source>
             <translation>Alle Filter umgehen</translation>
         </message>
@@ -779,7 +779,7 @@
             <translation>Stimme kalibrieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>calibration</source>
             <translation>Kalibrierung</translation>
         </message>
@@ -794,7 +794,7 @@
             <translation>Abbrechen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>cancel</source>
             <translation>abbrechen</translation>
         </message>
@@ -849,12 +849,12 @@
             <translation>Änderung ({what})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Change the preset, and save it under a name of its own</source>
             <translation>Das Preset ändern und unter eigenem Namen speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Change the preset; Ctrl+Z takes it back (Return)</source>
             <translation>Das Preset ändern; Strg+Z nimmt es zurück (Return)</translation>
         </message>
@@ -869,12 +869,12 @@
             <translation>auf der Platte geändert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
             <source>changed since it was saved</source>
             <translation>seit dem Speichern geändert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>changes a second</source>
             <translation>Wechsel/s</translation>
         </message>
@@ -884,32 +884,32 @@
             <translation>Änderungen vom letzten Mal</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>changes per second</source>
             <translation>Wechsel pro Sekunde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>channel</source>
             <translation>Kanal</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>channel of the file</source>
             <translation>Kanal der Datei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>channel of the microphone</source>
             <translation>Kanal des Mikrofons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>channel {k}</source>
             <translation>Kanal {k}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>check</source>
             <translation>Prüfung</translation>
         </message>
@@ -929,22 +929,22 @@
             <translation>Chinesisch (Mandarin, Pinyin)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>choice among recordings</source>
             <translation>Wahl unter Aufzeichnungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>choose a preset …</source>
             <translation>ein Preset wählen …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
             <source>choose a take to hear and trim it</source>
             <translation>einen Take wählen und zuschneiden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Choose Folder…</source>
             <translation>Ordner wählen…</translation>
         </message>
@@ -954,17 +954,17 @@
             <translation>eine von diesen wählen: {names}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Choose speaker…</source>
             <translation>Sprecher wählen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Choose the folder of the takes, or write labels for other programs beside them</source>
             <translation>Den Ordner der Takes wählen oder Beschriftungen für andere Programme daneben schreiben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Choose the Folder…</source>
             <translation>Ordner wählen…</translation>
         </message>
@@ -984,37 +984,37 @@
             <translation>Leeren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>clear vowels right</source>
             <translation>klare Vokale richtig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Click a cell of the matrix to list what is in it.</source>
             <translation>Eine Zelle der Matrix anklicken, um ihren Inhalt aufzulisten.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/segment_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/segment_list.py" />
             <source>Click a stretch to hear it, or choose one and press Return</source>
             <translation>Eine Strecke anklicken, um sie zu hören, oder eine wählen und Return drücken</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
             <source>Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms</source>
             <translation>Eine Strecke anklicken, um sie zu hören; das Rad verschiebt, mit Strg zoomt es</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms</source>
             <translation>Ein Wort anklicken, um es zu hören; eine Grenze ziehen; das Rad verschiebt, mit Strg zoomt es</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag boundaries, save the spoken text and open that</source>
             <translation>Ein Wort anklicken, um es zu hören; das Rad verschiebt, mit Strg zoomt es. Die Zeiten gibt die Stimme vor: um Grenzen zu ziehen, den gesprochenen Text speichern und öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>Click to hear and see it as it was recorded, twice for the whole recording</source>
             <translation>Klicken, um es wie aufgezeichnet zu hören und zu sehen, zweimal für die ganze Aufzeichnung</translation>
         </message>
@@ -1039,12 +1039,12 @@
             <translation>Schließen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>close</source>
             <translation>schließen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>coarse</source>
             <translation>grob</translation>
         </message>
@@ -1054,22 +1054,22 @@
             <translation>Grobe Darstellung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>Coarse display: lowest and highest of eight neighbouring samples</source>
             <translation>Grobe Darstellung: von je acht benachbarten Abtastwerten der kleinste und der größte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>Coarse display: the highest of eight neighbouring bins as one step</source>
             <translation>Grobe Darstellung: von je acht benachbarten Frequenzstufen die höchste</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>Colour map</source>
             <translation>Farbtafel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>colour map</source>
             <translation>Farbtafel</translation>
         </message>
@@ -1079,17 +1079,17 @@
             <translation>Komma, Punkt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Command</source>
             <translation>Befehl</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>command</source>
             <translation>Befehl</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Compare</source>
             <translation>Vergleichen</translation>
         </message>
@@ -1099,12 +1099,12 @@
             <translation>Vergleichen ▾</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Compared with what is recognised:</source>
             <translation>Mit dem Erkannten verglichen:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/confusion_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>confusion matrix</source>
             <translation>Verwechslungsmatrix</translation>
         </message>
@@ -1114,12 +1114,12 @@
             <translation>Konsonanten-Triphon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>Copied {n} frames; a spreadsheet takes them.</source>
             <translation>{n} Frames kopiert; eine Tabellenkalkulation nimmt sie an.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
             <source>Copy</source>
             <translation>Kopieren</translation>
         </message>
@@ -1139,7 +1139,7 @@
             <translation>Tabelle kopieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
             <source>Copy the table, with tabs between the columns</source>
             <translation>Die Tabelle kopieren, mit Tabulatoren zwischen den Spalten</translation>
         </message>
@@ -1154,7 +1154,7 @@
             <translation>Korpus-Beschriftungen (*.csv)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Count down from two, then keep quiet (Return)</source>
             <translation>Von zwei herunterzählen, dann still sein (Eingabe)</translation>
         </message>
@@ -1174,7 +1174,7 @@
             <translation>Strg+Umschalt+Return</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>curves</source>
             <translation>Kurven</translation>
         </message>
@@ -1209,7 +1209,7 @@
             <translation>Dezimierung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>default microphone</source>
             <translation>Standardmikrofon</translation>
         </message>
@@ -1219,7 +1219,7 @@
             <translation>Entf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>delete</source>
             <translation>löschen</translation>
         </message>
@@ -1229,7 +1229,7 @@
             <translation>Beschriftung löschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Delete the chosen takes (Delete); Ctrl+Z brings them back</source>
             <translation>Gewählte Takes löschen (Entf); Strg+Z holt sie zurück</translation>
         </message>
@@ -1239,7 +1239,7 @@
             <translation>Den Take löschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>delete {n} takes</source>
             <translation>{n} Takes löschen</translation>
         </message>
@@ -1249,7 +1249,7 @@
             <translation>Löschen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>Deleted takes removed from the disk: {n}.</source>
             <translation>Gelöschte Takes vom Datenträger entfernt: {n}.</translation>
         </message>
@@ -1259,7 +1259,7 @@
             <translation>Löschen einer Beschriftung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Denoise</source>
             <translation>Entrauschen</translation>
         </message>
@@ -1274,12 +1274,12 @@
             <translation>Schwelle des Entrauschens</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>detail</source>
             <translation>Detail</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>difference in the matrix</source>
             <translation>Unterschied in der Matrix</translation>
         </message>
@@ -1314,17 +1314,17 @@
             <translation>Anzeige</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>distribution of the variable</source>
             <translation>Verteilung der Variable</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Divides each spectrum by its largest amplitude: loudness does not matter.</source>
             <translation>Teilt jedes Spektrum durch seine größte Amplitude: Die Lautstärke spielt keine Rolle.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>done</source>
             <translation>fertig</translation>
         </message>
@@ -1334,17 +1334,17 @@
             <translation>schon fertig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
             <source>Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end</source>
             <translation>Die Enden dessen ziehen, was zählt; Pfeiltasten bewegen den Anfang um 10 ms, mit Umschalt das Ende</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>Drag to go round the head, with Shift or the right button to move it; turn the wheel to come nearer. By keys: arrows, + and −, Home to go back, W for the wireframe, comma and full stop for the light</source>
             <translation>Ziehen, um den Kopf herumgehen; mit Umschalt oder der rechten Taste verschieben; am Rad drehen, um näher zu kommen. Mit Tasten: Pfeile, + und −, Pos1 zurück, W für das Drahtgitter, Komma und Punkt für das Licht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/threshold_view.py" />
             <source>Drag, or arrow keys (with Shift finer).</source>
             <translation>Ziehen, oder Pfeiltasten (mit Umschalt feiner).</translation>
         </message>
@@ -1374,12 +1374,12 @@
             <translation>Niederländisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>Each row is a sound: histogram, a box from quartile to quartile, the median, and a line from minimum to maximum. Drag a threshold, or move it with the arrow keys (Shift: finer; Up and Down choose one)</source>
             <translation>Jede Zeile ist ein Laut: Histogramm, ein Kasten von Quartil zu Quartil, der Median und eine Linie vom kleinsten zum größten Wert. Eine Schwelle ziehen oder mit den Pfeiltasten bewegen (Umschalt: feiner; Hoch und Runter wählen eine)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>ear for files</source>
             <translation>Ohr für Dateien</translation>
         </message>
@@ -1394,12 +1394,12 @@
             <translation>Gelöschte Takes entfernen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Empty Deleted Takes…</source>
             <translation>Gelöschte Takes entfernen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>end</source>
             <translation>Ende</translation>
         </message>
@@ -1409,17 +1409,17 @@
             <translation>Die Führung beenden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>End the guide, and delete its takes; Ctrl+Z brings them back (Escape)</source>
             <translation>Die Anleitung beenden und ihre Takes löschen; Strg+Z holt sie zurück (Esc)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>End the recording (R)</source>
             <translation>Aufnahme beenden (R)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>End the search; the preset stays as it is</source>
             <translation>Die Suche beenden; das Preset bleibt, wie es ist</translation>
         </message>
@@ -1484,7 +1484,7 @@
             <translation>Estnisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>every</source>
             <translation>jeder</translation>
         </message>
@@ -1499,7 +1499,7 @@
             <translation>jeder Frame von 10 ms mit allen Variablen, JSON</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>exclude</source>
             <translation>auslassen</translation>
         </message>
@@ -1509,7 +1509,7 @@
             <translation>Den Take auslassen, oder nicht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>exclude {n} takes</source>
             <translation>{n} Takes auslassen</translation>
         </message>
@@ -1519,7 +1519,7 @@
             <translation>Auslassen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>excluded</source>
             <translation>ausgelassen</translation>
         </message>
@@ -1534,12 +1534,12 @@
             <translation>Exportieren…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Expression</source>
             <translation>Ausdruck</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Face</source>
             <translation>Gesicht</translation>
         </message>
@@ -1549,12 +1549,12 @@
             <translation>Mitgeliefert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Fades out from start to end, and removes what lies above.</source>
             <translation>Blendet vom Anfang bis zum Ende aus und entfernt, was darüber liegt.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Fades the window's ends, so that a tone stays on few bins. Off is a rectangle.</source>
             <translation>Blendet die Enden des Fensters aus, sodass ein Ton auf wenigen Frequenzstufen bleibt. Ohne ist es ein Rechteck.</translation>
         </message>
@@ -1574,37 +1574,37 @@
             <translation>Furcht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Fetch It (145 MB)</source>
             <translation>Holen (145 MB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Fetching the model, 145 MB …</source>
             <translation>Modell wird geholt, 145 MB …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>figures</source>
             <translation>Zahlen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>file</source>
             <translation>Datei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Files</source>
             <translation>Dateien</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Files are heard best by the network and the encoder of Whisper base together, which knows very many voices. It works on this computer, takes 400 MB of memory, and helps where all of a file is recognised at once: saved, exported, or aligned with its text.</source>
             <translation>Am besten werden Dateien vom Netz und dem Encoder von Whisper base gemeinsam erkannt, denn der kennt sehr viele Stimmen. Er arbeitet auf diesem Computer, braucht 400 MB Speicher und hilft dort, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, beim Exportieren und beim Ausrichten an einem Text.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Fill Gaps with Silence, Besides Marking Them</source>
             <translation>Lücken mit Stille füllen und markieren</translation>
         </message>
@@ -1614,7 +1614,7 @@
             <translation>gefiltert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>filtered</source>
             <comment>a button</comment>
             <translation>Filter</translation>
@@ -1625,17 +1625,17 @@
             <translation>Filter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>filters</source>
             <translation>Filter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Find the words of the text in the sound (Ctrl+Shift+Return)</source>
             <translation>Die Wörter des Textes im Klang finden (Strg+Umschalt+Return)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Finds the thresholds that name the most frames right in what is loaded.</source>
             <translation>Findet die Schwellen, die im Geladenen die meisten Frames richtig benennen.</translation>
         </message>
@@ -1645,7 +1645,7 @@
             <translation>Finnisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>First formant</source>
             <translation>Erster Formant</translation>
         </message>
@@ -1655,22 +1655,22 @@
             <translation>Erste Schritte…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>First your room</source>
             <translation>Zuerst der Raum</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Fit</source>
             <translation>Anpassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_model.py" />
             <source>fit</source>
             <translation>Anpassung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Fit thresholds</source>
             <translation>Schwellen anpassen</translation>
         </message>
@@ -1680,7 +1680,7 @@
             <translation>Fünf Mundformen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>FLAC, half the size</source>
             <translation>FLAC, halb so groß</translation>
         </message>
@@ -1690,12 +1690,12 @@
             <translation>Ordner</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>folder…</source>
             <translation>Ordner…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>follow</source>
             <translation>folgen</translation>
         </message>
@@ -1710,12 +1710,12 @@
             <translation>Für</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Forget the Folder</source>
             <translation>Ordner vergessen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Forget the labelled recordings; their files stay</source>
             <translation>Die beschrifteten Aufnahmen vergessen; ihre Dateien bleiben</translation>
         </message>
@@ -1725,12 +1725,12 @@
             <translation>Das zweite vergessen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>formants</source>
             <translation>Formanten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_painter.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>Formants: zoom in to {n:.0f} s or less</source>
             <translation>Formanten: auf {n:.0f} s oder weniger zoomen</translation>
         </message>
@@ -1740,7 +1740,7 @@
             <translation>1 s vor</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>frames right, ten sounds</source>
             <translation>Frames richtig, zehn Laute</translation>
         </message>
@@ -1785,32 +1785,32 @@
             <translation>Freq.-Glättung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>frequency</source>
             <translation>Frequenz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>frequency (Hz)</source>
             <translation>Frequenz (Hz)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>frequency axis</source>
             <translation>Frequenzachse</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Frequency of the sine</source>
             <translation>Frequenz des Sinustons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Frequency of the sine on a logarithmic scale</source>
             <translation>Frequenz des Sinustons auf logarithmischer Skala</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Frequency of the sine: arrow keys by a semitone, page keys by an octave</source>
             <translation>Frequenz des Sinustons: Pfeiltasten um einen Halbton, Bildtasten um eine Oktave</translation>
         </message>
@@ -1820,17 +1820,17 @@
             <translation>Glätten der Frequenz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>from</source>
             <translation>von</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>from </source>
             <translation>von </translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/segment_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/segment_list.py" />
             <source>from (s)</source>
             <translation>von (s)</translation>
         </message>
@@ -1850,7 +1850,7 @@
             <translation>Vollbild</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Fundamental of the voice</source>
             <translation>Grundfrequenz der Stimme</translation>
         </message>
@@ -1875,7 +1875,7 @@
             <translation>Deutsch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Go On with the Default Microphone if It Vanishes</source>
             <translation>Mit dem Standardmikrofon weitermachen, wenn es verschwindet</translation>
         </message>
@@ -1885,7 +1885,7 @@
             <translation>Ohne ihn weitergehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Go on without this (Right)</source>
             <translation>Ohne dies weitergehen (Rechts)</translation>
         </message>
@@ -1905,7 +1905,7 @@
             <translation>von der Platte verschwunden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>good</source>
             <translation>gut</translation>
         </message>
@@ -1925,7 +1925,7 @@
             <translation>Grönländisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/sonagram.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>grey</source>
             <translation>grau</translation>
         </message>
@@ -1940,7 +1940,7 @@
             <translation>Geführte Kalibrierung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Guided calibration…</source>
             <translation>Geführte Kalibrierung…</translation>
         </message>
@@ -1955,7 +1955,7 @@
             <translation>Chinesisch (Hakka)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Have a voice say the text (Ctrl+Return); Escape stops it</source>
             <translation>Den Text von einer Stimme sprechen lassen (Strg+Return); Esc beendet es</translation>
         </message>
@@ -1970,17 +1970,17 @@
             <translation>Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>head motion</source>
             <translation>Kopfbewegung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Hear the sentence, and see the head with the new preset</source>
             <translation>Den Satz hören und den Kopf mit dem neuen Preset sehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Hear the sentence, and see the head with the old preset</source>
             <translation>Den Satz hören und den Kopf mit dem alten Preset sehen</translation>
         </message>
@@ -1995,7 +1995,7 @@
             <translation>Gehört mit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
             <source>Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the root mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the frames.</source>
             <translation>Erkannt mit dem Preset {preset}. Grundfrequenz und Formanten gelten für die Frames mit Grundfrequenz; Pegel sind der Effektivwert (Mittel) und der größte Abtastwert (Max), dB unter Vollaussteuerung; Phoneme sind Anteile der Frames.</translation>
         </message>
@@ -2005,12 +2005,12 @@
             <translation>gehört mit: {ear}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
             <source>heard {name}</source>
             <translation>gehört: {name}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
             <source>heard {name} and {n} more</source>
             <translation>gehört: {name} und {n} weitere</translation>
         </message>
@@ -2020,7 +2020,7 @@
             <translation>Hebräisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>held back</source>
             <translation>gehalten</translation>
         </message>
@@ -2040,7 +2040,7 @@
             <translation>Anfang des Hochpasses</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>High-pass</source>
             <translation>Hochpass</translation>
         </message>
@@ -2055,7 +2055,7 @@
             <translation>Hochpass Anfang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>hold</source>
             <translation>Halt</translation>
         </message>
@@ -2065,12 +2065,12 @@
             <translation>Halt &gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>Hold a key while its sound is heard</source>
             <translation>Taste halten, solange der Laut klingt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>Hold a key, or a button, and say the sound</source>
             <translation>Taste halten und den Laut sprechen</translation>
         </message>
@@ -2080,67 +2080,67 @@
             <translation>Eine Mundform halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the a of “father”</source>
             <translation>das a aus „Vater“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>Hold the button, or the key {key}, while you say {name}; or while it is heard in the file that plays</source>
             <translation>Die Schaltfläche oder die Taste {key} halten, solange {name} gesprochen wird; oder solange es in der laufenden Datei zu hören ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the e of “bed”</source>
             <translation>das e aus „Bett“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>hold the mouth shape {shape}</source>
             <translation>die Mundform {shape} halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the o of “more”</source>
             <translation>das o aus „Ofen“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the s of “see”</source>
             <translation>das s aus „Fuß“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the sh of “she”</source>
             <translation>das sch aus „schön“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the sound of “food”</source>
             <translation>den Laut aus „du“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hold the sound of “see”</source>
             <translation>den Laut aus „sieh“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>Hold this to see the mouth shape {shape}, whatever is said</source>
             <translation>Halten, um die Mundform {shape} zu sehen, was auch gesagt wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>Hold this, or the key {keys}, to see the mouth shape {shape}, whatever is said</source>
             <translation>Halten, oder die Taste {keys}, um die Mundform {shape} zu sehen, was auch gesagt wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>Hold {phoneme} for as long as you say the sound: {seconds:.2f} s were heard.</source>
             <translation>{phoneme} halten, solange der Laut gesprochen wird: Zu hören waren {seconds:.2f} s.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. With hysteresis, another phoneme follows only where it is the better one by so much.</source>
             <translation>Hält jedes Phonem eine Mindestzeit lang und ersetzt ein unbekanntes durch seinen wahrscheinlichsten Nachfolger. Mit Hysterese folgt ein anderes Phonem nur, wenn es um so viel besser passt.</translation>
         </message>
@@ -2155,47 +2155,47 @@
             <translation>Schritt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>HOST:PORT at which other programs are heard, such as 127.0.0.1:39540</source>
             <translation>HOST:PORT, auf dem andere Programme gehört werden, zum Beispiel 127.0.0.1:39540</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>HOST:PORT of the program that shall receive the mouth, such as 127.0.0.1:39539</source>
             <translation>HOST:PORT des Programms, das den Mund empfangen soll, zum Beispiel 127.0.0.1:39539</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/movestate_bars.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/movestate_bars.py" />
             <source>How far each movestate of the face is on now: of two sides, the left one above and the right one below</source>
             <translation>Wie weit jeder Movestate des Gesichts jetzt an ist: von zwei Seiten die linke oben und die rechte unten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>how far speech holds the expression back</source>
             <translation>wie weit die Sprache den Ausdruck zurückhält</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s</source>
             <translation>Wie weit die Sprache den Ausdruck zurückhält: Er geht in 0.1 s und kommt in 0.5 s wieder</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>how far the face shows {name}</source>
             <translation>wie weit das Gesicht {name} zeigt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>How far the mouth takes the shape {shape}; with all at 0 it is left to the speech</source>
             <translation>Wie weit der Mund die Form {shape} annimmt; sind alle auf 0, bleibt es der Sprache überlassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>How fast a voice of espeak-ng speaks: people say four to five syllables a second</source>
             <translation>Wie schnell eine Stimme von espeak-ng spricht: Menschen sprechen vier bis fünf Silben pro Sekunde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>How frequencies are spread over the sonagram</source>
             <translation>Wie sich die Frequenzen über das Sonagramm verteilen</translation>
         </message>
@@ -2205,47 +2205,47 @@
             <translation>Wie spät Phoneme auf dem Bildschirm sind: wird gemessen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>how long every {what} is</source>
             <translation>wie lange jedes {what} dauert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>How long every {what} is: 100 % as the table has it, less is faster, more is slower</source>
             <translation>Wie lange jedes {what} dauert: 100 % wie in der Tabelle, weniger ist schneller, mehr langsamer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>How long the recogniser may wait for what comes after a frame: longer is surer, and later. Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.</source>
             <translation>Wie lange der Erkenner auf das warten darf, was nach einem Frame kommt: länger ist sicherer und später. Regeln warten nie. Beim Mikrofon verspätet das Warten den Mund, daher gilt dafür eine eigene Grenze.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>How long the sweep takes</source>
             <translation>Wie lange der Gleitton dauert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>How much of it counts, seconds</source>
             <translation>Wie viel davon zählt, Sekunden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>How much of lips and jaw speech has; the expression has the rest. 50 % gives each all that it asks for</source>
             <translation>Wie viel von Lippen und Kiefer der Sprache gehört; der Rest gehört dem Ausdruck. Bei 50 % bekommt jeder, was er verlangt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>How much of the speech the mouth follows: faces that are far away need less</source>
             <translation>Wie viel von der Sprache der Mund mitmacht: Ferne Gesichter brauchen weniger</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>How often the answer changes: flicker, where labels change less</source>
             <translation>Wie oft die Antwort wechselt: Flackern, wo die Beschriftung seltener wechselt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>how right it is then was not measured</source>
             <translation>wie richtig es dann ist, wurde nicht gemessen</translation>
         </message>
@@ -2255,7 +2255,7 @@
             <translation>wie richtig es ist, nach den Beschriftungen daneben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>hum with your lips closed</source>
             <translation>mit geschlossenen Lippen summen</translation>
         </message>
@@ -2265,7 +2265,7 @@
             <translation>Ungarisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>hysteresis</source>
             <translation>Hysterese</translation>
         </message>
@@ -2280,7 +2280,7 @@
             <translation>Isländisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>in </source>
             <translation>in </translation>
         </message>
@@ -2290,22 +2290,22 @@
             <translation>Einzelne Buchstaben, Entf, F2 und Tasten mit Umschalt aus den Menüs wirken nur auf der Seite Analysieren. Hat eine Liste, eine Zahl oder ein Text den Fokus, gehören Buchstaben dorthin: zum Verlassen in ein Diagramm klicken.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>in use</source>
             <translation>benutzt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>In use: {words}.</source>
             <translation>In Gebrauch: {words}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>include</source>
             <translation>mitzählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>include {n} takes</source>
             <translation>{n} Takes wieder zählen</translation>
         </message>
@@ -2325,7 +2325,7 @@
             <translation>Beschriftung einfügen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Intensity</source>
             <translation>Intensität</translation>
         </message>
@@ -2340,17 +2340,17 @@
             <translation>untere Intensität</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>intensity {intensity:.2f}</source>
             <translation>Intensität {intensity:.2f}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>It acts once a rule of the preset names it.</source>
             <translation>Sie wirkt, sobald eine Regel des Presets sie nennt.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>It knows your voice better now</source>
             <translation>Die Stimme ist jetzt besser bekannt</translation>
         </message>
@@ -2380,7 +2380,7 @@
             <translation>Das war zu laut für das Mikrofon ({percent}% der Abtastwerte sind voll ausgesteuert); noch einmal sprechen, etwas weiter weg, oder den Pegel senken.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>it would be measured and drawn, and change no phoneme. The recogniser rules can use them.</source>
             <translation>sie würde gemessen und gezeichnet, änderte aber kein Phonem. Der Erkenner rules kann sie benutzen.</translation>
         </message>
@@ -2400,32 +2400,32 @@
             <translation>Kasachisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>keep quiet</source>
             <translation>still sein</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Keep quiet for two seconds, then read two lines aloud. Nothing is recorded before you press start.</source>
             <translation>Zwei Sekunden still sein, dann zwei Zeilen vorlesen. Vor „los“ wird nichts aufgenommen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Keep quiet for two seconds, then say nine sounds and read a line aloud. Nothing is recorded before you press start.</source>
             <translation>Zwei Sekunden still sein, dann neun Laute sprechen und eine Zeile vorlesen. Vor „los“ wird nichts aufgenommen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>keep quiet …</source>
             <translation>still sein …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
             <source>Keep quiet: the room is heard for {seconds:g} seconds …</source>
             <translation>Still sein: Der Raum wird {seconds:g} Sekunden lang gehört …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>keep the old preset</source>
             <translation>altes Preset behalten</translation>
         </message>
@@ -2440,7 +2440,7 @@
             <translation>Behalten, nur die anderen erzeugen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased removes them first.</source>
             <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Thesis; „ohne Aliasing“ entfernt sie vorher.</translation>
         </message>
@@ -2455,12 +2455,12 @@
             <translation>Tastenkürzel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>kind</source>
             <translation>Art</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Kind of tone</source>
             <translation>Art des Tons</translation>
         </message>
@@ -2490,22 +2490,22 @@
             <translation>Beschriftete Aufnahmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Labelled recordings beside the takes</source>
             <translation>Beschriftete Aufnahmen neben den Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>labels</source>
             <translation>Beschriftung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Labels (*.TextGrid *.txt *.csv)</source>
             <translation>Beschriftungen (*.TextGrid *.txt *.csv)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>lanes below, where the words are known: words, syllables or letters, phones, units</source>
             <translation>Spuren darunter, wo die Wörter bekannt sind: Wörter, Silben oder Buchstaben, Phone, Einheiten</translation>
         </message>
@@ -2515,27 +2515,27 @@
             <translation>Sprache</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>language of the sentences</source>
             <translation>Sprache der Sätze</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>language of the text</source>
             <translation>Sprache des Textes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>language?</source>
             <translation>Sprache?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the sound was opened), however long ago; what a seek in a pause only shows does not count</source>
             <translation>Größter, mittlerer und kleinster Wert der Variable über alles, was seit dem Leeren (oder Öffnen) gehört wurde, wie lange es auch her ist; was ein Sprung in einer Pause nur zeigt, zählt nicht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>Late: from a sound to its phoneme on the screen, as this machine measured it since the start, with the microphone that was heard last. Macro F1 and right mouth shapes: of speakers whom the model did not learn from, as its training measured them.</source>
             <translation>Verspätung: von einem Laut bis zu seinem Phonem auf dem Bildschirm, seit dem Start auf diesem Computer gemessen, mit dem zuletzt gehörten Mikrofon. Makro-F1 und richtige Mundformen: bei Sprechern, von denen das Modell nicht gelernt hat, wie beim Training gemessen.</translation>
         </message>
@@ -2550,27 +2550,27 @@
             <translation>Lettisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>learning</source>
             <translation>lernt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Learning your voice</source>
             <translation>Die Stimme wird gelernt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>Leave It to the Speech</source>
             <translation>Der Sprache überlassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Leave the preset as it is</source>
             <translation>Das Preset lassen, wie es ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Leave the preset as it was; the takes stay (Escape)</source>
             <translation>Das Preset lassen, wie es war; die Takes bleiben (Esc)</translation>
         </message>
@@ -2580,12 +2580,12 @@
             <translation>{name} verlassen und das Mikrofon aufnehmen?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>left</source>
             <translation>links</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>left out</source>
             <translation>ausgelassen</translation>
         </message>
@@ -2605,12 +2605,12 @@
             <translation>Länge</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Let the chosen takes count for nothing for now, or count again (X)</source>
             <translation>Gewählte Takes vorerst nicht zählen, oder wieder zählen (X)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>letters</source>
             <translation>Buchstaben</translation>
         </message>
@@ -2620,47 +2620,47 @@
             <translation>Pinyin-Buchstaben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>level</source>
             <translation>Pegel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>level </source>
             <translation>Pegel </translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>level (dB)</source>
             <translation>Pegel (dB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>level of detail</source>
             <translation>Detailgrad</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>Level of that, dB below full scale (RMS)</source>
             <translation>Pegel davon, dB unter Vollaussteuerung (Effektivwert)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>level of the brightest colour</source>
             <translation>Pegel der hellsten Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>Level of the brightest colour; where brightness is linear, the amplitude of that level</source>
             <translation>Pegel der hellsten Farbe; bei linearer Helligkeit die Amplitude dieses Pegels</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>level of the darkest colour</source>
             <translation>Pegel der dunkelsten Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>Level of the darkest colour; where brightness is linear, the amplitude of that level</source>
             <translation>Pegel der dunkelsten Farbe; bei linearer Helligkeit die Amplitude dieses Pegels</translation>
         </message>
@@ -2670,7 +2670,7 @@
             <translation>Pegel des Mikrofons</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Level: the highest peak below full scale</source>
             <translation>Pegel: die höchste Spitze unter Vollaussteuerung</translation>
         </message>
@@ -2680,7 +2680,7 @@
             <translation>Lexika (*.toml *.csv)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Lexicon…</source>
             <translation>Lexikon…</translation>
         </message>
@@ -2695,7 +2695,7 @@
             <translation>Lizenzen aller Teile</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Life</source>
             <translation>Leben</translation>
         </message>
@@ -2710,22 +2710,22 @@
             <translation>linear</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Listen (OSC) at</source>
             <translation>Hören (OSC) auf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>listen to see how late</source>
             <translation>zuhören zeigt, wie spät</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Listen, or let the microphone go</source>
             <translation>Zuhören oder das Mikrofon freigeben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
             <source>listening</source>
             <translation>hört zu</translation>
         </message>
@@ -2735,7 +2735,7 @@
             <translation>Es wird drei Sekunden lang auf Klicks aus dem Lautsprecher gehört …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Literal</source>
             <translation>Wörtlich</translation>
         </message>
@@ -2745,7 +2745,7 @@
             <translation>Litauisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>live</source>
             <translation>live</translation>
         </message>
@@ -2755,7 +2755,7 @@
             <translation>Vorausschau live</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>load</source>
             <translation>laden</translation>
         </message>
@@ -2780,17 +2780,17 @@
             <translation>Kurven laden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Load Curve…</source>
             <translation>Kurve laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Load labelled recordings: TextGrid, Audacity's labels, CSV</source>
             <translation>Beschriftete Aufnahmen laden: TextGrid, Beschriftungen von Audacity, CSV</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Load labels</source>
             <translation>Beschriftungen laden</translation>
         </message>
@@ -2805,7 +2805,7 @@
             <translation>Preset laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>loading the head …</source>
             <translation>Kopf wird geladen …</translation>
         </message>
@@ -2820,17 +2820,17 @@
             <translation>logarithmisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>logarithmic scale</source>
             <translation>logarithmische Skala</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Long Buffer: Blocks of 50 ms, for a Busy Machine</source>
             <translation>Langer Puffer: Blöcke von 50 ms, für einen ausgelasteten Computer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Look again which microphones there are (F5)</source>
             <translation>Erneut nach Mikrofonen suchen (F5)</translation>
         </message>
@@ -2850,7 +2850,7 @@
             <translation>Rückschau</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>look back</source>
             <translation>Rückschau</translation>
         </message>
@@ -2860,12 +2860,12 @@
             <translation>Nach Mikrofonen suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>look for microphones again</source>
             <translation>erneut nach Mikrofonen suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Look-ahead</source>
             <translation>Vorausschau</translation>
         </message>
@@ -2875,17 +2875,17 @@
             <translation>Vorausschau</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Looking for the model …</source>
             <translation>Modell wird gesucht …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
             <source>looking for the receiver …</source>
             <translation>sucht den Empfänger …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/performance_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
             <source>looking the face up, {progress:.0%}</source>
             <translation>schlägt das Gesicht nach, {progress:.0%}</translation>
         </message>
@@ -2910,7 +2910,7 @@
             <translation>Lauter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>loudness only</source>
             <translation>nur Lautstärke</translation>
         </message>
@@ -2930,7 +2930,7 @@
             <translation>Anfang des Tiefpasses</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Low-pass</source>
             <translation>Tiefpass</translation>
         </message>
@@ -2955,12 +2955,12 @@
             <translation>Mazedonisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>macro F1</source>
             <translation>Makro-F1</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>macro F1, ten sounds</source>
             <translation>Makro-F1, zehn Laute</translation>
         </message>
@@ -2975,7 +2975,7 @@
             <translation>Maltesisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>man</source>
             <translation>Mann</translation>
         </message>
@@ -2985,7 +2985,7 @@
             <translation>Handbuch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot</source>
             <translation>Einen Frequenzbereich als eigene Variable markieren (V): im Bild ziehen</translation>
         </message>
@@ -2995,17 +2995,17 @@
             <translation>Strecke: Anfang, Ende markieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>Marked &lt;b&gt;{start} – {end} s&lt;/b&gt;: choose its sound</source>
             <translation>Markiert: &lt;b&gt;{start} – {end} s&lt;/b&gt;; Laut wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>max</source>
             <translation>max</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>me</source>
             <translation>ich</translation>
         </message>
@@ -3015,7 +3015,7 @@
             <translation>Mittel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>mean of {seconds:.1f} s since {event}</source>
             <translation>Mittel über {seconds:.1f} s seit {event}</translation>
         </message>
@@ -3040,12 +3040,12 @@
             <translation>Raum messen (2 s Ruhe)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Measure the room: two seconds of quiet set silence and denoising of any recogniser</source>
             <translation>Den Raum messen: Zwei Sekunden Ruhe stellen Stille und Entrauschen jedes Erkenners ein</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Measured {on_what}.</source>
             <translation>Gemessen {on_what}.</translation>
         </message>
@@ -3055,32 +3055,32 @@
             <translation>misst seine Latenz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>measuring {percent:.0f} %</source>
             <translation>misst {percent:.0f} %</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>measuring …</source>
             <translation>misst …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>measuring … {percent:.0f} %</source>
             <translation>misst … {percent:.0f} %</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>median</source>
             <translation>Median</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Medium Buffer: Blocks of 20 ms</source>
             <translation>Mittlerer Puffer: Blöcke von 20 ms</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Mel</source>
             <translation>Mel</translation>
         </message>
@@ -3100,17 +3100,17 @@
             <translation>Netze und Movestates ({endings})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>microphone</source>
             <translation>Mikrofon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>mid</source>
             <translation>Mittel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>min</source>
             <translation>min</translation>
         </message>
@@ -3125,17 +3125,17 @@
             <translation>Mindestdauer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>mix</source>
             <translation>Mix</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Model: {ear}</source>
             <translation>Modell: {ear}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>mono</source>
             <translation>mono</translation>
         </message>
@@ -3145,17 +3145,17 @@
             <translation>Mund voraus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Mouth moves by</source>
             <translation>Mund bewegt durch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>Mouth shapes</source>
             <translation>Mundformen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>mouth shapes right</source>
             <translation>Mundformen richtig</translation>
         </message>
@@ -3165,7 +3165,7 @@
             <translation>Mundtabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>mouth table</source>
             <translation>Mundtabelle</translation>
         </message>
@@ -3205,7 +3205,7 @@
             <translation>Movestates</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>movestates that are sent</source>
             <translation>Movestates, die gesendet werden</translation>
         </message>
@@ -3220,17 +3220,17 @@
             <translation>Nahuatl (klassisch)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>name</source>
             <translation>Name</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>name it</source>
             <translation>benennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/mapping_dialog.py" />
             <source>Names in the labels</source>
             <translation>Namen in den Beschriftungen</translation>
         </message>
@@ -3250,12 +3250,12 @@
             <translation>Netzwerk</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Neutral</source>
             <translation>Neutral</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>New label</source>
             <translation>Neue Beschriftung</translation>
         </message>
@@ -3265,7 +3265,7 @@
             <translation>Einfügen einer Beschriftung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>New variable</source>
             <translation>Neue Variable</translation>
         </message>
@@ -3280,7 +3280,7 @@
             <translation>Nächster Fehler</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>No clear change</source>
             <translation>Keine klare Änderung</translation>
         </message>
@@ -3290,37 +3290,37 @@
             <translation>nicht übersteuert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>no f0</source>
             <translation>keine f0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_painter.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>no file</source>
             <translation>keine Datei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_model.py" />
             <source>No frequency range parts these two; record more takes of them, or choose another pair.</source>
             <translation>Kein Frequenzbereich trennt diese beiden; mehr Takes von ihnen aufnehmen oder ein anderes Paar wählen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>No label is chosen; click one under the sonagram first.</source>
             <translation>Keine Beschriftung ist gewählt; zuerst eine unter dem Sonagramm anklicken.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>No labels say what is said; load some by Labels &gt; Load Labels.</source>
             <translation>Keine Beschriftung sagt, was gesprochen wird; welche laden mit Beschriftungen &gt; Beschriftungen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>No Lexicon</source>
             <translation>Kein Lexikon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>No Recording</source>
             <translation>Keine Aufzeichnung</translation>
         </message>
@@ -3335,7 +3335,7 @@
             <translation>keine Soundkarte: stumm, nach der Uhr</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>No sound was kept before it; go back, and keep quiet for two seconds.</source>
             <translation>Davor wurde kein Laut behalten; zurückgehen und zwei Sekunden still sein.</translation>
         </message>
@@ -3360,12 +3360,12 @@
             <translation>unmerklich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Nobody says: {words}.</source>
             <translation>Niemand sagt: {words}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/driver_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/driver_model.py" />
             <source>Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver.</source>
             <translation>Hier spricht niemand Chinesisch, also gibt es keine Pinyin-Buchstaben; einen anderen Antrieb wählen.</translation>
         </message>
@@ -3375,22 +3375,22 @@
             <translation>Nogaisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>none</source>
             <translation>keine</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>none loaded</source>
             <translation>keine geladen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>none yet: the first take makes one</source>
             <translation>entsteht mit dem ersten Take</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Normalise</source>
             <translation>Normieren</translation>
         </message>
@@ -3420,7 +3420,7 @@
             <translation>Nicht jetzt; die Karten sind unter Hilfe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
             <source>not reached</source>
             <translation>nicht erreicht</translation>
         </message>
@@ -3430,12 +3430,12 @@
             <translation>nicht still</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Not used by the recogniser {name}: it changes only what is seen.</source>
             <translation>Vom Erkenner {name} nicht benutzt: ändert nur, was zu sehen ist.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Not used by {name}: {which}</source>
             <translation>Von {name} nicht benutzt: {which}</translation>
         </message>
@@ -3445,17 +3445,17 @@
             <translation>Notizen zum Preset {preset}:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Nothing better was found</source>
             <translation>Es wurde nichts Besseres gefunden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Nothing better was found than what is in use.</source>
             <translation>Es wurde nichts Besseres gefunden als das Benutzte.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>nothing comes</source>
             <translation>es kommt nichts</translation>
         </message>
@@ -3475,7 +3475,7 @@
             <translation>noch nichts gehört: abspielen, oder in den Klang klicken</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>nothing is loaded yet</source>
             <translation>noch nichts geladen</translation>
         </message>
@@ -3495,7 +3495,7 @@
             <translation>Es war nichts zu hören (die lauteste Stelle liegt bei {db} dB); prüfen, ob das Mikrofon an ist, und noch einmal sprechen, lauter oder näher.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>Nothing was heard that stands out from the room; say it louder or closer.</source>
             <translation>Es war nichts zu hören, das sich vom Raum abhebt; lauter oder näher sprechen.</translation>
         </message>
@@ -3510,17 +3510,17 @@
             <translation>merklich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Now</source>
             <translation>Jetzt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Now this one, to tell what was gained</source>
             <translation>Nun dies, um zu sehen, was gewonnen ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Of several, take</source>
             <translation>Von mehreren</translation>
         </message>
@@ -3530,12 +3530,12 @@
             <translation>Der geöffneten Klangdatei, als TextGrid, das Exporte übernehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>of the table’s</source>
             <translation>der Tabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>of {seconds:.1f} s</source>
             <translation>über {seconds:.1f} s</translation>
         </message>
@@ -3550,12 +3550,12 @@
             <translation>ein</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>on one sentence that was held back, {seconds}, labels aligned by the known text</source>
             <translation>an einem zurückgehaltenen Satz, {seconds}, Beschriftung nach dem bekannten Text ausgerichtet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>on quarters of what was said, each held back in turn, {seconds:.0f} s</source>
             <translation>an Vierteln des Gesagten, reihum zurückgehalten, {seconds:.0f} s</translation>
         </message>
@@ -3565,37 +3565,37 @@
             <translation>Ein Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>only the preset in use is right</source>
             <translation>nur das benutzte Preset hat recht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>only the puff of the lips, quickly, with no vowel after it</source>
             <translation>nur das Platzen der Lippen, rasch, ohne Vokal danach</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>only the second preset is right</source>
             <translation>nur das zweite Preset hat recht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>only the second right</source>
             <translation>nur das zweite richtig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>only the second right: {seconds:.1f} s</source>
             <translation>nur das zweite richtig: {seconds:.1f} s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>only this right</source>
             <translation>nur dieses richtig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>only this right: {seconds:.1f} s</source>
             <translation>nur dieses richtig: {seconds:.1f} s</translation>
         </message>
@@ -3610,7 +3610,7 @@
             <translation>Klangdatei öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Open a sound file (Ctrl+O)</source>
             <translation>Klangdatei öffnen (Strg+O)</translation>
         </message>
@@ -3620,12 +3620,12 @@
             <translation>Eine Klangdatei öffnen und sofort vom Kopf sprechen lassen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>open a table…</source>
             <translation>Tabelle öffnen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>open and shut</source>
             <translation>auf und zu</translation>
         </message>
@@ -3650,7 +3650,7 @@
             <translation>Klang öffnen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Open the words of the sound: a text, a TextGrid, or JSON with times of words</source>
             <translation>Den Text der Aufnahme öffnen: Textdatei, TextGrid oder JSON mit Wortzeiten</translation>
         </message>
@@ -3660,7 +3660,7 @@
             <translation>Öffnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/performance_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
             <source>opening a table …</source>
             <translation>Tabelle wird geöffnet …</translation>
         </message>
@@ -3670,12 +3670,12 @@
             <translation>das Mikrofon wird geöffnet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Opening the model …</source>
             <translation>Modell wird geöffnet …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
             <source>opening …</source>
             <translation>wird geöffnet …</translation>
         </message>
@@ -3685,52 +3685,52 @@
             <translation>Andere Laute</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>others and blinks to 0</source>
             <translation>andere und Blinzeln auf 0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>others share 100 %</source>
             <translation>andere teilen 100 %</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>others stay</source>
             <translation>andere bleiben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>others to 0</source>
             <translation>andere auf 0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
             <source>output device and speed</source>
             <translation>Ausgabegerät und Tempo</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>over it</source>
             <translation>darüber</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>own</source>
             <translation>eigene</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Own Mesh…</source>
             <translation>Eigenes Netz…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>own table …</source>
             <translation>eigene Tabelle …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>pages of the comparison</source>
             <translation>Seiten des Vergleichs</translation>
         </message>
@@ -3740,17 +3740,17 @@
             <translation>Seiten des Handbuchs</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>pages of the workbench</source>
             <translation>Seiten der Werkbank</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>part</source>
             <translation>trenne</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>parts best at {value}</source>
             <translation>trennt am besten bei {value}</translation>
         </message>
@@ -3765,7 +3765,7 @@
             <translation>Spitzenpegel in dB unter Vollaussteuerung, mit dem höchsten der letzten 1.5 s, und wie die Verstärkung des Mikrofons dazu passt: höher drehen, wo „leise“ steht, und herunter, wo „laut“ steht. Das Licht meldet eine Minute lang, dass das Mikrofon übersteuert war</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level.</source>
             <translation>Spitzenpegel, bei denen die Intensität 0 und 1 ist; bei Stille ist sie immer 0.</translation>
         </message>
@@ -3830,7 +3830,7 @@
             <translation>Phoneme als Beschriftung von Audacity</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>phones</source>
             <translation>Phone</translation>
         </message>
@@ -3840,7 +3840,7 @@
             <translation>rosa Rauschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>pitch</source>
             <translation>Grundfrequenz</translation>
         </message>
@@ -3850,7 +3850,7 @@
             <translation>Pixel (*.png);;Linien (*.svg)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>plain</source>
             <translation>einfach</translation>
         </message>
@@ -3860,7 +3860,7 @@
             <translation>Abspielen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>play</source>
             <translation>anhören</translation>
         </message>
@@ -3870,12 +3870,12 @@
             <translation>Abspielen, anhalten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Play or pause</source>
             <translation>Abspielen oder anhalten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Play or pause (Space)</source>
             <translation>Abspielen oder anhalten (Leertaste)</translation>
         </message>
@@ -3890,7 +3890,7 @@
             <translation>Den Take anhören</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Play what counts of the take (Return, or a double click)</source>
             <translation>Anhören, was vom Take zählt (Return oder Doppelklick)</translation>
         </message>
@@ -3920,17 +3920,17 @@
             <translation>Preemphase</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Pre-emphasis</source>
             <translation>Preemphase</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
             <source>Preset</source>
             <translation>Preset</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/preset_box.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
             <source>preset</source>
             <translation>Preset</translation>
         </message>
@@ -3945,7 +3945,7 @@
             <translation>Notizen zum Preset…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>Preset to compare with, on the same takes and recordings</source>
             <translation>Preset zum Vergleichen, auf denselben Takes und Aufnahmen</translation>
         </message>
@@ -3990,12 +3990,12 @@
             <translation>Voriger Fehler</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>priority of speech</source>
             <translation>Vorrang der Sprache</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Program’s Own</source>
             <translation>Mitgelieferter</translation>
         </message>
@@ -4005,7 +4005,7 @@
             <translation>Panjabi</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Quantise</source>
             <translation>Quantisieren</translation>
         </message>
@@ -4025,12 +4025,12 @@
             <translation>Beenden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Raises high frequencies: each sample less a share of the one before it.</source>
             <translation>Hebt hohe Frequenzen an: jeder Abtastwert abzüglich eines Anteils des vorigen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>randomness</source>
             <translation>Zufall</translation>
         </message>
@@ -4040,13 +4040,13 @@
             <translation>Rate</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Rate</source>
             <comment>of speech</comment>
             <translation>Tempo</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>rate</source>
             <translation>Tempo</translation>
         </message>
@@ -4061,7 +4061,7 @@
             <translation>roh</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>read aloud</source>
             <translation>vorlesen</translation>
         </message>
@@ -4076,22 +4076,22 @@
             <translation>Eine Zeile vorlesen: In einer Minute kennt das Programm die Stimme.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Read this as you speak</source>
             <translation>Dies natürlich vorlesen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Ready?</source>
             <translation>Bereit?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>ready?</source>
             <translation>bereit?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>receiver of the OSC messages</source>
             <translation>Empfänger der OSC-Nachrichten</translation>
         </message>
@@ -4101,22 +4101,22 @@
             <translation>Zuletzt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
             <source>recognised</source>
             <translation>erkannt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/confusion_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>recognised as →</source>
             <translation>erkannt als →</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Recogniser</source>
             <translation>Erkenner</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>recogniser</source>
             <translation>Erkenner</translation>
         </message>
@@ -4136,12 +4136,12 @@
             <translation>Aufnehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>record</source>
             <translation>aufnehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>record a take of {name}</source>
             <translation>einen Take von {name} aufnehmen</translation>
         </message>
@@ -4151,22 +4151,22 @@
             <translation>Take aufnehmen, solange gehalten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_model.py" />
             <source>Record takes or load labelled recordings first.</source>
             <translation>Zuerst Takes aufnehmen oder beschriftete Aufnahmen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/distribution.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/distribution.py" />
             <source>Record takes, or load labelled recordings, to see how they are spread</source>
             <translation>Verteilungen erscheinen mit Takes oder Aufnahmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Record the microphone into {folder} (R)</source>
             <translation>Das Mikrofon nach {folder} aufnehmen (R)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Recorded faces</source>
             <translation>Aufgezeichnetes</translation>
         </message>
@@ -4176,7 +4176,7 @@
             <translation>aufgezeichnete Gesichter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Recorded faces that say new sentences: `phonemeanalyser performance build` makes one</source>
             <translation>Aufgezeichnete Gesichter, die neue Sätze sprechen: `phonemeanalyser performance build` macht eine</translation>
         </message>
@@ -4191,7 +4191,7 @@
             <translation>{seconds:.1f} s aufgenommen in {path}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/segment_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/segment_list.py" />
             <source>recording</source>
             <translation>Aufnahme</translation>
         </message>
@@ -4201,12 +4201,12 @@
             <translation>Ordner für Aufnahmen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Recordings Go to {folder}…</source>
             <translation>Aufnahmen kommen nach {folder}…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Recording…</source>
             <translation>Aufzeichnung…</translation>
         </message>
@@ -4216,12 +4216,12 @@
             <translation>Rechteck</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>red dots, by Burg's method, as Praat measures them</source>
             <translation>rote Punkte, nach Burg, wie Praat sie misst</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>refuse</source>
             <translation>ablehnen</translation>
         </message>
@@ -4231,7 +4231,7 @@
             <translation>Umbenennen von {take}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>release</source>
             <translation>Release</translation>
         </message>
@@ -4256,7 +4256,7 @@
             <translation>Variable entfernen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Remove {name}</source>
             <translation>{name} entfernen</translation>
         </message>
@@ -4266,7 +4266,7 @@
             <translation>Endgültig {what} vom Datenträger entfernen? Was vorher an den Takes geändert wurde, lässt sich dann nicht mehr rückgängig machen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Removes what lies below start (hum, rumble), and fades in up to end.</source>
             <translation>Entfernt, was unter dem Anfang liegt (Brummen, Rumpeln), und blendet bis zum Ende ein.</translation>
         </message>
@@ -4276,7 +4276,7 @@
             <translation>Beschriftung umbenennen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Rename the label</source>
             <translation>Beschriftung umbenennen</translation>
         </message>
@@ -4296,7 +4296,7 @@
             <translation>Dateien ersetzen?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/threshold_view.py" />
             <source>reset</source>
             <translation>zurücksetzen</translation>
         </message>
@@ -4311,7 +4311,7 @@
             <translation>Zurücksetzen ({what})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/threshold_view.py" />
             <source>Reset to what the preset's file says</source>
             <translation>Auf den Wert aus der Datei des Presets zurücksetzen</translation>
         </message>
@@ -4321,12 +4321,12 @@
             <translation>Zoom zurücksetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>reset {text}</source>
             <translation>{text} zurücksetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Reset {text} to what the preset's file says</source>
             <translation>{text} auf den Wert aus der Datei des Presets zurücksetzen</translation>
         </message>
@@ -4351,7 +4351,7 @@
             <translation>Rechts</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>right</source>
             <translation>rechts</translation>
         </message>
@@ -4366,17 +4366,17 @@
             <translation>Rumänisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
             <source>room</source>
             <translation>Raum</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>room noise {decibels:.0f} dB</source>
             <translation>Raumgeräusch {decibels:.0f} dB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
             <source>Room of {room}: {sure}; Ctrl+Z takes it back.</source>
             <translation>Raum mit {room}: {sure}; Strg+Z nimmt es zurück.</translation>
         </message>
@@ -4401,32 +4401,32 @@
             <translation>Russisch (Lettland)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
             <source>said</source>
             <translation>gesagt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
             <source>said and recognised</source>
             <translation>gesagt und erkannt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/confusion_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>said ↓</source>
             <translation>gesagt ↓</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>said, not</source>
             <translation>gesagt, nicht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>sample rate</source>
             <translation>Abtastrate</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Sample rate of the microphone; the best is 44 100 Hz where it can do that</source>
             <translation>Abtastrate des Mikrofons; am besten sind 44 100 Hz, wenn es das kann</translation>
         </message>
@@ -4441,7 +4441,7 @@
             <translation>Speichern unter…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Save Curve…</source>
             <translation>Kurve speichern…</translation>
         </message>
@@ -4486,7 +4486,7 @@
             <translation>Gemitteltes Spektrum speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Save the averaged spectrum, or load saved ones to compare with</source>
             <translation>Das gemittelte Spektrum speichern oder gespeicherte zum Vergleich laden</translation>
         </message>
@@ -4496,12 +4496,12 @@
             <translation>Die Änderungen am Preset {preset} speichern?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save the labels</source>
             <translation>Beschriftungen speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save the labels of {sound}, which you changed?</source>
             <translation>Die geänderten Beschriftungen von {sound} speichern?</translation>
         </message>
@@ -4526,7 +4526,7 @@
             <translation>Preset speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/selection_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>Save the selected sound</source>
             <translation>Ausgewählten Klang speichern</translation>
         </message>
@@ -4546,7 +4546,7 @@
             <translation>Die Wörter von {sound} speichern, deren Grenzen verschoben wurden?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save what was heard as a sound (Selection &gt; Save Selection as Sound…), open that, and label it.</source>
             <translation>Das Gehörte als Klang speichern (Auswahl &gt; Auswahl als Klang speichern…), diesen öffnen und beschriften.</translation>
         </message>
@@ -4576,7 +4576,7 @@
             <translation>Der gesprochene Text ist als {path} gespeichert, mit Wörtern und Phonen daneben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Saved words and phones as {path}.</source>
             <translation>Wörter und Phone sind als {path} gespeichert.</translation>
         </message>
@@ -4586,17 +4586,17 @@
             <translation>{seconds:.2f} s aus {path} als {target} gespeichert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>saving the spoken text …</source>
             <translation>gesprochener Text wird gespeichert …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Say</source>
             <translation>Sprechen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Say nine single sounds in place of the sentence that is learned from</source>
             <translation>Neun einzelne Laute sprechen statt des Satzes, von dem gelernt wird</translation>
         </message>
@@ -4611,12 +4611,12 @@
             <translation>Den Text sprechen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/driver_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/driver_model.py" />
             <source>Say the text once more: a recorded face is looked up while it is spoken.</source>
             <translation>Den Text noch einmal sprechen lassen: Ein aufgezeichnetes Gesicht wird während des Sprechens nachgeschlagen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Say this once more (R)</source>
             <translation>Dies noch einmal sprechen (R)</translation>
         </message>
@@ -4626,17 +4626,17 @@
             <translation>Diesen Laut noch einmal</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Say what came before once more (Backspace)</source>
             <translation>Das Vorige noch einmal sprechen (Rücktaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>scale</source>
             <translation>Maßstab</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>script</source>
             <translation>Skript</translation>
         </message>
@@ -4646,7 +4646,7 @@
             <translation>Skripte (*.txt *.docx *.TextGrid *.json);;Alle Dateien (*)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Script…</source>
             <translation>Skript…</translation>
         </message>
@@ -4656,12 +4656,12 @@
             <translation>suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>Search for frequency ranges that part these two best</source>
             <translation>Frequenzbereiche suchen, die diese beiden am besten trennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Search for thresholds that suit what is loaded, with those in use to begin with</source>
             <translation>Schwellen suchen, die zum Geladenen passen, ausgehend von den benutzten</translation>
         </message>
@@ -4671,17 +4671,17 @@
             <translation>im Handbuch suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Searching; you can go on working meanwhile.</source>
             <translation>Die Suche läuft; währenddessen kann weitergearbeitet werden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>second</source>
             <translation>zweites</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Second formant</source>
             <translation>Zweiter Formant</translation>
         </message>
@@ -4691,12 +4691,12 @@
             <translation>Zweites Preset…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>See the whole file</source>
             <translation>Die ganze Datei zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>See what is selected (Shift+drag selects)</source>
             <translation>Die Auswahl zeigen (Umschalt+Ziehen wählt aus)</translation>
         </message>
@@ -4711,32 +4711,32 @@
             <translation>Alles auswählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>selection</source>
             <translation>Auswahl</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>Send phonemes, mouth shapes and the weights of the movestates over the network, as OSC messages of the VMC protocol, which VTuber programs understand</source>
             <translation>Phoneme, Mundformen und die Gewichte der Movestates über das Netzwerk senden, als OSC-Nachrichten des VMC-Protokolls, das VTuber-Programme verstehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>Send the mouth (OSC) to</source>
             <translation>Mund senden (OSC) an</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
             <source>sending, {n} packets</source>
             <translation>sendet, {n} Pakete</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>sentence</source>
             <translation>Satz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>separates</source>
             <translation>trennt</translation>
         </message>
@@ -4746,17 +4746,17 @@
             <translation>Serbisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Set all sliders back to 0</source>
             <translation>Alle Regler auf 0 zurücksetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Sets amplitudes below the threshold to 0.</source>
             <translation>Setzt Amplituden unter der Schwelle auf 0.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Several people speak in these labels; choose the speaker below the text.</source>
             <translation>In diesen Labels sprechen mehrere Personen; Sprecher unter dem Text wählen.</translation>
         </message>
@@ -4766,47 +4766,47 @@
             <translation>Shan</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>shape</source>
             <translation>Form</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Shapes and times vary a little, as they do in people</source>
             <translation>Formen und Zeiten schwanken ein wenig, wie bei Menschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>share</source>
             <translation>Anteil</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Share of frames of a, e, i, o and u that are right</source>
             <translation>Anteil der richtigen Frames von a, e, i, o und u</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Share of frames that are right</source>
             <translation>Anteil der richtigen Frames</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Share of frames with the right one of six mouth shapes</source>
             <translation>Anteil der Frames mit der richtigen von sechs Mundformen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Share of silent frames that are called silence</source>
             <translation>Anteil der stillen Frames, die Stille heißen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Share of spoken frames that are called silence</source>
             <translation>Anteil der gesprochenen Frames, die Stille heißen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>share of the mouth shape {shape}</source>
             <translation>Anteil der Mundform {shape}</translation>
         </message>
@@ -4836,7 +4836,7 @@
             <translation>Wird für {target} nach {folder} ausgeliefert …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Short Buffer: Blocks of 10 ms, the Least Latency</source>
             <translation>Kurzer Puffer: Blöcke von 10 ms, geringste Latenz</translation>
         </message>
@@ -4846,12 +4846,12 @@
             <translation>Kürzester Abschnitt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Show a face that Live Link Face recorded (CSV) beside the speech, in step with the sound in hand</source>
             <translation>Ein Gesicht zeigen, das Live Link Face aufgezeichnet hat (CSV), neben der Sprache und im Takt mit dem Klang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)</source>
             <translation>Ein eigenes Netz zeigen (.obj, .glb, .gltf, .x), mit seinen Movestates (.3dm)</translation>
         </message>
@@ -4861,27 +4861,27 @@
             <translation>Einen zweiten Kopf im Takt zeigen, der anders bewegt wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
             <source>Show in the matrix how much more often the preset in use gives each answer</source>
             <translation>In der Matrix zeigen, wie viel häufiger das benutzte Preset jede Antwort gibt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Show the head that ships with the program</source>
             <translation>Den mitgelieferten Kopf zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)</source>
             <translation>Zeigen, was andere Programme senden: /expression NAME 0..1 oder die Blendshapes einer Gesichtserfassung (VMC)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Shown under the sonagram:</source>
             <translation>Unter dem Sonagramm gezeigt:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); variables can measure it.</source>
             <translation>Zeigt das Spektrum durch Dreiecksfilter, die wie das Gehör verteilt sind (HTK-Mel); Variablen können es messen.</translation>
         </message>
@@ -4891,22 +4891,22 @@
             <translation>Stille</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>silence found</source>
             <translation>Stille gefunden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Silent</source>
             <translation>Stumm</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
             <source>silent</source>
             <translation>stumm</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>since {event}</source>
             <translation>seit {event}</translation>
         </message>
@@ -4916,7 +4916,7 @@
             <translation>Sinus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>single sounds</source>
             <translation>einzelne Laute</translation>
         </message>
@@ -4926,7 +4926,7 @@
             <translation>Singhalesisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>skip ▶</source>
             <translation>überspringen ▶</translation>
         </message>
@@ -4956,17 +4956,17 @@
             <translation>Lächeln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Smooth F</source>
             <translation>Glätten F</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Smooth time</source>
             <translation>Glätten Zeit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>So small a gain on so little speech may be chance. Listen to both, then choose.</source>
             <translation>Ein so kleiner Gewinn bei so wenig Sprache kann Zufall sein. Beides anhören, dann wählen.</translation>
         </message>
@@ -4996,7 +4996,7 @@
             <translation>Klang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>sound</source>
             <translation>Laut</translation>
         </message>
@@ -5011,17 +5011,17 @@
             <translation>Klang kann weder abgespielt noch aufgenommen werden, da das Paket sounddevice fehlt; pip install sounddevice</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>sound of the take</source>
             <translation>Laut des Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/mapping_dialog.py" />
             <source>sound of {name}</source>
             <translation>Laut von {name}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>Sound that is to be told apart</source>
             <translation>Laut, der unterschieden werden soll</translation>
         </message>
@@ -5031,7 +5031,7 @@
             <translation>Klang, der seit Beginn des Zuhörens nie vom Mikrofon ankam</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Sound {index} of {n}</source>
             <translation>Laut {index} von {n}</translation>
         </message>
@@ -5051,7 +5051,7 @@
             <translation>Klänge zum Exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Sounds with Labels Beside Them…</source>
             <translation>Klänge mit Beschriftungen daneben…</translation>
         </message>
@@ -5061,7 +5061,7 @@
             <translation>Laute, nach der Mundtabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>source</source>
             <translation>Quelle</translation>
         </message>
@@ -5086,12 +5086,12 @@
             <translation>Sprechen, und die Buchstaben folgen; aufgenommen wird erst mit der Taste R.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Speaker</source>
             <translation>Sprecher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>speaker</source>
             <translation>Sprecher</translation>
         </message>
@@ -5106,17 +5106,17 @@
             <translation>Spektrum</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>spectrum</source>
             <translation>Spektrum</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>speech called silence</source>
             <translation>Sprache als Stille</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>Speech Encoder</source>
             <translation>Sprach-Encoder</translation>
         </message>
@@ -5126,12 +5126,12 @@
             <translation>Sprach-Encoder…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>speech priority</source>
             <translation>Vorrang der Sprache</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
             <source>Speed {percent:.0f} %</source>
             <translation>Tempo {percent:.0f} %</translation>
         </message>
@@ -5146,7 +5146,7 @@
             <translation>Beginnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>start</source>
             <translation>los</translation>
         </message>
@@ -5156,7 +5156,7 @@
             <translation>Stand</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Statistics</source>
             <translation>Statistik</translation>
         </message>
@@ -5166,7 +5166,7 @@
             <translation>Statistik</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>statistics: {recognised} → {phoneme}</source>
             <translation>Statistik: {recognised} → {phoneme}</translation>
         </message>
@@ -5181,7 +5181,7 @@
             <translation>Stopp (Esc)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Stop (Escape); a file goes to its beginning</source>
             <translation>Stopp (Esc); eine Datei geht an ihren Anfang</translation>
         </message>
@@ -5191,27 +5191,27 @@
             <translation>Das Sprechen beenden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>stop {percent:.0f} %</source>
             <translation>Stopp {percent:.0f} %</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>strength</source>
             <translation>Stärke</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Stretches</source>
             <translation>Strecken</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>stretches of the cell</source>
             <translation>Strecken der Zelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>suggest</source>
             <translation>vorschlagen</translation>
         </message>
@@ -5246,12 +5246,12 @@
             <translation>Silbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>syllables</source>
             <translation>Silben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>syllables/s</source>
             <translation>Silben/s</translation>
         </message>
@@ -5271,12 +5271,12 @@
             <translation>SZ bei beiden, SCH bei nur dem ersten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Table</source>
             <translation>Tabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>table of recorded faces</source>
             <translation>Tabelle aufgezeichneter Gesichter</translation>
         </message>
@@ -5291,17 +5291,17 @@
             <translation>Take</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Take speakers’ names, [directions], *emphasis*, &lt;tags&gt; and &amp;entities; of a script as words; otherwise they are not spoken</source>
             <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;tags&gt; und &amp;Entitäten; eines Skripts als Wörter nehmen; sonst werden sie nicht gesprochen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>takes</source>
             <translation>Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Takes go into a folder that you may choose</source>
             <translation>Takes kommen in einen Ordner nach Wahl</translation>
         </message>
@@ -5336,7 +5336,7 @@
             <translation>die Karte verrät nicht, welcher Teil davon auf das Mikrofon fällt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>The chance that of two frames of different sounds a threshold tells which is which: 50 % says nothing</source>
             <translation>Wie wahrscheinlich eine Schwelle von zwei Frames verschiedener Laute sagt, welcher welcher ist: 50 % sagt nichts</translation>
         </message>
@@ -5351,12 +5351,12 @@
             <translation>Die Änderungen, die beim Programmende nicht gespeichert waren, lassen sich nicht lesen: {error}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>The channel that is heard and recorded, or the first two: mixed and recorded as stereo</source>
             <translation>Der Kanal, der gehört und aufgenommen wird, oder die ersten beiden: gemischt gehört, in Stereo aufgenommen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>The command that speaks, such as: {example}</source>
             <translation>Der Befehl, der spricht, zum Beispiel: {example}</translation>
         </message>
@@ -5371,12 +5371,12 @@
             <translation>die Augen blinzeln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>The eyes blink at human intervals</source>
             <translation>Die Augen blinzeln in menschlichen Abständen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>the file over time</source>
             <translation>die Datei über der Zeit</translation>
         </message>
@@ -5391,17 +5391,17 @@
             <translation>Der Ordner der Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>The folder with model.bin and config.json of Whisper base</source>
             <translation>Der Ordner mit model.bin und config.json von Whisper base</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>the head</source>
             <translation>der Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
             <source>The head cannot be shown: {sentence}.</source>
             <translation>Der Kopf kann nicht gezeigt werden: {sentence}.</translation>
         </message>
@@ -5411,7 +5411,7 @@
             <translation>der Kopf bewegt sich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>The head moves with pitch and loudness of the voice</source>
             <translation>Der Kopf bewegt sich mit Tonhöhe und Lautstärke der Stimme</translation>
         </message>
@@ -5426,22 +5426,22 @@
             <translation>Der Kopf, wenn er im Fokus ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>The language of a text is not guessed; choose it below the text.</source>
             <translation>Die Sprache eines Textes wird nicht geraten; sie unter dem Text wählen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>The language of the sentences that are read</source>
             <translation>Die Sprache der Sätze, die gelesen werden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>The language of the text, which is not guessed</source>
             <translation>Die Sprache des Textes, die nicht geraten wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>the language’s own</source>
             <translation>die der Sprache</translation>
         </message>
@@ -5456,22 +5456,22 @@
             <translation>der wahrscheinlichste gilt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>The marked stretch of the file begins where the file stands ([)</source>
             <translation>Die markierte Strecke beginnt, wo die Datei steht ([)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
             <source>The marked stretch of the file ends where the file stands (])</source>
             <translation>Die markierte Strecke endet, wo die Datei steht (])</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/figures_table.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>The mean F1 of the ten sounds: no figure hides a rare one</source>
             <translation>Das mittlere F1 der zehn Laute: Kein seltener geht in der Zahl unter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean begins</source>
             <translation>Das Mittel aller Spektren, die seit Abspielen, Aufnehmen oder Leeren gehört wurden; mit anderen Filtern beginnt ein neues Mittel</translation>
         </message>
@@ -5496,12 +5496,12 @@
             <translation>das Mikrofon {name} ist nicht da; eines davon wählen: {names}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>The microphone, by name and sound system: {name}</source>
             <translation>Das Mikrofon, nach Name und Tonsystem: {name}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
             <source>The movestates of the avatar that receives them: those of the head’s table, or another set</source>
             <translation>Die Movestates des Avatars, der sie empfängt: die der Tabelle des Kopfes oder ein anderer Satz</translation>
         </message>
@@ -5511,12 +5511,12 @@
             <translation>Das nächste von neun mittleren Spektren gewinnt, wie bei uLipSync; am besten aus Takes einer Stimme.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>The new preset is not saved yet.</source>
             <translation>Das neue Preset ist noch nicht gespeichert.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>The newest window of 46.4 ms, after the filters of the time domain; full scale is ±1</source>
             <translation>Das neueste Fenster von 46.4 ms, nach den Filtern des Zeitbereichs; Vollaussteuerung ist ±1</translation>
         </message>
@@ -5536,17 +5536,17 @@
             <translation>Die Seite {name} (Strg+{number})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>The phoneme now, its intensity, how sure it is (of a hundred answers that are 80 % sure, eighty are right), how often the phoneme changed in the last three seconds, the measures of its window of 46 ms: zc (zero crossings in it), vol (peak level, full scale 1), e (energy: sum of the amplitudes before denoise and normalise), f(g) (fundamental frequency of a voice, 60 to 500 Hz; a higher tone has none), and what each rule said, down to the one that fired</source>
             <translation>Das Phonem jetzt, seine Intensität, wie sicher es ist (von hundert Antworten mit 80 % Sicherheit sind achtzig richtig), wie oft das Phonem in den letzten drei Sekunden wechselte, die Maße seines Fensters von 46 ms: zc (Nulldurchgänge darin), vol (Spitzenpegel, Vollaussteuerung 1), e (Energie: Summe der Amplituden vor Entrauschen und Normieren), f(g) (Grundfrequenz einer Stimme, 60 bis 500 Hz; ein höherer Ton hat keine), und was jede Regel sagte, bis zu der, die zutraf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/phoneme_chip.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/phoneme_chip.py" />
             <source>the phoneme that is heard</source>
             <translation>das gehörte Phonem</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/phoneme_chip.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/phoneme_chip.py" />
             <source>The phoneme that is heard now, and its intensity</source>
             <translation>Das Phonem, das jetzt zu hören ist, und seine Intensität</translation>
         </message>
@@ -5566,22 +5566,22 @@
             <translation>Das Programm endete während einer Aufnahme; {seconds:.1f} s vom {begun:%Y-%m-%d, %H:%M} sind sicher in {path}{others}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/face_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
             <source>the program's own head</source>
             <translation>der mitgelieferte Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>The recogniser {name} cannot use variables of your own; {why}</source>
             <translation>Der Erkenner {name} kann eigene Variablen nicht benutzen; {why}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_model.py" />
             <source>The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice.</source>
             <translation>Der Erkenner {recogniser} hat keine Schwellen; die geführte Kalibrierung bringt ihm die Stimme bei.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>The recording doesn’t seem to match this text.</source>
             <translation>Die Aufnahme scheint nicht zu diesem Text zu passen.</translation>
         </message>
@@ -5591,12 +5591,12 @@
             <translation>die Aufnahme wartet darauf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>the room is not measured yet</source>
             <translation>der Raum ist noch nicht gemessen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/room_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
             <source>The room was not heard to the end, since the microphone was let go; measure it again.</source>
             <translation>Der Raum wurde nicht zu Ende gehört, weil das Mikrofon freigegeben wurde; noch einmal messen.</translation>
         </message>
@@ -5626,7 +5626,7 @@
             <translation>dasselbe ohne die Seite, als npm-Paket</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
             <source>the sender has stopped</source>
             <translation>Sender hat aufgehört</translation>
         </message>
@@ -5636,7 +5636,7 @@
             <translation>Die Stille dauerte {seconds} s und sollte mindestens {least} s dauern; länger still sein.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>The sonagram after all filters that are on, as recognisers see it</source>
             <translation>Das Sonagramm nach allen eingeschalteten Filtern, so wie Erkenner es sehen</translation>
         </message>
@@ -5646,7 +5646,7 @@
             <translation>die Soundkarte kann nicht geöffnet werden ({reason})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/original_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/original_model.py" />
             <source>The sound of {recording} is not beside its table any more, so only its face is shown; put the recordings where they were: {folder}.</source>
             <translation>Der Klang von {recording} liegt nicht mehr neben seiner Tabelle, daher ist nur das Gesicht zu sehen; die Aufzeichnungen dorthin legen, wo sie waren: {folder}.</translation>
         </message>
@@ -5661,12 +5661,12 @@
             <translation>Das Spektrum des neuesten Fensters von 46.4 ms, nach allen eingeschalteten Filtern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>The stretch of {path} lasts {seconds:.2f} s; mark a longer one.</source>
             <translation>Die Strecke aus {path} dauert {seconds:.2f} s; eine längere markieren.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
             <source>the system's output</source>
             <translation>Ausgabe des Systems</translation>
         </message>
@@ -5676,7 +5676,7 @@
             <translation>Der Text unter dem Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>The text is right: find its words, though another text seems to be said</source>
             <translation>Der Text stimmt: seine Wörter suchen, auch wenn ein anderer gesprochen scheint</translation>
         </message>
@@ -5686,17 +5686,17 @@
             <translation>Die ungespeicherten Änderungen können nicht für den nächsten Start behalten werden: {error}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>The variable whose course and extremes are shown</source>
             <translation>Die Variable, deren Verlauf und Grenzen gezeigt werden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>The variable whose course is shown</source>
             <translation>Die Variable, deren Verlauf gezeigt wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>The vertical scale follows the loudness; the slider beside it ends that</source>
             <translation>Der senkrechte Maßstab folgt der Lautstärke; der Regler daneben beendet das</translation>
         </message>
@@ -5706,7 +5706,7 @@
             <translation>Die Ansichten stehen still, während der Klang weitergeht; ein Klick oder F lässt sie weiterlaufen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/position_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/position_slider.py" />
             <source>The whole file: how loud it is, in the colours of its phonemes (grey where it is not analysed yet). Click to go there; arrow keys go by a second</source>
             <translation>Die ganze Datei: wie laut sie ist, in den Farben ihrer Phoneme (grau, wo noch nicht analysiert). Klicken, um dorthin zu gehen; Pfeiltasten gehen um eine Sekunde</translation>
         </message>
@@ -5726,17 +5726,17 @@
             <translation>Farben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>There are no labels yet; load some by Labels &gt; Load Labels.</source>
             <translation>Es gibt noch keine Beschriftungen; welche laden mit Beschriftungen &gt; Beschriftungen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>There are no labels yet; select a stretch and insert one by Ctrl+I.</source>
             <translation>Es gibt noch keine Beschriftungen; eine Strecke auswählen und mit Strg+I eine einfügen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>There are no takes yet whose labels could be written; record one first.</source>
             <translation>Es gibt noch keine Takes, deren Beschriftungen geschrieben werden könnten; zuerst einen aufnehmen.</translation>
         </message>
@@ -5751,7 +5751,7 @@
             <translation>daneben liegen keine Wörter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>There are no words to save; open a sound and align its text.</source>
             <translation>Es gibt keine Wörter zu speichern; einen Klang öffnen und seinen Text ausrichten.</translation>
         </message>
@@ -5761,12 +5761,12 @@
             <translation>Es gibt noch kein gemitteltes Spektrum; zuerst einen Klang abspielen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>There is no error after this place.</source>
             <translation>Nach dieser Stelle gibt es keinen Fehler.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>There is no error before this place.</source>
             <translation>Vor dieser Stelle gibt es keinen Fehler.</translation>
         </message>
@@ -5781,7 +5781,7 @@
             <translation>es gibt kein Mikrofon; eines anschließen oder prüfen, ob das Tonsystem läuft</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
             <source>there is no model yet: fetch it, or choose the folder of one that you have</source>
             <translation>Es gibt noch kein Modell: eines holen oder den Ordner eines vorhandenen wählen</translation>
         </message>
@@ -5791,7 +5791,7 @@
             <translation>Es gibt noch kein zweites Preset; eines wählen mit Analyse &gt; Zweites Preset.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>There is no sound file in hand; open the one that the labels belong to.</source>
             <translation>Es ist keine Klangdatei geöffnet; die öffnen, zu der die Beschriftungen gehören.</translation>
         </message>
@@ -5801,52 +5801,52 @@
             <translation>Es ist keine Klangdatei geöffnet; die öffnen, deren Phoneme gespeichert werden sollen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>There is no sound file in hand; open the recording of this script, then the script.</source>
             <translation>Keine Audiodatei geöffnet; zuerst die Aufnahme zu diesem Skript öffnen, dann das Skript.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>There is no sound file in hand; open the recording of this text, then align.</source>
             <translation>Es ist keine Klangdatei geöffnet; erst die Aufnahme dieses Textes öffnen, dann ausrichten.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>There is no text; write what is said into the field below the head.</source>
             <translation>Es gibt keinen Text; in das Feld unter dem Kopf schreiben, was gesagt wird.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_model.py" />
             <source>There is nothing to search in yet; record takes or load labelled recordings first.</source>
             <translation>Es gibt noch nichts zu durchsuchen; Takes aufnehmen oder beschriftete Aufnahmen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/mapping_dialog.py" />
             <source>These names stand for no sound that is known here. Say what each one is; what stays unidentified counts neither as right nor as wrong.</source>
             <translation>Diese Namen stehen für keinen hier bekannten Laut. Bitte sagen, was jeder ist; was unbekannt bleibt, zählt weder als richtig noch als falsch.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Third formant</source>
             <translation>Dritter Formant</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>this takes a few seconds</source>
             <translation>das dauert einige Sekunden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>those of the nearest duration</source>
             <translation>die mit der nächsten Dauer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>those that fit and join best (Viterbi)</source>
             <translation>die am besten passen und verbinden (Viterbi)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>threshold</source>
             <translation>Schwelle</translation>
         </message>
@@ -5856,27 +5856,27 @@
             <translation>Schwellen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/threshold_view.py" />
             <source>thresholds</source>
             <translation>Schwellen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>through the mel bank</source>
             <translation>durch die Mel-Filterbank</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>tier that is compared with what is recognised</source>
             <translation>Ebene, mit der das Erkannte verglichen wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Tiers</source>
             <translation>Ebenen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>tiers that are shown</source>
             <translation>gezeigte Ebenen</translation>
         </message>
@@ -5886,22 +5886,22 @@
             <translation>Ebenen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
             <source>time (s)</source>
             <translation>Zeit (s)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>time before now (s)</source>
             <translation>Zeit vor jetzt (s)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>time in the window</source>
             <translation>Zeit im Fenster</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/position_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/position_slider.py" />
             <source>time line</source>
             <translation>Zeitleiste</translation>
         </message>
@@ -5911,7 +5911,7 @@
             <translation>Glätten der Zeit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Times</source>
             <translation>Zeiten</translation>
         </message>
@@ -5921,12 +5921,12 @@
             <translation>Zeiten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/variable_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>to</source>
             <translation>bis</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>to </source>
             <translation>bis </translation>
         </message>
@@ -5976,7 +5976,7 @@
             <translation>Wiedergabe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
             <source>trim the take</source>
             <translation>den Take zuschneiden</translation>
         </message>
@@ -5996,12 +5996,12 @@
             <translation>Turkmenisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>Turn the page where what is heard leaves it</source>
             <translation>Weiterblättern, wenn das Gehörte den Ausschnitt verlässt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recogniser_choice.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>twin</source>
             <translation>Zwilling</translation>
         </message>
@@ -6011,12 +6011,12 @@
             <translation>Zwilling, {seconds} s in beide Richtungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>two seconds of your room, with nobody speaking</source>
             <translation>zwei Sekunden Raum, ohne dass jemand spricht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/threshold_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/threshold_view.py" />
             <source>type a number, or arrow keys</source>
             <translation>eine Zahl eingeben, oder Pfeiltasten</translation>
         </message>
@@ -6031,7 +6031,7 @@
             <translation>Rückgängig machen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>unheard speakers: macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %</source>
             <translation>ungehörte Sprecher: Makro-F1 {macro_f1:.2f}, richtige Mundformen {percent:.0f} %</translation>
         </message>
@@ -6041,7 +6041,7 @@
             <translation>Einheit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>units</source>
             <translation>Einheiten</translation>
         </message>
@@ -6051,7 +6051,7 @@
             <translation>Ungespeicherte Änderungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Unsaved labels</source>
             <translation>Ungespeicherte Beschriftungen</translation>
         </message>
@@ -6061,7 +6061,7 @@
             <translation>Ungespeicherte Wörter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>use and save as…</source>
             <translation>benutzen und speichern…</translation>
         </message>
@@ -6081,12 +6081,12 @@
             <translation>Das neue Preset benutzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>use the new preset</source>
             <translation>neues Preset benutzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Use what was found; Ctrl+Z takes it back</source>
             <translation>Das Gefundene übernehmen; Strg+Z nimmt es zurück</translation>
         </message>
@@ -6101,7 +6101,7 @@
             <translation>Usbekisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>variable</source>
             <translation>Variable</translation>
         </message>
@@ -6116,17 +6116,17 @@
             <translation>Variable:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>variables</source>
             <translation>Variablen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>vertical scale of the waveform</source>
             <translation>senkrechter Maßstab der Wellenform</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>Vertical scale: enlarges quiet sound, in dB</source>
             <translation>Senkrechter Maßstab: vergrößert leisen Klang, in dB</translation>
         </message>
@@ -6151,47 +6151,47 @@
             <translation>die Ansichten stehen still</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Voice</source>
             <translation>Stimme</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>voice</source>
             <translation>Stimme</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Voice &amp;&amp; Face…</source>
             <translation>Stimme &amp;&amp; Gesicht…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>voice by {speaker}</source>
             <translation>Stimme: {speaker}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>voice, rate and mouth of a spoken text</source>
             <translation>Stimme, Tempo und Mund eines gesprochenen Textes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>volume</source>
             <translation>Lautstärke</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
             <source>Volume in dB; click for the output device and the speed</source>
             <translation>Lautstärke in dB; klicken für Ausgabegerät und Tempo</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Volume {volume:.0f} dB</source>
             <translation>Lautstärke {volume:.0f} dB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Vowel</source>
             <translation>Vokal</translation>
         </message>
@@ -6206,7 +6206,7 @@
             <translation>Vokal-Triphon</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>waiting</source>
             <translation>wartet</translation>
         </message>
@@ -6221,12 +6221,12 @@
             <translation>Demo ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>WAV, RF64 beyond 4 GB</source>
             <translation>WAV, RF64 über 4 GB</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/waveform_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>Waveform</source>
             <translation>Wellenform</translation>
         </message>
@@ -6256,12 +6256,12 @@
             <translation>Was inzwischen aus der Datei wurde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>what becomes of everything else when a slider is pulled</source>
             <translation>was aus allem anderen wird, wenn ein Regler gezogen wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/viseme_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all stay, and movements add up; all but blinks go to 0; blinks as well; or first the speech and then other shapes shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while they are held</source>
             <translation>Was aus der Sprache, den anderen Formen und dem Blinzeln wird, wenn ein Regler eine Form verlangt: Alle bleiben, und Bewegungen addieren sich; alle außer dem Blinzeln gehen auf 0; auch das Blinzeln; oder erst die Sprache und dann andere Formen schrumpfen, sodass alle zusammen höchstens 100 % sind. Tasten und Schaltflächen setzen, solange sie gehalten werden, alles außer dem Blinzeln auf 0</translation>
         </message>
@@ -6271,37 +6271,37 @@
             <translation>Was sich dagegen tun lässt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>What else was there is kept, such as {name}.</source>
             <translation>Was sonst da war, bleibt erhalten, zum Beispiel {name}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>What is drawn over the sonagram, and below it: formants, pitch, level, words</source>
             <translation>Was über dem Sonagramm und darunter gezeichnet wird: Formanten, Grundfrequenz, Pegel, Wörter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
             <source>what is heard over time</source>
             <translation>was über die Zeit gehört wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>What is said from {start:.3f} to {end:.3f} s:</source>
             <translation>Was von {start:.3f} bis {end:.3f} s gesagt wird:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>What is said there:</source>
             <translation>Was dort gesagt wird:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>what is said when</source>
             <translation>was wann gesagt wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound</source>
             <translation>Was gesagt wird oder werden soll: Strg+Return spricht es, Strg+Umschalt+Return richtet es am Klang aus</translation>
         </message>
@@ -6311,12 +6311,12 @@
             <translation>Was ist das?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>what moves the head</source>
             <translation>was den Kopf bewegt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>what moves the mouth</source>
             <translation>was den Mund bewegt</translation>
         </message>
@@ -6326,27 +6326,27 @@
             <translation>was die Variablen formt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>What the chosen take is: choose another sound to relabel it</source>
             <translation>Was der gewählte Take ist: einen anderen Laut wählen, um ihn umzubenennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
             <source>what was measured</source>
             <translation>Messwerte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>What was said</source>
             <translation>Was gesagt wurde</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
             <source>Wheel: zoom at the pointer. Drag: scroll. Click: go there. Shift+drag: select. Home, End: the ends.</source>
             <translation>Rad: am Zeiger zoomen. Ziehen: verschieben. Klick: dorthin gehen. Umschalt+Ziehen: auswählen. Pos1, Ende: zu den Enden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>where expressions are listened for</source>
             <translation>wo auf Ausdrücke gehört wird</translation>
         </message>
@@ -6366,37 +6366,37 @@
             <translation>Wohin die neuen Dateien kommen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Where the sound comes from</source>
             <translation>Woher der Klang kommt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Where the sweep begins</source>
             <translation>Wo der Gleitton beginnt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/tone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Where the sweep ends</source>
             <translation>Wo der Gleitton endet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>Whether it is good enough to calibrate with</source>
             <translation>Ob er gut genug zum Kalibrieren ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Which channel of the file is analysed</source>
             <translation>Welcher Kanal der Datei analysiert wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Which mouth shape each phoneme has, and which movestates make it</source>
             <translation>Welche Mundform jedes Phonem hat und welche Movestates sie bilden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Which of several recordings of the same sounds are taken</source>
             <translation>Welche von mehreren Aufzeichnungen derselben Laute genommen werden</translation>
         </message>
@@ -6411,32 +6411,32 @@
             <translation>weißes Rauschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>Who said it</source>
             <translation>Wer es gesagt hat</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Who says the takes that are recorded from now on</source>
             <translation>Wer die Takes spricht, die von jetzt an aufgenommen werden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Who says the text, how fast, and what moves the mouth (now: {who}; {moved})</source>
             <translation>Wer den Text spricht, wie schnell, und was den Mund bewegt (jetzt: {who}; {moved})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Who says the text: a voice of espeak-ng, or a text-to-speech program of your own</source>
             <translation>Wer den Text spricht: eine Stimme von espeak-ng oder ein eigenes Sprachprogramm</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Whose words of the labels are taken</source>
             <translation>Wessen Wörter aus den Labels übernommen werden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Window</source>
             <translation>Fenster</translation>
         </message>
@@ -6476,7 +6476,7 @@
             <translation>Mit Lauten, nach der Mundtabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>woman</source>
             <translation>Frau</translation>
         </message>
@@ -6486,7 +6486,7 @@
             <translation>Wort</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>words</source>
             <translation>Wörter</translation>
         </message>
@@ -6506,12 +6506,12 @@
             <translation>Auf der Seite Sprechen einen Text schreiben und dort Strg+Return drücken</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Write Labels for Audacity (txt)</source>
             <translation>Beschriftungen für Audacity schreiben (txt)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Write Labels for Praat (TextGrid)</source>
             <translation>Beschriftungen für Praat schreiben (TextGrid)</translation>
         </message>
@@ -6521,7 +6521,7 @@
             <translation>eine dafür schreiben, als eigene Tabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
             <source>Write the Phonemes Beside It (.csv)</source>
             <translation>Phoneme daneben schreiben (.csv)</translation>
         </message>
@@ -6556,12 +6556,12 @@
             <translation>{about}, Spitzenpegel {peak} dBFS; zur Erkennung um {gain} dB verstärkt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>{cause} at {seconds} s of {sound}</source>
             <translation>{cause} bei {seconds} s von {sound}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>{changes:.1f} changes/s</source>
             <translation>{changes:.1f} Wechsel/s</translation>
         </message>
@@ -6581,27 +6581,27 @@
             <translation>{first} und {last}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>{first} and {second} differ in {share:.1f} % of what is seen</source>
             <translation>{first} und {second} weichen in {share:.1f} % des Sichtbaren ab</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
             <source>{kind} [{names}] of {recording}, {start:.2f} to {end:.2f} s.</source>
             <translation>{kind} [{names}] aus {recording}, {start:.2f} bis {end:.2f} s.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/variables_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>{kind} of {low:.0f}–{high:.0f} Hz of the {source} spectrum, separates {separation:.0%}</source>
             <translation>{kind} von {low:.0f}–{high:.0f} Hz im Spektrum ({source}), trennt zu {separation:.0%}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/scripts.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/scripts.py" />
             <source>{labels}: it is beside the sound and would be replaced; choose another name for the sound</source>
             <translation>{labels}: Die Datei liegt neben dem Klang und würde ersetzt; anderen Namen für den Klang wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/face_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
             <source>{mesh}: this mesh has no movestates; choose its .3dm file together with it</source>
             <translation>{mesh}: Dieses Netz hat keine Movestates; seine .3dm-Datei mit ihm zusammen wählen</translation>
         </message>
@@ -6611,17 +6611,17 @@
             <translation>{microphone} ist weg</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>{minutes:.1f} min in {n} recordings</source>
             <translation>{minutes:.1f} min in {n} Aufnahmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>{ms:.0f} ms ahead</source>
             <translation>{ms:.0f} ms voraus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>{ms:.0f} ms late here</source>
             <translation>hier {ms:.0f} ms verspätet</translation>
         </message>
@@ -6636,12 +6636,12 @@
             <translation>{ms:.0f} ms davon fallen auf das Mikrofon, und die Statuszeile rechnet jetzt damit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/microphone_bar.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>{name} (not there)</source>
             <translation>{name} (nicht da)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>{name} hears the bare sound: the filters shape only what is seen</source>
             <translation>{name} hört den bloßen Klang: Die Filter formen nur, was zu sehen ist</translation>
         </message>
@@ -6651,7 +6651,7 @@
             <translation>{name} ist schon vorhanden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>{name}, {rate:g} syllables a second</source>
             <translation>{name}, {rate:g} Silben pro Sekunde</translation>
         </message>
@@ -6716,12 +6716,12 @@
             <translation>{name}; Kanäle löschen sich beim Mischen aus, einen davon wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>{n} by 1 speaker</source>
             <translation>{n} von 1 Sprecher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>{n} by {speakers} speakers</source>
             <translation>{n} von {speakers} Sprechern</translation>
         </message>
@@ -6746,12 +6746,12 @@
             <translation>{n} Dateien sind schon vorhanden, etwa {name}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>{n} fit badly</source>
             <translation>{n} passen schlecht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>{n} fits badly</source>
             <translation>{n} passt schlecht</translation>
         </message>
@@ -6761,52 +6761,52 @@
             <translation>{n} Frames nicht gezeichnet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>{n} frames{since}; {front_end}</source>
             <translation>{n} Frames{since}; {front_end}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>{n} label files for {program} lie beside the takes in {folder}.</source>
             <translation>{n} Beschriftungsdateien für {program} liegen neben den Takes in {folder}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/recordings_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/recordings_model.py" />
             <source>{n} labelled recordings were loaded.</source>
             <translation>{n} beschriftete Aufnahmen wurden geladen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>{n} labels</source>
             <translation>{n} Beschriftungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>{n} of 10 sounds</source>
             <translation>{n} von 10 Lauten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>{n} points</source>
             <translation>{n} Punkte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/recordings_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/recordings_model.py" />
             <source>{n} sounds were left out; {refusal}</source>
             <translation>{n} Klänge wurden ausgelassen; {refusal}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>{n} word</source>
             <translation>{n} Wort</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>{n} words</source>
             <translation>{n} Wörter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/voice_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>{output} is the WAV file that it shall write, {text} the text; without {text}, the program reads the text from its standard input. A TextGrid that it writes beside the sound tells the times.</source>
             <translation>{output} ist die WAV-Datei, die es schreiben soll, {text} der Text; ohne {text} liest das Programm den Text von seiner Standardeingabe. Ein TextGrid, das es neben den Klang schreibt, sagt die Zeiten.</translation>
         </message>
@@ -6821,12 +6821,12 @@
             <translation>{path} kann Folgendes aus diesem Preset nicht fassen: {listed}. Alles als TOML-Datei speichern?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>{path} is shown beside the speech; do without it</source>
             <translation>{path} wird neben der Sprache gezeigt; darauf verzichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>{path} says how words are pronounced; do without it</source>
             <translation>{path} sagt, wie Wörter ausgesprochen werden; darauf verzichten</translation>
         </message>
@@ -6836,17 +6836,17 @@
             <translation>{path}: kann nicht geschrieben werden ({fault}); einen anderen Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/scripts.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/scripts.py" />
             <source>{path}: cannot be written ({reason_of}); choose another folder</source>
             <translation>{path}: kann nicht geschrieben werden ({reason_of}); einen anderen Ordner wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/phoneme_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>{percent:.0f} % sure</source>
             <translation>{percent:.0f} % sicher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectrum_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>{plot}: amplitude scale</source>
             <translation>{plot}: Amplitudenmaßstab</translation>
         </message>
@@ -6856,7 +6856,7 @@
             <translation>{preset}, wie es gerade ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
             <source>{recogniser} never waits</source>
             <translation>{recogniser} wartet nie</translation>
         </message>
@@ -6866,7 +6866,7 @@
             <translation>{recogniser}, {ms} ms voraus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/original_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/original_model.py" />
             <source>{recording}, as recorded: {title}</source>
             <translation>{recording}, wie aufgezeichnet: {title}</translation>
         </message>
@@ -6896,12 +6896,12 @@
             <translation>{room} des Raums heißen Stille, und {speech} der Sprache in den Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/confusion_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>{said} recognised as {taken}: {count} frames of 10 ms, {share:.1%} of {said}</source>
             <translation>{said} erkannt als {taken}: {count} Frames von 10 ms, {share:.1%} von {said}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>{said}; boundaries fixed by the voice</source>
             <translation>{said}; Grenzen von der Stimme vorgegeben</translation>
         </message>
@@ -6911,7 +6911,7 @@
             <translation>{seconds:.1f} s waren nicht zu hören</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>{seconds:.1f} s, recordings: {n}</source>
             <translation>{seconds:.1f} s, Aufnahmen: {n}</translation>
         </message>
@@ -6921,27 +6921,27 @@
             <translation>{seconds:.2f} s verloren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>{share:.1f} % differ</source>
             <translation>{share:.1f} % anders</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/label_dialogs.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>{start:.2f} to {end:.2f} s: {said} is said, {recognised} was recognised</source>
             <translation>{start:.2f} bis {end:.2f} s: gesagt {said}, erkannt {recognised}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_waveform.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
             <source>{start:.2f} – {end:.2f} s of {duration:.2f} s</source>
             <translation>{start:.2f} – {end:.2f} s von {duration:.2f} s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
             <source>{start:.3f} to {end:.3f} s of {sound}</source>
             <translation>{start:.3f} bis {end:.3f} s von {sound}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/take_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>{take} is left out: {reason}</source>
             <translation>{take} zählt nicht: {reason}</translation>
         </message>
@@ -6961,22 +6961,22 @@
             <translation>{url}: Nur Dateien auf diesem Computer lassen sich öffnen; zuerst hier speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Δ is how differently it is shaped from the averaged spectrum, whatever the loudness</source>
             <translation>Δ sagt, wie anders es geformt ist als das gemittelte Spektrum, unabhängig von der Lautstärke</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>▶ new preset</source>
             <translation>▶ neues Preset</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>▶ old preset</source>
             <translation>▶ altes Preset</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/guide_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>◀ back</source>
             <translation>◀ zurück</translation>
         </message>

@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from phonemeengine.files import free_path
+from phonemeengine.storage.files import free_path
 
 Mode = QFileDialog.FileMode
 ShowDialog = Callable[[Mode, str, str, str], tuple[list[str], str]]

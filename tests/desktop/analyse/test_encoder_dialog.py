@@ -3,8 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from phonemeanalyser.desktop.analyse import encoder_dialog
-from phonemeanalyser.desktop.analyse.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition import encoder_dialog
+from phonemeanalyser.desktop.analyse.recognition.encoder_dialog import EncoderDialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.errors import ModelError
 from tests.desktop.hands import FileAnswers

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.analyse.file_rows import (
+from phonemeanalyser.desktop.analyse.lanes.file_rows import (
     columns_of,
     course_of,
     lane_pixels,
@@ -14,8 +14,8 @@ from phonemeanalyser.desktop.analyse.file_rows import (
 )
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.dsp.waveform_peaks import Peaks
+from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.whole_sound import FrameState, SoundTracks
 
 COLOURS = np.arange(len(FrameState) * len(Phoneme), dtype=np.uint32).reshape(len(FrameState), -1)
 

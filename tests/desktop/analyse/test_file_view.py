@@ -7,11 +7,11 @@ from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from phonemeanalyser.desktop.analyse.file_layout import LANE_HEIGHT, LEFT
-from phonemeanalyser.desktop.analyse.file_view import FileView
+from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE_HEIGHT, LEFT
+from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.talk.sound_words import KnownWords
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.dsp.sonagram import FrequencyAxis
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from phonemeanalyser.desktop.analyse.sonagram import limit_gain
+from phonemeanalyser.desktop.analyse.lanes.sonagram import limit_gain
 
 
 def test_normalising_makes_no_quiet_room_bright_and_leaves_a_voice_and_bare_spectra_as_they_are() -> None:

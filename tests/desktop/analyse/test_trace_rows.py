@@ -1,6 +1,6 @@
 """Which lines of a decision the window tells: all of a few rules, the nearest of many."""
 
-from phonemeanalyser.desktop.analyse.phoneme_view import N_ROWS, rows_of
+from phonemeanalyser.desktop.analyse.recognition.phoneme_view import N_ROWS, rows_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
 

@@ -19,8 +19,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.analyse.filter_column import FIELDS
-from phonemeanalyser.desktop.analyse.threshold_view import ThresholdSlider
+from phonemeanalyser.desktop.analyse.recognition.filter_column import FIELDS
+from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdSlider
 from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.batch.fingerprint import fingerprint_of

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QToolButton
 
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
-from phonemeengine.averaged_spectrum import load_averaged_spectrum
+from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.settings import BIN_WIDTH, Filter
 from tests.desktop.hands import (
     LEFT,

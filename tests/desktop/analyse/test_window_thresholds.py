@@ -7,7 +7,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
-from phonemeanalyser.desktop.analyse.threshold_view import CURVATURE
+from phonemeanalyser.desktop.analyse.recognition.threshold_view import CURVATURE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 from phonemeengine.recognition.rules import CONDITIONS

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
-from phonemeanalyser.desktop.analyse.sonagram import COLOUR_MAPS, colours_of
+from phonemeanalyser.desktop.analyse.lanes.sonagram import COLOUR_MAPS, colours_of
 from phonemeanalyser.desktop.session.history import CAPACITY
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeanalyser.desktop.widgets.colour_bar import ColourBar

@@ -9,7 +9,7 @@ import pytest
 from PySide6.QtCore import Qt
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS, Phase
+from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS, Phase
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.held_back import loss_of
 from phonemeengine.calibration.scores.corpus import read_recordings
@@ -214,7 +214,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     better = load_preset(DEFAULT_PRESET)  # whatever the takes teach: the learned one hears this voice better
     learn = calibrate
     monkeypatch.setattr(
-        "phonemeanalyser.desktop.calibrate.guide_model.calibrate",
+        "phonemeanalyser.desktop.calibrate.guide.guide_model.calibrate",
         lambda preset, takes, **given: replace(learn(preset, takes, **given), preset=better),
     )
     for k in range(1, 4):

@@ -9,7 +9,7 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
-from phonemeanalyser.desktop.calibrate.guide_model import QUIET, SOUNDS
+from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.templates import adapt_to_takes
 from phonemeengine.calibration.held_back import MOST_LOSS, loss_of

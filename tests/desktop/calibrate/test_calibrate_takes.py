@@ -10,7 +10,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
 
-from phonemeanalyser.desktop.calibrate.takes_model import AROUND
+from phonemeanalyser.desktop.calibrate.takes.takes_model import AROUND
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.analyser import Analysis

@@ -10,8 +10,8 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.averages import AveragesModel
 from phonemeengine.analyser import Analyser, Analysis, analyse_blocks
-from phonemeengine.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.errors import CurveError
+from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Filter
 from tests.sounds import Sound, noise, tone, vowel

@@ -6,11 +6,11 @@ import pytest
 from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
+from phonemeengine.inspection.whole_sound import SoundTracks
 from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.whole_sound import SoundTracks
 from tests.desktop.hands import CARDS
 
 M_A = Tier("phones", (RawLabel(0.1, 0.3, "m", ""), RawLabel(0.3, 0.6, "a", "")))

@@ -7,7 +7,7 @@ import soundfile
 
 from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED, Selection
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeengine.measurement import measure
+from phonemeengine.inspection.measurement import measure
 from tests.desktop.hands import CARDS
 
 

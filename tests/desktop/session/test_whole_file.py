@@ -6,15 +6,20 @@ import numpy as np
 import pytest
 from PySide6.QtGui import QColor
 
-from phonemeanalyser.desktop.analyse.position_slider import NOTHING, WAVE_HEIGHT, main_phonemes, overview_pixels
+from phonemeanalyser.desktop.analyse.transport.position_slider import (
+    NOTHING,
+    WAVE_HEIGHT,
+    main_phonemes,
+    overview_pixels,
+)
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.analyser import analyse_file, concatenate_analyses
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, Channel
-from phonemeengine.whole_sound import FrameState, SoundTracks
 from tests.desktop.hands import CARDS, click, shown, wav
 from tests.sounds import noise, silence, tone
 

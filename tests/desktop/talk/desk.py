@@ -5,8 +5,8 @@ from pathlib import Path
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.text_model import TextModel, TextTools
-from phonemeanalyser.desktop.talk.voice_model import VoiceModel
+from phonemeanalyser.desktop.talk.words.text_model import TextModel, TextTools
+from phonemeanalyser.desktop.talk.words.voice_model import VoiceModel
 from phonemeengine.labels.utterance import Utterance
 from tests.desktop.stage import AN_A, Stage
 from tests.desktop.talk.voices import INSTALLED, FakeAligner, FakeVoice, word

@@ -9,7 +9,7 @@ from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.talk import head_view
+from phonemeanalyser.desktop.talk.head import head_view
 from phonemeanalyser.desktop.window import TALK
 from phonemeengine.audio.output import ClockOutput
 from tools.bench.desktop import live_for

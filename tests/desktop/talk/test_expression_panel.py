@@ -13,8 +13,8 @@ from pythonosc.udp_client import SimpleUDPClient
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.talk.expression_panel import ExpressionPanel
-from phonemeanalyser.desktop.talk.movestate_bars import MovestateBars
+from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel
+from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.theme import LIGHT
 from phonemeengine.mouth.exports.livelink import lines_of
 from tests.desktop.stage import Stage

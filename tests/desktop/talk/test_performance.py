@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeanalyser.desktop.talk.performance_model import FaceInHand
+from phonemeanalyser.desktop.talk.drivers.performance_model import FaceInHand
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.utterance_files import format_utterance

@@ -8,7 +8,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session, SoundSource
-from phonemeanalyser.desktop.talk.face_model import FaceFiles
+from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.tone.settings import Tone, ToneKind

@@ -9,10 +9,10 @@ import pytest
 import soundfile
 
 from phonemeanalyser.desktop.session.session import SoundSource
-from phonemeanalyser.desktop.talk.scripts import words_beside
-from phonemeanalyser.desktop.talk.sound_words import KnownWords
-from phonemeanalyser.desktop.talk.text_model import POOR, TextTools, fits_badly
-from phonemeanalyser.desktop.talk.voice_model import FASTEST, VoiceModel
+from phonemeanalyser.desktop.talk.words.scripts import words_beside
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
+from phonemeanalyser.desktop.talk.words.text_model import POOR, TextTools, fits_badly
+from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, VoiceModel
 from phonemeengine.analyser import Analysis
 from phonemeengine.errors import VoiceError
 from phonemeengine.labels.boundaries import LabelUnit, spans_of

@@ -20,7 +20,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.talk.head_view import HeadView
+from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering import offscreen as pictures

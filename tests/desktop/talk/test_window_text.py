@@ -12,10 +12,10 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.session import SoundSource
-from phonemeanalyser.desktop.talk.text_model import TextTools
-from phonemeanalyser.desktop.talk.text_panel import NO_LANGUAGE, TextPanel
-from phonemeanalyser.desktop.talk.voice_model import VoiceChoice
-from phonemeanalyser.desktop.talk.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
+from phonemeanalyser.desktop.talk.words.text_model import TextTools
+from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE, TextPanel
+from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
+from phonemeanalyser.desktop.talk.words.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis

@@ -4,12 +4,12 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from phonemeanalyser.desktop.talk.scripts import ScriptedSound
-from phonemeanalyser.desktop.talk.voice_model import Installed, VoiceChoice
+from phonemeanalyser.desktop.talk.words.scripts import ScriptedSound
+from phonemeanalyser.desktop.talk.words.voice_model import Installed, VoiceChoice
 from phonemeengine.errors import TextError
+from phonemeengine.execution import Progress
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.progress import Progress
 from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.text.espeak import Language
 from tests.sounds import vowel

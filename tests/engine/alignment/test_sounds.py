@@ -17,9 +17,9 @@ from phonemeengine.alignment.manners import (
     measured_of,
 )
 from phonemeengine.labels.phone_sets import IPA, ipa_phoneme
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import HOP, WINDOW
-from phonemeengine.visemes import Viseme
 from tests.engine.alignment.speaking import heard
 from tests.sounds import noise, silence, tone
 

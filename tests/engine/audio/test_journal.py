@@ -11,8 +11,8 @@ import soundfile
 
 from phonemeengine.audio.journal import RecordingMarker, interrupted_recordings
 from phonemeengine.errors import RecordingError
-from phonemeengine.paths import journal_folder, new_recording_path, recordings_folder
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.storage.paths import journal_folder, new_recording_path, recordings_folder
 from tests.fakes.recorders import begun, samples_of_16_bits
 
 

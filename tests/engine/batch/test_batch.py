@@ -14,7 +14,7 @@ from phonemeengine.batch.record import RECORD
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome
 from phonemeengine.errors import BatchError, ExportError
-from phonemeengine.progress import Cancelled
+from phonemeengine.execution import Cancelled
 from tests.conftest import ROOT
 from tests.fakes.batch_works import SECONDS, CopyWork
 from tests.fakes.players import wait_for
@@ -189,7 +189,7 @@ def test_processes_end_with_the_program_that_is_killed(tmp_path: Path) -> None:
 
 
 def test_a_program_that_works_for_another_one_ends_with_its_input() -> None:
-    code = "import threading, phonemeengine.processes as p; p.end_with_input(); threading.Event().wait()"
+    code = "import threading, phonemeengine.execution as p; p.end_with_input(); threading.Event().wait()"
     environment = os.environ | {"PYTHONPATH": str(ROOT / "engine")}
     process = subprocess.Popen([sys.executable, "-c", code], env=environment, stdin=subprocess.PIPE)
     assert process.stdin is not None

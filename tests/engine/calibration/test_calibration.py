@@ -17,6 +17,7 @@ from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Scores, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.visemes import NO_VISEME, Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
@@ -24,7 +25,6 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, ThesisRules
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.settings import SAMPLE_RATE, Decimation
-from phonemeengine.visemes import NO_VISEME, Viseme
 from tests.conftest import ROOT, SCORER
 from tests.labelled import OF_THE_SCORER
 from tests.sounds import noise, silence, vowel

@@ -16,10 +16,10 @@ from phonemeengine.calibration.workbench.distributions import (
 )
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Cancelled
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.progress import Cancelled
 from tests.labelled import recording, recordings
 
 THESIS = load_preset(FACTORY / "thesis.toml")

@@ -11,10 +11,10 @@ from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Cancelled
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
 from tests.labelled import recordings

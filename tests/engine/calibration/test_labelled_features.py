@@ -16,11 +16,11 @@ from phonemeengine.calibration.scores.scoring import confusion_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.execution import Cancelled
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.rules import Condition, Rule

@@ -10,10 +10,10 @@ from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtteran
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of, score
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.visemes import NO_VISEME
 from tests.corpora import write_corpus
 
 THESIS = load_preset(FACTORY / "thesis.toml")

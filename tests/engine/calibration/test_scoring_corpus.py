@@ -18,13 +18,13 @@ from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.rules import ThesisRules
 from phonemeengine.recognition.spec import BUILT_IN, RecogniserConfig, RecogniserSpec
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.visemes import NO_VISEME
 from tests.corpora import put, write_corpus
 from tests.sounds import silence, tone
 

@@ -17,11 +17,11 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.workbench.distributions import distribution_of, separability
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Cancelled
 from phonemeengine.features.variables import Spectrum, Variable, check_user_variables
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
-from phonemeengine.progress import Cancelled
 from phonemeengine.settings import SAMPLE_RATE, Filter
 from tests.labelled import recordings
 from tests.sounds import noise, tone

@@ -20,7 +20,7 @@ from phonemeengine.encoder.model_folder import (
     open_whisper,
 )
 from phonemeengine.errors import ModelError
-from phonemeengine.paths import data_folder
+from phonemeengine.storage.paths import data_folder
 
 
 @pytest.fixture(autouse=True)

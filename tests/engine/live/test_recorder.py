@@ -11,10 +11,10 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.files import free_path
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import HOP, SAMPLE_RATE
+from phonemeengine.storage.files import free_path
 from tests.fakes.microphones import HandDrivenMicrophone, Hear, frames_in, offline
 from tests.fakes.players import PRESET, SPEECH, wait_for
 from tests.fakes.recorders import recorder_to, samples_in, samples_of_16_bits

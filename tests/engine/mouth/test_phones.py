@@ -12,6 +12,7 @@ from phonemeengine.errors import ExportError, MouthError
 from phonemeengine.labels.articulation import IPA_LETTERS
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.mouth.animation import animation_of
 from phonemeengine.mouth.cues import MINIMUM, MOST_ANTICIPATION, Cue, cues_of
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
@@ -21,7 +22,6 @@ from phonemeengine.mouth.table import TABLES, MouthTable, TransitionTimes, load_
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.visemes import VISEME_PHONES, Viseme
 from tests.engine.mouth.speaking import phones_said, speech
 
 ARKIT = load_table("arkit")

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from phonemeengine import PerformanceError
-from phonemeengine.files import is_own
 from phonemeengine.performance import table_file
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind
+from phonemeengine.storage.files import is_own
 from tests.engine.performance.sentences import CHANNELS, performance_of
 
 

@@ -14,6 +14,7 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
 from phonemeengine.errors import ModelError, PresetError
 from phonemeengine.features.variables import SCORES
+from phonemeengine.labels.visemes import NO_VISEME, Viseme
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer, timed_frames
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import transcript_of
@@ -23,7 +24,6 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
 from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
-from phonemeengine.visemes import NO_VISEME, Viseme
 from tests.models import band_of, tone_model
 from tests.sounds import silence, tone
 

@@ -20,12 +20,12 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict, score
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError, EngineError, RecogniserError
+from phonemeengine.execution import Cancelled
 from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import controls_of, unused_settings
 from phonemeengine.presets.files import factory_preset, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Cancelled
 from phonemeengine.recognition.scores import SCORES
 from phonemeengine.recognition.spec import BUILT_IN, Tuning, recogniser_of
 from phonemeengine.settings import HOP, AnalysisSettings

@@ -9,9 +9,9 @@ from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
 from phonemeengine import Morpher, MouthTable, Phoneme, load_preset, load_table
+from phonemeengine.labels.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.shipping.folder import format_ear
-from phonemeengine.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from tests.compiled_ears import CModel, CMouth, EarLibrary
 
 Heard = tuple[float, Phoneme, int, float]

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from phonemeengine import Analyser, AnalysisSettings, Ear, Filter, Phoneme, Preset, SoundReader, Variable, load_preset
 from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.features.variables import Kind, Spectrum
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, OutputHead
@@ -22,7 +23,6 @@ from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, WindowFunction
 from phonemeengine.shipping.folder import format_ear
-from phonemeengine.visemes import Viseme
 from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, ear_library
 from tests.conftest import CORPUS
 from tests.models import tone_model

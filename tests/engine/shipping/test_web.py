@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table, ship
+from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.shipping import targets
-from phonemeengine.visemes import VISEME_PHONES, Viseme
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, says_several, speech
 from tests.sounds import silence, tone
 from tests.web_ears import frames_of, in_node

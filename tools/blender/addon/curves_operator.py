@@ -5,7 +5,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ImportHelper
 
-from phonemeengine.files import printable_name
+from phonemeengine.storage.files import printable_name
 
 from .animation import animate_face, turn_head
 from .refusal import RefusingOperator, chosen_face, chosen_path

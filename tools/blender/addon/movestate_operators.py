@@ -6,9 +6,9 @@ from bpy.props import EnumProperty, FloatProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from phonemeengine.errors import MeshError
-from phonemeengine.files import printable_name
 from phonemeengine.mouth.files.io import TARGET_SUFFIXES, load_morph_targets, save_morph_targets
 from phonemeengine.mouth.morph_mesh import TOLERANCE
+from phonemeengine.storage.files import printable_name
 
 from .axes import Axes
 from .refusal import RefusingOperator, chosen_face, chosen_path

@@ -12,7 +12,7 @@ from bpy.props import StringProperty
 from bpy_extras.io_utils import ImportHelper
 
 from phonemeengine.errors import ExportError
-from phonemeengine.files import printable_name
+from phonemeengine.storage.files import printable_name
 
 from .curves_operator import MovingOperator
 from .mouth_tables import checked_toml

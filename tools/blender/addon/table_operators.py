@@ -6,8 +6,8 @@ from bpy.props import EnumProperty, IntProperty, StringProperty
 from bpy_extras.io_utils import ExportHelper, ImportHelper
 
 from phonemeengine.errors import MouthError
-from phonemeengine.files import printable_name, write_file
 from phonemeengine.mouth.table import USUAL_TABLE, load_table, shipped_tables
+from phonemeengine.storage.files import printable_name, write_file
 
 from .mouth_tables import checked_toml, movements_on
 from .refusal import RefusingOperator, chosen_face, chosen_path

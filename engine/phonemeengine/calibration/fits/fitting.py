@@ -22,10 +22,10 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import CorpusError, RecogniserError
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.rules import RULES, Condition, Rule
 from phonemeengine.recognition.spec import spec_of
 

@@ -20,9 +20,9 @@ from phonemeengine.calibration.scores.scoring import (
 )
 from phonemeengine.calibration.workbench.batch_smoother import last_identified
 from phonemeengine.calibration.workbench.rule_cache import RuleCache
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
 

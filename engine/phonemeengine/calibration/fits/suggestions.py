@@ -24,10 +24,10 @@ from phonemeengine.calibration.workbench.labelled_features import LabelledFeatur
 from phonemeengine.dsp.filters import denoise, normalise
 from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import CorpusError, SettingsError
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.variables import Kind, Spectrum, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Filter
 
 # Spectra of some frames of each phoneme, from which new variables are made.

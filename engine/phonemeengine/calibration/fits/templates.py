@@ -17,10 +17,10 @@ from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import cepstra_of, log_mels
 from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.label import CORE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, report_progress
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates, levels_of, rounded_templates
 from phonemeengine.settings import FRAME_PERIOD
 

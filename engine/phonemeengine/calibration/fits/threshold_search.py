@@ -25,9 +25,9 @@ from phonemeengine.arrays import (
 )
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.calibration.workbench.batch_smoother import counted_table, last_identified, successors_of
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import CONDITIONS, RULES, Condition
 

@@ -17,14 +17,14 @@ from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.audio.files import SoundReader, is_sound, once_each
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
-from phonemeengine.files import printable_name
 from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels
 from phonemeengine.labels.label import CORE, Label, RawLabel
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
 from phonemeengine.labels.table import read_text, rows_of
+from phonemeengine.labels.visemes import NO_VISEME, viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, Channel
-from phonemeengine.visemes import NO_VISEME, viseme_of
+from phonemeengine.storage.files import printable_name
 
 __all__ = [
     "FrameLabels",

@@ -24,6 +24,7 @@ from phonemeengine.calibration.scores.scoring import (
 )
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.visemes import NO_VISEME, Viseme, viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, calibration_errors, fit_confidence
@@ -31,7 +32,6 @@ from phonemeengine.recognition.segments import count_changes
 from phonemeengine.recognition.spec import Recogniser
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from phonemeengine.text.pronunciation import ScriptWord
-from phonemeengine.visemes import NO_VISEME, Viseme, viseme_of
 
 WordsOf = Callable[[LabelledUtterance], Sequence[ScriptWord] | None]
 """Gives the words of a recording with their pronunciations; None where they are not known."""

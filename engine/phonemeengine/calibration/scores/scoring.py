@@ -11,10 +11,10 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float64Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
+from phonemeengine.labels.visemes import NO_VISEME, usual_visemes
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.visemes import NO_VISEME, usual_visemes
 
 N_CODES = len(Phoneme)
 SCORED_PHONEMES = tuple(p for p in Phoneme if p is not Phoneme.UNIDENTIFIED)

@@ -11,7 +11,7 @@ from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.storage import TakeFolder, write_copy
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.errors import TakeError
-from phonemeengine.lifetime import Closing
+from phonemeengine.execution import Closing
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 

@@ -15,9 +15,9 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.sentences import Sentence
 from phonemeengine.calibration.takes.take import folder_for
 from phonemeengine.errors import TakeError
-from phonemeengine.files import free_path, printable_name, reason_of
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.table import format_table, write_text
+from phonemeengine.storage.files import free_path, printable_name, reason_of
 
 # When a voice begins in what a microphone hears, and whether it has ended.
 

@@ -25,10 +25,10 @@ from phonemeengine.calibration.takes.take_list import (
     write_take_list,
 )
 from phonemeengine.errors import CorpusError, TakeError
-from phonemeengine.files import atomic_write, free_path, printable_name, reason_of
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.storage.files import atomic_write, free_path, printable_name, reason_of
 
 # Label files for other programs beside the sounds of takes: copies of what the corpus format says there.
 #

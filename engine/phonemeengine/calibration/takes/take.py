@@ -9,7 +9,7 @@ from typing import Any
 from phonemeengine.errors import TakeError
 from phonemeengine.labels.label import CORE, Label
 from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
-from phonemeengine.strict_table import StrictTable, shown
+from phonemeengine.storage.strict_table import StrictTable, shown
 
 TRIMMED = "trimmed"
 """The certainty of what lies outside the stretch that counts."""

@@ -16,10 +16,10 @@ from typing import Any
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.takes.take import DELETED, TAKES, Take, named_in, take_of
 from phonemeengine.errors import AudioError, CorpusError, TakeError
-from phonemeengine.files import free_path
 from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.label import CORE
 from phonemeengine.labels.table import format_table, read_text, rows_of, table_of, write_text
+from phonemeengine.storage.files import free_path
 
 LIST, MANIFEST = "takes.json", "manifest.csv"
 FORMAT, VERSION = "phonemeanalyser takes", 1

@@ -9,9 +9,9 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.variables import DEFICITS
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.scores import NO_SENSITIVITIES
 
 # How well a number tells phonemes apart.

@@ -31,11 +31,11 @@ from phonemeengine.calibration.workbench.retuner import (
     rules_in,
 )
 from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import DEFICITS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress, report_progress, subrange
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, Sensitivity, deficits_of
 
 _Stamp = tuple[Path, int, int, int]

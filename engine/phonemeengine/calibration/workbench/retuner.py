@@ -12,11 +12,11 @@ from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
 from phonemeengine.calibration.workbench.rule_cache import RuleCache
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
-from phonemeengine.progress import Progress, no_progress, report_progress
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import RuleRecogniser
 from phonemeengine.recognition.scores import Sensitivity, scores_in

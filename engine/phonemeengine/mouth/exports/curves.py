@@ -17,11 +17,11 @@ import json
 from collections.abc import Iterator, Sequence
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.files import begins_like
 from phonemeengine.labels.utterance import Word
 from phonemeengine.mouth.cues import Cue
 from phonemeengine.mouth.curves_file import FORMAT, HEAD
 from phonemeengine.mouth.exports.export import Export
+from phonemeengine.storage.files import begins_like
 
 owns = begins_like(b'{\n "format": "%s",\n' % FORMAT.encode())
 

@@ -3,7 +3,6 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
-from phonemeengine.files import Owns
 from phonemeengine.mouth.blendshape_names import ARKIT, OCULUS
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.exports import (
@@ -19,6 +18,7 @@ from phonemeengine.mouth.exports import (
     textgrid,
 )
 from phonemeengine.mouth.exports.export import Export
+from phonemeengine.storage.files import Owns
 
 DRAWINGS_AHEAD = 0.04
 """Seconds by which drawings, which change at once, are ahead of the sound: a frame of film."""

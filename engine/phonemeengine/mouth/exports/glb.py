@@ -6,7 +6,6 @@ from typing import Any
 from urllib.parse import unquote
 
 from phonemeengine.errors import ExportError, MeshError
-from phonemeengine.files import printable_name, read_file
 from phonemeengine.mouth.files.gltf_document import (
     MAGIC,
     Beside,
@@ -21,6 +20,7 @@ from phonemeengine.mouth.files.gltf_document import (
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, files_beside, load_morph_mesh
 from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.storage.files import printable_name, read_file
 
 LARGEST_FILE, LARGEST_JSON = 1 << 30, 64 << 20
 """Bytes; scenes with much else in them are welcome."""

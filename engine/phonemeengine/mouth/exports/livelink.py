@@ -8,10 +8,10 @@ from collections.abc import Iterable, Iterator
 
 import numpy as np
 
-from phonemeengine.files import begins_like
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
 from phonemeengine.mouth.exports.export import Export, number_lines
+from phonemeengine.storage.files import begins_like
 
 HEADER = ",".join(LIVE_LINK_COLUMNS)
 COUNT = len(LIVE_LINK_COLUMNS) - 2

@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator
 
-from phonemeengine.files import begins_like
 from phonemeengine.mouth.blendshape_names import OCULUS
 from phonemeengine.mouth.exports.export import Export, number_lines
+from phonemeengine.storage.files import begins_like
 
 HEADER = ",".join(["time_s", *OCULUS]) + "\n"
 

@@ -8,10 +8,10 @@ import json
 from collections.abc import Iterator
 from html import escape
 
-from phonemeengine.files import begins_like
 from phonemeengine.mouth.exports.curves import word_entry
 from phonemeengine.mouth.exports.export import Export, frame_of
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.storage.files import begins_like
 
 SHAPES = frozenset("ABCDEFGHX")
 STEPS = 100

@@ -10,7 +10,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import ARKIT, both_sides
-from phonemeengine.strict_table import load_text, parse_toml, shown
+from phonemeengine.storage.strict_table import load_text, parse_toml, shown
 
 FORMAT = "phonemeanalyser expression channels 1"
 SHIPPED = Path(__file__).resolve().parent / "channels.toml"

@@ -13,7 +13,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import MouthError, remedy
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.channels import columns_of
-from phonemeengine.strict_table import load_text, parse_toml
+from phonemeengine.storage.strict_table import load_text, parse_toml
 
 FORMAT = "phonemeanalyser expressions 1"
 SHIPPED = Path(__file__).resolve().parent / "presets.toml"

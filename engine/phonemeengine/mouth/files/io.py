@@ -6,7 +6,6 @@ from dataclasses import replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
-from phonemeengine.files import MEGABYTE, read_file, write_file
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
@@ -14,6 +13,7 @@ from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, morph_targets_of
+from phonemeengine.storage.files import MEGABYTE, read_file, write_file
 
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
 """Megabytes of a file of each kind: so much is read, and no more."""

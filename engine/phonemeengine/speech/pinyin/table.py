@@ -22,7 +22,7 @@ from phonemeengine.mouth.table import (
     shapes_of_phonemes,
 )
 from phonemeengine.speech.pinyin.spring import LARGEST, Spring
-from phonemeengine.strict_table import StrictTable, load_text, parse_toml, shown
+from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml, shown
 
 FORMAT = "phonemeanalyser pinyin 1"
 USUAL_PINYIN_TABLE = Path(__file__).with_name("pinyin.toml")

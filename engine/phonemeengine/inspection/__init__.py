@@ -1,0 +1,1 @@
+"""What is shown of a whole sound: tracks, measured stretches, averaged spectra, tables, and two presets compared."""

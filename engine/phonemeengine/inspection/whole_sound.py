@@ -1,0 +1,193 @@
+"""A whole sound, analysed in the background: what somebody looks at first, then all of it, in bounded memory.
+
+An hour takes some 60 MB: a byte for each phoneme, four for each measured variable, and an outline of the waveform.
+Spectra are not kept; `phonemeengine.dsp.sonagram` draws them from the sound.
+"""
+
+from collections.abc import Callable, Iterator
+from enum import IntEnum
+from typing import NamedTuple
+
+import numpy as np
+
+from phonemeengine.analyser import BLOCK, Analysis, analyse_blocks, analyse_range
+from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.dsp.framing import frame_count
+from phonemeengine.dsp.waveform_peaks import WaveformPeaks
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
+from phonemeengine.features.measure import Features
+from phonemeengine.presets.ears import for_files, while_played
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import HOP, Ear
+
+MOST_PREVIEWED = 6000
+"""Frames of 10 ms that are analysed ahead of their turn, since somebody looks at them."""
+
+
+class FrameState(IntEnum):
+    """What is known of a frame; the number is the code used in arrays (uint8)."""
+
+    UNKNOWN = 0
+    OUTDATED = 1
+    """Found with settings that are no longer in force."""
+    KNOWN = 2
+
+
+class FrameRange(NamedTuple):
+    """Frames first..last-1."""
+
+    first: int
+    last: int
+
+
+class _Measured(NamedTuple):
+    """Variables that were measured, and their values, which change together."""
+
+    names: tuple[str, ...]
+    columns: Float32Array
+
+
+class SoundTracks:
+    """What was found in each frame of a sound of known length; one thread writes, others may look.
+
+    Attributes
+    ----------
+    n_frames : of the sound.
+    states : codes of `FrameState`, uint8, shape (n_frames,).
+    recognised, phonemes, visemes : as of `Analysis`, uint8, shape (n_frames,).
+    intensities, confidences : as of `Analysis`, float32, shape (n_frames,).
+    peaks : the outline of the waveform, as far as the sound was read.
+    revision : another number after each change.
+    """
+
+    def __init__(self, n_frames: int) -> None:
+        self.n_frames = n_frames
+        self.states: UInt8Array = np.zeros(n_frames, np.uint8)
+        self.recognised, self.phonemes, self.visemes = (np.zeros(n_frames, np.uint8) for _ in range(3))
+        self.intensities, self.confidences = (np.zeros(n_frames, np.float32) for _ in range(2))
+        self._measured = _Measured((), np.zeros((0, n_frames), np.float32))
+        self.peaks = WaveformPeaks()
+        self.revision = 0
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The measured variables; empty until something is known."""
+        return self._measured.names
+
+    @property
+    def columns(self) -> Float32Array:
+        """The variables, float32, shape (n_names, n_frames)."""
+        return self._measured.columns
+
+    @property
+    def values(self) -> Float32Array:
+        """The same as a view, float32, shape (n_frames, n_names)."""
+        return self.columns.T
+
+    @property
+    def features(self) -> Features:
+        """Names and values that belong together, whatever another thread measures meanwhile."""
+        measured = self._measured
+        return Features(measured.names, measured.columns.T)
+
+    def outdate(self) -> None:
+        """Mark all that is known as found with other settings; it stays to be seen until it is found anew."""
+        self.states[self.states == FrameState.KNOWN] = FrameState.OUTDATED
+        self.revision += 1
+
+    def write(self, analysis: Analysis) -> None:
+        """Take what was found in a block of frames; what lies beyond the sound is left out."""
+        part = analysis.part(slice(max(0, -analysis.start), max(0, self.n_frames - analysis.start)))
+        if part.features.names != self.names:
+            columns = np.full((len(part.features.names), self.n_frames), np.nan, np.float32)
+            self._measured = _Measured(part.features.names, columns)
+        place = slice(part.start, part.start + len(part))
+        self.recognised[place], self.phonemes[place] = part.recognised, part.phonemes
+        self.visemes[place], self.intensities[place] = part.visemes, part.intensities
+        self.confidences[place], self.columns[:, place] = part.confidences, part.features.values.T
+        self.states[place] = FrameState.KNOWN
+        self.revision += 1
+
+    def is_known(self, frames: FrameRange) -> bool:
+        """Return whether all of some frames are known, as the settings in force have them."""
+        return bool((self.states[max(0, frames.first) : frames.last] == FrameState.KNOWN).all())
+
+
+def analyse_whole(
+    open_sound: Callable[[], SoundReader], preset: Preset, tracks: SoundTracks, *,
+    in_view: Callable[[], FrameRange] = lambda: FrameRange(0, 0), progress: Progress = no_progress,
+) -> None:  # fmt: skip
+    """Analyse a whole sound into tracks, as `analyse_file` does; what is in view is found first.
+
+    What is found ahead of its turn is found once more when its turn comes: settings that remember, such as smoothing
+    over time, may then say a little different.
+
+    Parameters
+    ----------
+    open_sound : opens the sound; it is read at two places at once.
+    preset : what is recognised with.
+    tracks : made for this sound; what they know is outdated first.
+    in_view : asked again and again for what somebody looks at; of that, at most a minute is found ahead.
+    progress : called with the share that is done, 0..1.
+
+    Raises
+    ------
+    AudioError : the sound cannot be read; what was found stays.
+    Cancelled : `progress` did not want to go on; what was found stays.
+    """
+    tracks.outdate()
+    with open_sound() as reader, open_sound() as ahead:
+        seen = FrameRange(0, 0)
+
+        def preview(done: int) -> None:
+            nonlocal seen
+            wanted = in_view()
+            if wanted != seen:
+                seen = wanted
+                _find(ahead, preset, tracks, FrameRange(max(wanted.first, done), wanted.last))
+
+        passes = _passes_of(preset)
+        for k, heard_with in enumerate(passes):
+            reader.seek(0)
+            part = subrange(progress, k / len(passes), (k + 1) / len(passes))
+            report_progress(part, 0.0)
+            blocks = _outlined(reader.blocks(BLOCK * HOP), tracks)
+            preview(0)
+            for analysis in analyse_blocks(blocks, heard_with, pitch=True):
+                tracks.write(analysis)
+                done = analysis.start + len(analysis)
+                report_progress(part, min(1.0, done / tracks.n_frames))
+                if k == 0:
+                    preview(done)
+    report_progress(progress, 1.0)
+
+
+def _passes_of(preset: Preset) -> list[Preset]:
+    """Return what a sound is heard with, one after the other: the ear for files, and before a slow one a fast one."""
+    last = for_files(preset)
+    return [while_played(preset), last] if last.ear is Ear.WHISPER else [last]
+
+
+def _outlined(blocks: Iterator[Float32Array], tracks: SoundTracks) -> Iterator[Float32Array]:
+    """Give the blocks of a sound on, and let its outline grow by what it does not hold yet."""
+    position = 0
+    for block in blocks:
+        fresh = tracks.peaks.n_samples - position
+        if fresh < len(block):
+            tracks.peaks.push(block[max(0, fresh) :])
+        position += len(block)
+        yield block
+
+
+def _find(reader: SoundReader, preset: Preset, tracks: SoundTracks, frames: FrameRange) -> None:
+    """Find what is wanted of some frames ahead of their turn."""
+    first, last = max(0, frames.first), min(frames.last, frames.first + MOST_PREVIEWED, tracks.n_frames)
+    if last > first and not tracks.is_known(FrameRange(first, last)):
+        for analysis in analyse_range(reader, first, last, preset, pitch=True):
+            tracks.write(analysis)
+
+
+def tracks_of(reader: SoundReader) -> SoundTracks:
+    """Return empty tracks for a sound."""
+    return SoundTracks(frame_count(reader.n_samples))

@@ -1,0 +1,1 @@
+"""Sonagram, phonemes, labels and course over time, of a file and of the microphone."""

@@ -1,0 +1,1 @@
+"""The preset, its front end and thresholds, and the phoneme that is recognised."""

@@ -1,0 +1,1 @@
+"""Spectrum, averaged spectra and waveform."""

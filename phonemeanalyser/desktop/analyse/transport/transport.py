@@ -1,0 +1,233 @@
+"""The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
+
+from PySide6.QtCore import QEvent, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QIcon, QKeySequence, QPainter, QResizeEvent
+from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QSlider, QStackedWidget, QStyle, QToolButton, QWidget
+
+from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar
+from phonemeanalyser.desktop.analyse.transport.output_button import OutputButton
+from phonemeanalyser.desktop.analyse.transport.position_slider import PositionSlider
+from phonemeanalyser.desktop.analyse.transport.record_button import RecordButton
+from phonemeanalyser.desktop.analyse.transport.tone_bar import ToneBar
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.painting import format_clock
+from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, named, row, silent
+from phonemeanalyser.desktop.widgets.still_label import StillLabel
+from phonemeengine.settings import Channel
+
+LEAST_TIME_WIDTH = 112
+"""Of the time, pixels, so that a short one leaves the slider where it is."""
+
+
+class Pages(QStackedWidget):
+    """Widgets of which one is seen, and needs room."""
+
+    def sizeHint(self) -> QSize:
+        """Ask for what the widget that is seen would like."""
+        seen = self.currentWidget()
+        return seen.sizeHint() if seen else super().sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for what the widget that is seen needs, and for the height of all."""
+        seen, most = self.currentWidget(), super().minimumSizeHint()
+        return QSize(seen.minimumSizeHint().expandedTo(seen.minimumSize()).width(), most.height()) if seen else most
+
+
+class Transport(QWidget):
+    """The bar above the views: where the sound comes from, what it does, and what belongs to its source.
+
+    Signals
+    -------
+    open_asked : the user wants to open a file.
+    folder_asked : the user wants to choose where recordings go.
+    """
+
+    open_asked = Signal()
+    folder_asked = Signal()
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self._session = session
+        self._theme = theme
+        pixmap = QStyle.StandardPixmap
+        self.open = self._button(pixmap.SP_DialogOpenButton, tr("Open a sound file (Ctrl+O)"))
+        self.play = self._button(pixmap.SP_MediaPlay, tr("Play or pause (Space)"))
+        self.stop = self._button(pixmap.SP_MediaStop, tr("Stop (Escape); a file goes to its beginning"))
+        self.record = RecordButton(session, theme)
+        self.loop = self._button(pixmap.SP_BrowserReload, tr("Begin again at the end (L)"))
+        self.source = choice(
+            ((tr(source.value), source) for source in SoundSource), tr("source"), tr("Where the sound comes from")
+        )
+        self.position_slider = PositionSlider(session, theme)
+        self.microphone = MicrophoneBar(session.microphone, theme)
+        self.tone = ToneBar(theme)
+        self.tone.show_tone(session.tone)
+        self.pages = Pages()
+        self.time = StillLabel(LEAST_TIME_WIDTH)
+        self.output, self.channel_label = OutputButton(session), QLabel(tr("channel"))
+        self.volume = named(QSlider(Qt.Orientation.Horizontal), tr("volume"))
+        self.channel = choice((), tr("channel of the file"), tr("Which channel of the file is analysed"))
+        self._wrapped_for: tuple[int, SoundSource] | None = None
+        self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
+        self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
+        self._lay_out()
+        self._connect()
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Show where the sound is, and how loud the microphone."""
+        session = self._session
+        self.position_slider.refresh()
+        if session.source is SoundSource.MICROPHONE:
+            self.microphone.refresh()
+        text = format_clock(session.position, True)
+        if not session.source.live:
+            text += f" / {format_clock(session.duration, True)}"
+        recording = session.microphone.recording
+        if recording:
+            sign = "●" if session.microphone.listening else tr("waiting")
+            text = f"{sign} {format_clock(session.microphone.recorded_seconds, True)}"
+        style = f"color: {self._theme.bad}; font-weight: bold" if recording else ""
+        if style != self.time.styleSheet():
+            self.time.setStyleSheet(style)
+        self.time.setText(text)
+
+    def _button(self, icon: QStyle.StandardPixmap, tip: str) -> QToolButton:
+        button = named(QToolButton(), tip, tip)
+        button.setIcon(tinted_icon(self.style(), icon, self._theme))
+        button.setIconSize(QSize(20, 20))
+        return button
+
+    def _lay_out(self) -> None:
+        self.loop.setCheckable(True)
+        self.volume.setRange(int(QUIETEST_DB), 0)
+        self.volume.setFixedWidth(80)
+        self.channel.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.source.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+        self.time.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        for page in (self.position_slider, self.microphone, self.tone):
+            self.pages.addWidget(page)
+        # What is over at the right is taken while the pages have a row of their own.
+        self._row = row(*self._first, (self.pages, 1), *self._last, 0, spacing=6)
+        self._rows = column(self._row, on=self, margins=(6, 3, 6, 3), spacing=3)
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the width of the wider row, when what belongs to the source has one of its own."""
+        width = max(self._width_of(*self._first, *self._last), self._width_of(self.pages))
+        return QSize(width, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give what belongs to the source a row of its own where one row has no room for all."""
+        super().resizeEvent(event)
+        self._wrap()
+
+    def event(self, event: QEvent) -> bool:
+        """Look anew whether one row is enough when something in it needs more room, or less."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._wrap()
+        return super().event(event)
+
+    def _wrap(self) -> None:
+        """Choose one row or two; two stay until the window has another width or the sound another source."""
+        wrapped_for = self.window().width(), self._session.source
+        wrapped = self.width() < self._width_of(*self._first, self.pages, *self._last)
+        wrapped |= self._wrapped_for == wrapped_for
+        self._wrapped_for = wrapped_for if wrapped else None
+        if wrapped and self._rows.indexOf(self.pages) < 0:
+            self._row.removeWidget(self.pages)
+            self._rows.addWidget(self.pages)
+        elif not wrapped and self._rows.indexOf(self.pages) >= 0:
+            self._rows.removeWidget(self.pages)
+            self._row.insertWidget(len(self._first), self.pages, 1)
+
+    def _width_of(self, *widgets: QWidget) -> int:
+        seen = [w for w in widgets if not w.isHidden()]
+        margins = self._rows.contentsMargins()
+        needed = sum(max(w.minimumSizeHint().width(), w.minimumWidth()) for w in seen)
+        return needed + (len(seen) - 1) * self._row.spacing() + margins.left() + margins.right()
+
+    def _connect(self) -> None:
+        session = self._session
+        self.open.clicked.connect(self.open_asked)
+        self.play.clicked.connect(session.toggle)
+        self.stop.clicked.connect(session.stop)
+        self.record.clicked.connect(session.toggle_recording)
+        self.record.folder_asked.connect(self.folder_asked)
+        self.loop.toggled.connect(session.set_loop)
+        self.source.activated.connect(lambda k: session.set_source(SoundSource(self.source.itemData(k))))
+        self.position_slider.sought.connect(session.seek)
+        self.tone.tone_changed.connect(session.set_tone)
+        self.volume.valueChanged.connect(session.set_volume)
+        self.channel.activated.connect(lambda k: session.set_channel(Channel(str(k))))
+        session.transport_changed.connect(self._show_state)
+        session.opened.connect(self._show_state)
+        session.microphone.changed.connect(self._show_state)
+
+    def _show_state(self) -> None:
+        session = self._session
+        icon = QStyle.StandardPixmap.SP_MediaPause if session.playing else QStyle.StandardPixmap.SP_MediaPlay
+        self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
+        key = QKeySequence("Space").toString(QKeySequence.SequenceFormat.NativeText)
+        tip = (
+            tr("Listen, or let the microphone go")
+            if session.source is SoundSource.MICROPHONE
+            else tr("Play or pause")
+        )
+        self.play.setToolTip(f"{tip} ({key})")
+        self.volume.setToolTip(
+            tr("Volume {volume:.0f} dB").format(volume=session.volume)
+            if session.volume > QUIETEST_DB
+            else tr("Silent")
+        )
+        with silent(self.volume, self.loop):
+            self.volume.setValue(round(session.volume))
+            self.loop.setChecked(session.loop)
+        self._show_channels()
+        self.source.setCurrentIndex(self.source.findData(session.source))
+        self.record.show_state()
+        self._show_page()
+        self.position_slider.update()
+        self.refresh()
+
+    def _show_channels(self) -> None:
+        """Offer the channels of the file, and the mix of them where there are several."""
+        n = self._session.n_channels
+        names = {1: [tr("mono")], 2: [tr("mix"), tr("left"), tr("right")]}
+        texts = names.get(n) or [tr("mix"), *(str(number) for number in range(1, n + 1))]
+        if texts != [self.channel.itemText(k) for k in range(self.channel.count())]:
+            self.channel.clear()
+            self.channel.addItems(texts)
+        self.channel.setCurrentIndex(self._session.channel.number if n > 1 else 0)
+        self.channel.setEnabled(n > 1)
+
+    def _show_page(self) -> None:
+        """Show the controls of the source in use."""
+        source = self._session.source
+        pages: dict[SoundSource, QWidget] = {
+            SoundSource.FILE: self.position_slider,
+            SoundSource.MICROPHONE: self.microphone,
+            SoundSource.TONE: self.tone,
+            SoundSource.TEXT: self.position_slider,
+        }
+        self.pages.setCurrentWidget(pages[source])
+        self.pages.updateGeometry()
+        of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
+        for widget in of_file:
+            widget.setVisible(source is SoundSource.FILE)
+        for widget in (self.output, self.volume):
+            widget.setVisible(source is not SoundSource.MICROPHONE)
+        needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.position_slider)
+        for widget in needing_a_file:
+            widget.setEnabled(source is not SoundSource.FILE or self._session.path is not None)
+
+
+def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:
+    """Return a standard icon in the theme's text colour."""
+    pixmap = style.standardIcon(icon).pixmap(20, 20)
+    painter = QPainter(pixmap)
+    painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
+    painter.fillRect(pixmap.rect(), QColor(theme.text))
+    painter.end()
+    return QIcon(pixmap)

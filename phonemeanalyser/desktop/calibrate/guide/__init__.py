@@ -1,0 +1,1 @@
+"""The guide: a voice learned from sentences that are read."""

@@ -1,0 +1,353 @@
+"""What the user sees while he is led through what is to be said."""
+
+import math
+from typing import Any
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
+from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
+
+from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.workbench.figures_table import FiguresTable
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, label, row, silent, spoken_button, tab_buttons
+from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
+from phonemeengine.calibration.sentences import LANGUAGES
+
+UNCLEAR = tr_noop("So small a gain on so little speech may be chance. Listen to both, then choose.")
+LINES_AHEAD = tr_noop(
+    "Keep quiet for two seconds, then read two lines aloud. Nothing is recorded before you press start."
+)
+SOUNDS_AHEAD = tr_noop(
+    "Keep quiet for two seconds, then say nine sounds and read a line aloud. "
+    "Nothing is recorded before you press start."
+)
+"""What will be asked for."""
+RING = 15
+"""Width of the ring in pixels."""
+SIZES = (12, 64)
+"""Least and largest of the letters in it, pixels."""
+
+
+class CountdownRing(QWidget):
+    """A ring that fills while the sound is heard, around what is to be said."""
+
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
+        super().__init__()
+        self._guide = calibration.guide
+        self._theme = theme
+        self.setMinimumSize(180, 170)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint the ring and the sound."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        side = min(self.width(), self.height()) - RING - 8
+        box = QRectF((self.width() - side) / 2, (self.height() - side) / 2, side, side)
+        guide = self._guide
+        learning = guide.phase in {Phase.LEARNING, Phase.DONE}
+        colour = QColor(self._theme.accent if learning or guide.reading else PHONEME_COLOURS[guide.step.phoneme])
+        if guide.phase is Phase.SHOWING:
+            colour = QColor(self._theme.bad if guide.advice else self._theme.good)
+        painter.setPen(QPen(QColor(self._theme.line), RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        painter.drawEllipse(box)
+        painter.setPen(QPen(colour, RING, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap))
+        share = 1.0 if guide.phase is Phase.DONE else guide.share
+        painter.drawArc(box, 90 * 16, -round(360 * 16 * share))
+        words = self._words()
+        size = size_that_fills(painter, words, side - 3 * RING, *SIZES)
+        draw_text(painter, box, words, self._theme.text, size, CENTRED)
+
+    def _words(self) -> str:
+        guide = self._guide
+        words = {
+            Phase.READY: tr("ready?"),
+            Phase.COUNTING: str(max(1, math.ceil(guide.seconds_left))),
+            Phase.CHECKING: "…",
+            Phase.SHOWING: tr("again") if guide.advice else "✓",
+            Phase.LEARNING: tr("learning"),
+            Phase.DONE: tr("done"),
+        }
+        return words.get(guide.phase) or tr(guide.step.say)
+
+
+class StepsLine(QWidget):
+    """All that is asked for in a row: done, at hand, and to come."""
+
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
+        super().__init__()
+        self._guide = calibration.guide
+        self._theme = theme
+        self.setFixedHeight(40)
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint a cell for each step."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        guide = self._guide
+        cell = self.width() / len(guide.steps)
+        for k, step in enumerate(guide.steps):
+            box = QRectF(k * cell + 2, 2, cell - 4, self.height() - 4)
+            done, here = k in guide.numbers or k in guide.sentences, k == guide.index
+            painter.setPen(QPen(QColor(self._theme.accent if here else self._theme.line), 2 if here else 1))
+            painter.setBrush(QColor(self._theme.raised))
+            painter.drawRoundedRect(box, 4, 4)
+            line = PHONEME_COLOURS[step.phoneme] if step.sentence is None else self._theme.accent
+            painter.fillRect(QRectF(box.left() + 4, box.bottom() - 5, box.width() - 8, 3), QColor(line))
+            colour = self._theme.text if here or done else self._theme.faint
+            words = f"✓ {step.name}" if done else step.name
+            draw_text(painter, box.adjusted(0, 0, 0, -5), words, colour, 12, CENTRED)
+
+
+class GuideView(QWidget):
+    """Leads through what is to be said; shows at the end what was learned: in figures, and by a head that says it.
+
+    Parameters
+    ----------
+    head : says what is heard.
+
+    Signals
+    -------
+    save_asked : the new preset is in use, and is to be saved under a name of its own.
+    accepted : the new preset is in use, and not saved.
+    """
+
+    save_asked = Signal()
+    accepted = Signal()
+
+    def __init__(self, calibration: CalibrationModel, head: QWidget, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.title, self.hint = label(wraps=True), label(wraps=True)
+        self.advice, self.room = label(wraps=True), label(colour=theme.faint, wraps=True)
+        self.steps = StepsLine(calibration, theme)
+        self.ring = CountdownRing(calibration, theme)
+        self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
+        self.figures = FiguresTable((tr("before"), tr("after")), theme)
+        self.head = head
+        guide = calibration.guide
+        self.language = choice(
+            ((tr(name), name) for name in LANGUAGES),
+            tr("language of the sentences"),
+            tr("The language of the sentences that are read"),
+        )
+        self.sounds = spoken_button(
+            tr("single sounds"),
+            tr("Say nine single sounds in place of the sentence that is learned from"),
+            lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
+        )
+        self.hear_old = spoken_button(
+            tr("▶ old preset"), tr("Hear the sentence, and see the head with the old preset"), self._hear_old
+        )
+        self.hear_new = spoken_button(
+            tr("▶ new preset"), tr("Hear the sentence, and see the head with the new preset"), self._hear_new
+        )
+        self.save = spoken_button(
+            tr("use and save as…"), tr("Change the preset, and save it under a name of its own"), self._save
+        )
+        self.start = spoken_button(tr("start"), tr("Count down from two, then keep quiet (Return)"), guide.start)
+        self.back = spoken_button(tr("◀ back"), tr("Say what came before once more (Backspace)"), guide.back)
+        self.again = spoken_button(tr("again"), tr("Say this once more (R)"), guide.again)
+        self.skip = spoken_button(tr("skip ▶"), tr("Go on without this (Right)"), guide.skip)
+        self.cancel = spoken_button(
+            tr("cancel"), tr("End the guide, and delete its takes; Ctrl+Z brings them back (Escape)"), guide.cancel
+        )
+        self.refuse = spoken_button(
+            tr("keep the old preset"), tr("Leave the preset as it was; the takes stay (Escape)"), guide.cancel
+        )
+        self.accept = spoken_button(
+            tr("use the new preset"), tr("Change the preset; Ctrl+Z takes it back (Return)"), self._accept
+        )
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def refresh(self) -> None:
+        """Show how far it is, and whether the microphone is heard."""
+        self._show_hint()
+        self.ring.update()
+        self.meter.update()
+
+    def _lay_out(self) -> None:
+        for told in (self.title, self.hint, self.advice, self.room):
+            told.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self.advice.setMinimumHeight(34)
+        self.advice.setStyleSheet(f"color: {self._theme.bad}; font-weight: bold")
+        for button in (self.accept, self.start):
+            button.setStyleSheet(
+                f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
+                " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
+            )
+        for button in (self.sounds, self.hear_old, self.hear_new):
+            button.setCheckable(True)
+        self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        heads = column((self.head, 1), row(*tab_buttons(self.hear_old, self.hear_new, height=28)))
+        learned = (self.refuse, self.save, self.accept)
+        buttons = tab_buttons(
+            self.sounds, self.back, self.again, self.skip, self.cancel, *learned, self.start, height=28
+        )
+        column(
+            self.title,
+            self.steps,
+            (self.ring, 3),
+            self.hint,
+            (row((self.figures, 3), (heads, 2)), 3),
+            self.advice,
+            self.meter,
+            self.room,
+            row(1, self.language, *buttons, 1),
+            on=self,
+            margins=(24, 12, 24, 12),
+            spacing=8,
+        )
+
+    def _connect(self) -> None:
+        guide = self._calibration.guide
+        self.language.activated.connect(lambda k: guide.choose(LANGUAGES[k], by_sounds=guide.by_sounds))
+        for key, buttons in (
+            ("Backspace", (self.back,)),
+            ("R", (self.again,)),
+            ("Right", (self.skip,)),
+            ("Return", (self.start, self.accept)),
+            ("Escape", (self.cancel, self.refuse)),
+        ):
+            shortcut = QShortcut(QKeySequence(key), self)
+            shortcut.setAutoRepeat(False)
+            shortcut.activated.connect(lambda buttons=buttons: _click(*buttons))
+        guide.changed.connect(self._show)
+
+    def _hear_old(self) -> None:
+        self._hear(new=False)
+
+    def _hear_new(self) -> None:
+        self._hear(new=True)
+
+    def _hear(self, *, new: bool) -> None:
+        """Play the sentence; the button of what is heard stays down."""
+        self._calibration.hear(new=new)
+        self.hear_old.setChecked(not new)
+        self.hear_new.setChecked(new)
+
+    def _accept(self) -> None:
+        self._calibration.guide.accept()
+        self.accepted.emit()
+
+    def _save(self) -> None:
+        self._calibration.guide.accept()
+        self.save_asked.emit()
+
+    def _show(self) -> None:
+        guide, done = self._calibration.guide, self._calibration.guide.phase is Phase.DONE
+        asking, ready = guide.asking, guide.phase is Phase.READY
+        self.title.setText(f"<h2>{self._title()}</h2>")
+        self._show_hint()
+        self.advice.setText(self._advice())
+        room = guide.room
+        said = (
+            tr("room noise {decibels:.0f} dB").format(decibels=_decibels(room.level))
+            if room is not None
+            else tr("the room is not measured yet")
+        )
+        self.room.setText(
+            said + "   ·   " + tr("voice by {speaker}").format(speaker=self._calibration.takes.speaker or tr("me"))
+        )
+        for button in (self.skip, self.again):
+            button.setVisible(asking)
+        for shown in (self.meter, self.room):
+            shown.setVisible(asking or ready or guide.phase is Phase.COUNTING)
+        self.start.setVisible(ready)
+        with silent(self.language):
+            self.language.setCurrentIndex(self.language.findData(guide.language))
+        self.back.setVisible(asking or done)
+        self.language.setVisible(asking or ready)
+        self.sounds.setVisible(asking or ready)
+        self.sounds.setChecked(guide.by_sounds)
+        gains = done and guide.outcome is not None and guide.outcome.gains
+        self.cancel.setVisible(not done)
+        self.refuse.setVisible(done)
+        self.refuse.setText(tr("keep the old preset") if gains else tr("close"))
+        self.accept.setVisible(gains)
+        self.save.setVisible(gains)
+        self.figures.setVisible(done and guide.outcome is not None)
+        self.ring.setVisible(not self.figures.isVisibleTo(self))
+        for seen in (self.head, self.hear_old, self.hear_new):
+            seen.setVisible(gains and guide.spoken is not None)
+        for button in (self.hear_old, self.hear_new):
+            button.setChecked(False)
+        if done and guide.outcome is not None:
+            self.figures.show_scores((guide.outcome.before, guide.outcome.after))
+        self.steps.update()
+        self.ring.update()
+
+    def _show_hint(self) -> None:
+        size = 24 if self._calibration.guide.reading else 16
+        text = f"<span style='font-size: {size}px'>{self._hint()}</span>"
+        if text != self.hint.text():
+            self.hint.setText(text)
+
+    def _title(self) -> str:
+        guide = self._calibration.guide
+        if guide.phase is Phase.LEARNING:
+            return tr("Learning your voice")
+        if guide.phase is Phase.DONE:
+            if guide.outcome is None or not guide.outcome.gains:
+                return tr("Nothing better was found")
+            return tr("It knows your voice better now") if guide.outcome.is_clear else tr("No clear change")
+        if guide.phase in {Phase.READY, Phase.COUNTING}:
+            return tr("Ready?")
+        if guide.step.sentence is None:
+            return (
+                tr("Sound {index} of {n}").format(index=guide.index + 1, n=len(guide.steps) - 1)
+                if guide.by_sounds
+                else tr("First your room")
+            )
+        return tr("Read this as you speak") if guide.step.teaches else tr("Now this one, to tell what was gained")
+
+    def _hint(self) -> str:
+        guide = self._calibration.guide
+        if guide.phase is Phase.LEARNING:
+            return tr("this takes a few seconds")
+        if guide.phase is Phase.DONE:
+            return self._found()
+        if not self._calibration.session.microphone.listening:
+            return f"{tr_engine(self._calibration.session.microphone.words)} …"
+        if guide.phase is Phase.READY:
+            return tr(SOUNDS_AHEAD if guide.by_sounds else LINES_AHEAD)
+        return tr(guide.step.hint)
+
+    def _found(self) -> str:
+        """Return what the figures are measured on, and how sure the room is told from speech."""
+        guide = self._calibration.guide
+        if guide.outcome is None:
+            return ""
+        sure = (
+            f"<br>{tr_engine(str(guide.outcome.silence_accuracy))}"
+            if guide.outcome.silence_accuracy is not None
+            else ""
+        )
+        unclear = tr(UNCLEAR) + "<br>" if guide.outcome.gains and not guide.outcome.is_clear else ""
+        unsaved = f"<br><b>{tr('The new preset is not saved yet.')}</b>" if guide.outcome.gains else ""
+        return unclear + tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure + unsaved
+
+    def _advice(self) -> str:
+        outcome = self._calibration.guide.outcome
+        done = self._calibration.guide.phase is Phase.DONE
+        return tr_engine(outcome.refusal if done and outcome is not None else self._calibration.guide.advice)
+
+
+def _click(*buttons: QToolButton) -> None:
+    """Click the first one that is seen."""
+    for button in buttons:
+        if button.isVisible():
+            button.click()
+            return
+
+
+def _decibels(amplitude: float) -> float:
+    return 20 * math.log10(max(amplitude, 1e-6))

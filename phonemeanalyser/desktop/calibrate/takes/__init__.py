@@ -1,0 +1,1 @@
+"""Takes: recorded, listed, and measured against the room."""

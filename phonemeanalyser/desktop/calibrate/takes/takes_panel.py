@@ -1,0 +1,211 @@
+"""The left of the page: the project, its speaker, what records, and the takes."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QLineEdit, QMenu, QToolButton, QWidget
+
+from phonemeanalyser.desktop.calibrate.model import CalibrationModel
+from phonemeanalyser.desktop.calibrate.takes.record_panel import RecordPanel
+from phonemeanalyser.desktop.calibrate.takes.take_list import TakeListView
+from phonemeanalyser.desktop.calibrate.takes.take_waveform import TakeWaveform
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import (
+    choice,
+    column,
+    label,
+    named,
+    open_at_once,
+    row,
+    silent,
+    spoken_button,
+)
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
+
+WIDTH = 330
+
+
+class TakesPanel(QWidget):
+    """The project and its takes.
+
+    Signals
+    -------
+    project_asked : the user wants another folder for his takes.
+    empty_asked : the user wants deleted takes to be removed for ever.
+    import_asked : the user wants to load labelled recordings: a folder (True) or files.
+    guide_asked : the user wants to be led through all sounds.
+    """
+
+    project_asked = Signal()
+    empty_asked = Signal()
+    import_asked = Signal(bool)
+    guide_asked = Signal()
+
+    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
+        super().__init__()
+        self._calibration = calibration
+        self._theme = theme
+        self.project, self.recordings = ElidedLabel(), ElidedLabel()
+        self.open = spoken_button(
+            tr("folder…"), tr("Choose the folder of the takes, or write labels for other programs beside them")
+        )
+        self.add = spoken_button(tr("load"), tr("Load labelled recordings: TextGrid, Audacity's labels, CSV"))
+        self.clear = spoken_button("✕", tr("Forget the labelled recordings; their files stay"))
+        self.speaker = named(
+            QLineEdit(calibration.takes.speaker),
+            tr("speaker"),
+            tr("Who says the takes that are recorded from now on"),
+        )
+        self.guide = spoken_button(
+            tr("Guided calibration…"), tr("Be led through silence and all sounds in under a minute (G)")
+        )
+        self.room = spoken_button(
+            tr("room"), tr("Measure the room: two seconds of quiet set silence and denoising of any recogniser")
+        )
+        self.record = RecordPanel(calibration, theme)
+        self.list = TakeListView(calibration.takes, theme)
+        self.wave = TakeWaveform(calibration.takes, theme)
+        self.play = spoken_button(tr("play"), tr("Play what counts of the take (Return, or a double click)"))
+        self.exclude = spoken_button(
+            tr("exclude"), tr("Let the chosen takes count for nothing for now, or count again (X)")
+        )
+        self.delete = spoken_button(tr("delete"), tr("Delete the chosen takes (Delete); Ctrl+Z brings them back"))
+        self.phoneme = choice(
+            ((phoneme.label, phoneme) for phoneme in KEYS),
+            tr("sound of the take"),
+            tr("What the chosen take is: choose another sound to relabel it"),
+        )
+        self._fill()
+        self._lay_out()
+        self._connect()
+        self._show_project()
+        self._show_recordings()
+        self._show_take()
+
+    def _fill(self) -> None:
+        self._add_menu(
+            self.add,
+            (tr("A Folder of Labelled Recordings…"), lambda: self.import_asked.emit(True)),
+            (tr("Sounds with Labels Beside Them…"), lambda: self.import_asked.emit(False)),
+        )
+        write = self._calibration.takes.write_labels
+        self._add_menu(
+            self.open,
+            (tr("Choose the Folder…"), self.project_asked.emit),
+            (tr("Write Labels for Praat (TextGrid)"), lambda: write(".TextGrid", "Praat")),
+            (tr("Write Labels for Audacity (txt)"), lambda: write(".txt", "Audacity")),
+            (tr("Empty Deleted Takes…"), self.empty_asked.emit),
+        )
+        self.guide.setSizePolicy(self.record.sizePolicy())
+        for button in (self.guide, self.room):
+            button.setMinimumHeight(28)
+        self.guide.setStyleSheet(
+            f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
+            " border-radius: 4px; font-weight: bold }"
+            f"QToolButton:disabled {{ background: {self._theme.line} }}"
+        )
+
+    def _add_menu(self, button: QToolButton, *entries: tuple[str, Callable[[], object]]) -> None:
+        menu = QMenu(button)
+        for text, act in entries:
+            menu.addAction(text, act)
+        open_at_once(button, menu)
+
+    def _lay_out(self) -> None:
+        lines = (
+            row(label(tr("<b>Takes</b>")), (self.project, 1), self.open, spacing=5),
+            row(label(tr("Speaker")), self.speaker, spacing=5),
+            row(self.guide, self.room, spacing=5),
+            self.record,
+            (self.list, 1),
+            self.wave,
+            row(self.play, (self.phoneme, 1), self.exclude, self.delete, spacing=5),
+            row(label(tr("<b>Recordings</b>")), (self.recordings, 1), self.clear, self.add, spacing=5),
+        )
+        column(*lines, on=self, margins=(8, 6, 6, 6), spacing=5)
+        self.setFixedWidth(WIDTH)
+
+    def _connect(self) -> None:
+        takes = self._calibration.takes
+        self.clear.clicked.connect(self._calibration.recordings.clear)
+        self.guide.clicked.connect(self.guide_asked)
+        self.room.clicked.connect(lambda _checked=False: self._calibration.measure_room())
+        self._calibration.room.changed.connect(self._show_room)
+        key = QShortcut(QKeySequence("G"), self)
+        key.setAutoRepeat(False)
+        key.activated.connect(self.guide.click)
+        self.speaker.textEdited.connect(self._name_speaker)
+        self.speaker.returnPressed.connect(self.list.setFocus)
+        self.list.play_asked.connect(self._calibration.play_take)
+        self.list.delete_asked.connect(lambda: takes.delete(self.list.all_chosen))
+        self.list.exclude_asked.connect(self._toggle_excluded)
+        self.play.clicked.connect(self.list.play)
+        self.delete.clicked.connect(lambda: takes.delete(self.list.all_chosen))
+        self.exclude.clicked.connect(self._toggle_excluded)
+        self.phoneme.activated.connect(self._relabel)
+        self.wave.trimmed.connect(self._trim)
+        takes.opened.connect(self._show_project)
+        takes.changed.connect(self._show_take)
+        takes.sound_read.connect(self._show_take)
+        self._calibration.recordings.changed.connect(self._show_recordings)
+
+    def _name_speaker(self, name: str) -> None:
+        self._calibration.takes.speaker = name
+
+    def _toggle_excluded(self) -> None:
+        """Exclude the chosen takes, or include them where the first of them is excluded."""
+        takes, number = self._calibration.takes, self.list.chosen
+        take = takes.take(number) if number is not None else None
+        if take is not None:
+            takes.set_excluded(self.list.all_chosen, not take.excluded)
+
+    def _relabel(self, index: int) -> None:
+        number = self.list.chosen
+        if number is not None:
+            self._calibration.takes.relabel(number, self.phoneme.itemData(index))
+
+    def _trim(self, start: float, end: float) -> None:
+        if self.list.chosen is not None:
+            self._calibration.takes.trim(self.list.chosen, start, end)
+
+    def _show_project(self) -> None:
+        folder = self._calibration.takes.folder
+        self.project.setText(_short(folder) if folder else tr("none yet: the first take makes one"))
+        self.project.setToolTip(str(folder) if folder else tr("Takes go into a folder that you may choose"))
+
+    def _show_recordings(self) -> None:
+        recordings = self._calibration.recordings
+        n, speakers = len(recordings.utterances), recordings.n_speakers
+        text = (
+            (tr("{n} by {speakers} speakers") if speakers > 1 else tr("{n} by 1 speaker")).format(
+                n=n, speakers=speakers
+            )
+            if n
+            else tr("none loaded")
+        )
+        self.recordings.setText(text)
+        self.recordings.setToolTip(
+            "\n".join(map(str, recordings.sources)) or tr("Labelled recordings beside the takes")
+        )
+        self.clear.setEnabled(n > 0)
+
+    def _show_room(self) -> None:
+        self.room.setText(tr("keep quiet …") if self._calibration.room.listening else tr("room"))
+
+    def _show_take(self) -> None:
+        takes = self._calibration.takes
+        take = takes.take(takes.selected) if takes.selected is not None else None
+        for widget in (self.play, self.exclude, self.delete, self.phoneme):
+            widget.setEnabled(take is not None)
+        self.exclude.setText(tr("include") if take is not None and take.excluded else tr("exclude"))
+        if take is not None:
+            with silent(self.phoneme):
+                self.phoneme.setCurrentIndex(self.phoneme.findData(take.phoneme))
+
+
+def _short(folder: Path) -> str:
+    return f"{folder.parent.name}/{folder.name}" if folder.parent.name else str(folder)

@@ -1,0 +1,1 @@
+"""Labelled recordings: scores, distributions, fits and comparisons."""

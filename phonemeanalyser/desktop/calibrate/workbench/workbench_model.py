@@ -1,0 +1,265 @@
+"""The workbench of the takes and recordings at hand: measured in the background, asked at once."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QObject, QTimer, Signal
+
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.tasks import TaskQueue
+from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
+from phonemeengine.calibration.scores.confusion import ConfusedSegment, Confusion
+from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.workbench.distributions import (
+    Distribution,
+    RankedVariable,
+    distribution_of,
+    ranked_variables,
+)
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.errors import EngineError
+from phonemeengine.execution import Progress
+from phonemeengine.features.variables import DEFICITS, Variable
+from phonemeengine.phonemes import Phoneme
+
+Pair = tuple[Phoneme, Phoneme | None]
+ANSWER_MS = 16
+"""After a change of the preset, until the answers are others: a threshold that is dragged changes all the time."""
+
+
+@dataclass(frozen=True)
+class Line:
+    """A threshold that is drawn into a distribution, and can be moved.
+
+    Attributes
+    ----------
+    name : the control's.
+    label : what it is called where it is drawn.
+    sign : the comparison with it, ``<`` or ``>``.
+    value : where it lies.
+    """
+
+    name: str
+    label: str
+    sign: str
+    value: float
+
+
+class WorkbenchModel(QObject):
+    """Measures what is loaded, and follows the preset: what a threshold changes is known a picture later.
+
+    Attributes
+    ----------
+    measuring, looking, searching : the work on recordings, on distributions and rankings, and on suggestions.
+    answered : the recordings that `confusion` tells of; some of `utterances` may still be measured.
+
+    Signals
+    -------
+    error : a sentence for the user.
+    measured : another workbench is there, or none.
+    confusion_changed : the answers are others.
+    distribution_changed : the distribution of the chosen variable, or the ranking, is another.
+    suggested : variables were found that are worth adding, or none.
+    """
+
+    error = Signal(str)
+    measured = Signal()
+    confusion_changed = Signal()
+    distribution_changed = Signal()
+    suggested = Signal()
+
+    def __init__(self, preset: PresetModel) -> None:
+        super().__init__()
+        self.features: LabelledFeatures | None = None
+        self.confusion: Confusion | None = None
+        self.answered: tuple[LabelledUtterance, ...] = ()
+        self.distribution: Distribution | None = None
+        self.ranking: tuple[RankedVariable, ...] = ()
+        self.suggestions: tuple[Suggestion, ...] = ()
+        self.preview: Suggestion | None = None
+        self.variable = "m_szsch1"
+        self._preset = preset
+        self._utterances: tuple[LabelledUtterance, ...] = ()
+        self._ranked_for: LabelledFeatures | None = None
+        self._looked_with: Mapping[Phoneme, float] = {}
+        self.measuring, self.looking, self.searching = (TaskQueue(self.error.emit) for _ in range(3))
+        self._answering = QTimer(self, singleShot=True, interval=ANSWER_MS)
+        self._answering.timeout.connect(self._answer)
+        preset.changed.connect(self._follow_preset)
+
+    # -- what there is ------------------------------------------------------------------------------------
+
+    @property
+    def utterances(self) -> tuple[LabelledUtterance, ...]:
+        """The recordings that are measured, or are being."""
+        return self._utterances
+
+    @property
+    def shown(self) -> Distribution | None:
+        """The distribution of the suggestion that is looked at, or of the chosen variable."""
+        return self.distribution if self.preview is None else self.preview.distribution
+
+    @property
+    def own_variables(self) -> tuple[Variable, ...]:
+        """The user's own variables."""
+        return self._preset.preset.variables
+
+    @property
+    def recogniser(self) -> str:
+        """The name of the recogniser in use."""
+        return self._preset.preset.recogniser
+
+    def lines(self) -> list[Line]:
+        """Return what tunes the recogniser on the chosen variable; a suggestion has nothing of the kind yet."""
+        if self.preview is not None:
+            return []
+        preset, controls = self._preset.preset, self._preset.controls.values()
+        mine = (c for c in controls if c.variable == self.variable)
+        return [Line(c.name, c.label if c.places else c.name, c.sign, c.read(preset)) for c in mine]
+
+    def move(self, line: Line, value: float) -> None:
+        """Move a threshold, a limit or a sensitivity."""
+        self._preset.tune(line.name, float(f"{value:.4g}"))
+
+    def end_move(self) -> None:
+        """End a drag: undo takes it back as a whole."""
+        self._preset.end_edit()
+
+    def segments_in(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
+        """Return the stretches of a cell of the confusion matrix, the longest first."""
+        found = self.confusion.frames_in(truth, answer) if self.confusion else ()
+        return sorted(found, key=lambda p: p.start - p.end)
+
+    # -- what is asked ------------------------------------------------------------------------------------
+
+    def load(self, utterances: tuple[LabelledUtterance, ...]) -> None:
+        """Measure these recordings; what was measured before is not measured again."""
+        self._utterances = utterances
+        self._measure()
+
+    def choose(self, variable: str) -> None:
+        """Show the distribution of another variable."""
+        self.variable, self.preview = variable, None
+        self._look()
+
+    def look_at(self, suggestion: Suggestion | None) -> None:
+        """Show the distribution of a variable that is suggested, before it is added."""
+        self.preview = suggestion
+        self.distribution_changed.emit()
+
+    def suggest(self, one: Phoneme, other: Phoneme | None) -> None:
+        """Search for variables that part two phonemes, or one from all others."""
+        features, preset = self.features, self._preset.in_force
+        if features is None:
+            self.error.emit(tr("There is nothing to search in yet; record takes or load labelled recordings first."))
+            return
+        self.searching.replace(
+            lambda progress: suggested_variables(features, preset, one, other, progress), self._take_suggestions
+        )
+
+    def close(self) -> None:
+        """End all work."""
+        self._answering.stop()
+        for queue in (self.measuring, self.looking, self.searching):
+            queue.close()
+
+    # -- the work -----------------------------------------------------------------------------------------
+
+    def _follow_preset(self) -> None:
+        if self.features is not None and self._must_measure():
+            self._measure()
+        elif self._others_sensitivities() != self._looked_with:
+            self._look()
+        self._answer_soon()
+
+    def _must_measure(self) -> bool:
+        try:
+            return self.features is not None and self.features.needs_measuring(self._preset.in_force)
+        except EngineError:
+            return False
+
+    def _measure(self) -> None:
+        utterances, preset, known = self._utterances, self._preset.in_force, self.features
+        if not utterances:
+            self.measuring.cancel()
+            self._take_up(None)
+            return
+        self.measuring.replace(
+            lambda progress: LabelledFeatures(utterances, preset, known=known, progress=progress), self._take_up
+        )
+
+    def _take_up(self, features: LabelledFeatures | None) -> None:
+        self.features = features
+        if self.preview is not None and (features is None or self.preview.variable.name in features.variables):
+            self.variable, self.preview = self.preview.variable.name, None
+        self._answer_soon()
+        self.measured.emit()
+        self._look()
+
+    def _answer_soon(self) -> None:
+        if not self._answering.isActive():
+            self._answering.start()
+
+    def _answer(self) -> None:
+        if self.features is None:
+            self.confusion, self.answered = None, ()
+        elif self._must_measure():
+            return
+        else:
+            try:
+                self.confusion = self.features.confusion(self._preset.in_force)
+                self.answered = self.features.utterances
+            except EngineError as error:
+                self.error.emit(str(error))
+                return
+        self.confusion_changed.emit()
+
+    def _look(self) -> None:
+        features, variable = self.features, self.variable
+        if features is None or not bool(np.any(features.labels.certain)):
+            self.distribution, self.ranking = None, ()
+            self.distribution_changed.emit()
+            return
+        if variable not in features.variables:
+            variable = self.variable = features.variables[0]
+        ranking = self.ranking if self._ranked_for is features else ()
+        sensitivities = self._looked_with = self._others_sensitivities()
+        self.looking.replace(
+            lambda progress: _looked_at(features, variable, sensitivities, ranking, progress),
+            lambda found: self._take_look(features, found),
+        )
+
+    def _others_sensitivities(self) -> Mapping[Phoneme, float]:
+        """Return the sensitivities of which a deficit's distribution depends: those of the other phonemes."""
+        if self.variable not in DEFICITS:
+            return {}
+        own = Phoneme(DEFICITS.index(self.variable))
+        return {p: s for p, s in self._preset.in_force.sensitivities.items() if p is not own}
+
+    def _take_look(self, features: LabelledFeatures, found: tuple[Distribution, tuple[RankedVariable, ...]]) -> None:
+        self.distribution, self.ranking = found
+        self._ranked_for = features
+        self.distribution_changed.emit()
+
+    def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
+        self.suggestions = suggestions
+        self.look_at(suggestions[0] if suggestions else None)
+        self.suggested.emit()
+        if not suggestions:
+            self.error.emit(
+                tr("No frequency range parts these two; record more takes of them, or choose another pair.")
+            )
+
+
+def _looked_at(
+    features: LabelledFeatures,
+    variable: str,
+    sensitivities: Mapping[Phoneme, float],
+    ranking: tuple[RankedVariable, ...],
+    progress: Progress,
+) -> tuple[Distribution, tuple[RankedVariable, ...]]:
+    return distribution_of(features, variable, sensitivities), ranking or ranked_variables(
+        features, progress=progress
+    )

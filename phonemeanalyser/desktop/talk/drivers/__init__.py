@@ -1,0 +1,1 @@
+"""What moves the mouth: rules, a performance, or a voice."""

@@ -1,0 +1,159 @@
+"""By what the mouth moves where the words are known: the rules of the mouth table, letters of pinyin, or a table."""
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound, PerformanceModel
+from phonemeengine.errors import TextError
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
+from phonemeengine.mouth.performer import MouthTrack
+from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+
+
+class DriverModel(QObject):
+    """Chooses what moves the mouth, and what moves another one beside it.
+
+    Signals
+    -------
+    changed : something else moves a mouth, or the same otherwise.
+    compared_changed : there is another second head, or none any more.
+    error, info : a sentence for the user.
+
+    Attributes
+    ----------
+    performance : the tables of recorded faces.
+    chosen : what is to move the mouth.
+    compared : what moves a second head beside the first; None for no second head.
+    letters : how a mouth says Chinese, where one goes by letters; None elsewhere.
+    """
+
+    changed = Signal()
+    compared_changed = Signal()
+    error = Signal(str)
+    info = Signal(str)
+
+    def __init__(self, performance: PerformanceModel | None = None) -> None:
+        super().__init__()
+        self.performance = performance or PerformanceModel()
+        self.chosen = FaceDriver.AUTO
+        self.compared: FaceDriver | None = None
+        self.letters: PinyinTrack | None = None
+        self._utterance: Utterance | None = None
+        self._text = ""
+        self._sound: MeasuredSound | None = None
+        self._spoken: SpokenFace | None = None
+        self._state: tuple[object, ...] = ()
+        self._chosen = self.performance.table, self.performance.choice
+        self.performance.changed.connect(self._take_choice)
+        self.performance.looked_up.connect(self.changed)
+        self.performance.error.connect(self.error)
+        self.performance.info.connect(self.info)
+
+    @property
+    def main(self) -> FaceDriver:
+        """What moves the mouth: automatically, a table that is open, letters for Chinese, else the rules."""
+        if self.chosen is not FaceDriver.AUTO:
+            return self.chosen
+        return usual_driver(has_table=self.performance.table is not None, has_letters=self.letters is not None)
+
+    @property
+    def wants_table(self) -> bool:
+        """Whether a table is open, and a head is to move by it."""
+        return self.performance.table is not None and FaceDriver.TABLE in {self.main, self.compared}
+
+    def choose(self, driver: FaceDriver) -> None:
+        """Move the mouth by this."""
+        if driver is not self.chosen:
+            self.chosen = driver
+            self._choose_again()
+
+    def compare(self, driver: FaceDriver | None) -> None:
+        """Show a second head that moves by this, or none."""
+        if driver is not self.compared:
+            self.compared = driver
+            self.compared_changed.emit()
+            self._choose_again()
+
+    def follow(
+        self, utterance: Utterance | None, text: str = "", sound: MeasuredSound | None = None,
+        spoken: SpokenFace | None = None,
+    ) -> None:  # fmt: skip
+        """Take what is said in the sound in hand; None for nothing that is known.
+
+        Parameters
+        ----------
+        text : as it is written, for the pauses of its marks.
+        sound : the file, of a recording.
+        spoken : what looks it up while a voice speaks it.
+        """
+        self._utterance, self._text, self._sound, self._spoken = utterance, text, sound, spoken
+        self._follow_again()
+
+    def track_by(self, driver: FaceDriver) -> MouthTrack | None:
+        """Return what moves a mouth by a driver now; None where that goes by what is heard."""
+        if driver is FaceDriver.PINYIN and self.letters is not None:
+            return self.letters.mouth()
+        return self.performance.face if driver is FaceDriver.TABLE else None
+
+    def caption_of(self, driver: FaceDriver, track: MouthTrack | None) -> str:
+        """Return in words what moves a mouth: by a driver that has nothing for it, its sounds do."""
+        if track is None:
+            return FaceDriver.RULES.caption
+        return self.performance.name if driver is FaceDriver.TABLE else driver.caption
+
+    def close(self) -> None:
+        """End all work."""
+        self.performance.close()
+
+    # -- inside -------------------------------------------------------------------------------------------
+
+    def _take_choice(self) -> None:
+        """Look up anew where that comes out otherwise: `changed` tells of progress, too."""
+        if (self.performance.table, self.performance.choice) != self._chosen:
+            self._chosen = self.performance.table, self.performance.choice
+            self._choose_again()
+
+    def _choose_again(self) -> None:
+        """Look up by what is chosen now; a spoken text goes by what was chosen when it was said."""
+        self._follow_again()
+        looked_up = self._spoken is not None or self._sound is not None
+        if self._utterance is not None and self.wants_table and not looked_up:
+            self.info.emit(tr("Say the text once more: a recorded face is looked up while it is spoken."))
+
+    def _follow_again(self) -> None:
+        utterance = self._utterance
+        self.letters = None if utterance is None else self._letters_of(utterance)
+        state = (utterance, self._sound, self._spoken, self.wants_table, *self._chosen)
+        if state != self._state:
+            self._state = state
+            self._look_up(utterance)
+        self.changed.emit()
+
+    def _look_up(self, utterance: Utterance | None) -> None:
+        performance = self.performance
+        if utterance is None or not self.wants_table:
+            performance.forget()
+        elif self._sound is not None:
+            performance.look_up(self._sound, utterance)
+        elif self._spoken is not None:
+            performance.show_spoken(self._spoken)
+        else:
+            performance.forget()
+
+    def _letters_of(self, utterance: Utterance) -> PinyinTrack | None:
+        """Return how the mouth says Chinese; None for other languages, and where no mouth goes by letters."""
+        wanted = {self.chosen, self.compared}
+        usual = self.chosen is FaceDriver.AUTO and self.performance.table is None
+        in_pinyin = any(syllable.text for word in utterance.words for syllable in word.syllables)
+        if FaceDriver.PINYIN not in wanted and not (usual and in_pinyin):
+            return None
+        try:
+            return pinyin_track(utterance, text=self._text)
+        except TextError:
+            if FaceDriver.PINYIN in wanted:
+                self.error.emit(
+                    tr("Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver.")
+                )
+            return None

@@ -1,0 +1,319 @@
+"""Recorded faces for what is said: which table is chosen, and what it shows of the sound in hand."""
+
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.analyser import analyse_file
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.errors import PerformanceError
+from phonemeengine.execution import Progress, report_progress
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit
+from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.performance.table_file import PerformanceTable, TableAbout
+from phonemeengine.performance.track import PerformanceTrack, PerformedMouth
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import FRAME_PERIOD, Channel
+
+AHEAD = 20.0
+"""Seconds of a sound that are looked up before they are heard."""
+
+
+@dataclass(frozen=True)
+class MeasuredSound:
+    """A sound whose loudness and pitch count.
+
+    Attributes
+    ----------
+    path, channel : the file, and what is heard of it.
+    preset : what the loudness is measured with.
+    """
+
+    path: Path
+    channel: Channel
+    preset: Preset
+
+
+class FaceInHand:
+    """A `MouthTrack` of which nobody has to expect an error: where its table fails, the face is at rest.
+
+    Attributes
+    ----------
+    failure : why the table failed, as a sentence; empty where it did not.
+    """
+
+    movestates = FACE
+
+    def __init__(self, face: PerformedMouth | SpokenFace) -> None:
+        self.failure = ""
+        self._face = face
+
+    def shows(self, face: SpokenFace) -> bool:
+        """Return whether it is that face."""
+        return self._face is face
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time, seconds."""
+        try:
+            return self._face.weights(time)
+        except PerformanceError as error:
+            self.failure = str(error)
+            return np.zeros(len(FACE), np.float32)
+
+    def head(self, time: float) -> HeadPose | None:
+        """Return how the head is turned at a time, seconds; None where it goes with what is heard."""
+        try:
+            return self._face.head(time)
+        except PerformanceError as error:
+            self.failure = str(error)
+            return None
+
+    def prepare(self, begin: float, end: float) -> None:
+        """Look up what is said between two times, seconds."""
+        if isinstance(self._face, PerformedMouth):  # what is spoken is looked up before it can be heard
+            try:
+                self._face.prepare(begin, end)
+            except PerformanceError as error:
+                self.failure = str(error)
+
+
+class PerformanceModel(QObject):
+    """Knows the tables that are open, and looks the sound in hand up in the one that is chosen.
+
+    Signals
+    -------
+    changed : other tables or another choice.
+    looked_up : another face, or more units of it.
+    error, info : a sentence for the user.
+
+    Attributes
+    ----------
+    tables : what was opened, by path.
+    chosen : the table in use; None for none.
+    choice : among the examples of a unit.
+    face : what the performer shows of the sound in hand; None where nothing is looked up.
+    units : of which it is made; they come later than the face.
+    notes : what the table lacks for it, a sentence each.
+    """
+
+    changed = Signal()
+    looked_up = Signal()
+    error = Signal(str)
+    info = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tables: dict[Path, TableAbout] = {}
+        self.chosen: Path | None = None
+        self.choice = ExampleChoice.VITERBI
+        self.face: FaceInHand | None = None
+        self.units: tuple[UsedUnit, ...] = ()
+        self.notes: tuple[str, ...] = ()
+        self._table: PerformanceTable | None = None
+        self._measured: tuple[MeasuredSound, Prosody] | None = None
+        self._kept: tuple[tuple[Path, ...], Path | None] = (), None
+        self._ready = 0.0, 0.0
+        self._opening = TaskQueue(self.error.emit)
+        self._work, self._preparing = TaskQueue(self._fail), TaskQueue(self.error.emit)
+        for work in (self._opening, self._work):
+            work.changed.connect(self.changed)
+
+    @property
+    def table(self) -> PerformanceTable | None:
+        """The table in use, open; None for none."""
+        return self._table
+
+    @property
+    def progress(self) -> str:
+        """What is going on, in words; nothing where that is nothing."""
+        if self._opening.busy:
+            return tr("opening a table …")
+        return (
+            tr("looking the face up, {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
+        )
+
+    @property
+    def name(self) -> str:
+        """What the chosen table is called, and whether no person moved for it."""
+        return "" if self._table is None else self._table.about.title
+
+    # -- what is chosen -----------------------------------------------------------------------------------
+
+    def keep(self, paths: Sequence[Path], chosen: Path | None) -> None:
+        """Take note of what was open at the last start; `wake` opens it."""
+        self._kept = tuple(paths), chosen
+
+    def wake(self) -> None:
+        """Open what was open at the last start, in the background; what is not there any more is forgotten."""
+        (paths, chosen), self._kept = self._kept, ((), None)
+        if paths:
+            self._opening.submit(lambda _progress: _found(paths), lambda tables: self._take_found(tables, chosen))
+
+    @property
+    def opened(self) -> tuple[tuple[Path, ...], Path | None]:
+        """The tables that are open, or would be after `wake`, and the one in use."""
+        return self._kept if self._kept[0] else (tuple(self.tables), self.chosen)
+
+    def open(self, path: Path) -> None:
+        """Open a table, in the background, and use it."""
+        self._opening.replace(lambda _progress: _opened(path), self._take)
+
+    def choose(self, path: Path | None) -> None:
+        """Use a table that was opened before; None for none."""
+        if path is not None:
+            self.open(path)
+        elif self.chosen is not None:
+            self._opening.cancel()
+            self.chosen = self._table = None
+            self.changed.emit()
+
+    def set_choice(self, choice: ExampleChoice) -> None:
+        """Choose otherwise among the examples of a unit."""
+        if choice is not self.choice:
+            self.choice = choice
+            self.changed.emit()
+
+    # -- what is looked up --------------------------------------------------------------------------------
+
+    def look_up(self, sound: MeasuredSound, utterance: Utterance) -> None:
+        """Look up what is said in a sound file, in the background."""
+        table, options, known = self._table, PerformanceOptions(self.choice), self._measured
+        if table is None:
+            self.forget()
+            return
+        before = known[1] if known is not None and known[0] == sound else None
+
+        def act(progress: Progress) -> tuple[Prosody, PerformanceTrack, PerformedMouth]:
+            prosody = before or _measured(sound, progress)
+            track = PerformanceTrack(utterance, _speech(sound, utterance, prosody), table, options)
+            mouth = track.mouth()
+            mouth.prepare(0.0, AHEAD)
+            return prosody, track, mouth
+
+        def take(found: tuple[Prosody, PerformanceTrack, PerformedMouth]) -> None:
+            prosody, track, mouth = found
+            self._measured = sound, prosody
+            self._show(FaceInHand(mouth), self.units, track.notes)
+            self._work.submit(
+                lambda progress: _units_of(track, progress), lambda units: self._show(self.face, units, track.notes)
+            )
+
+        self._work.replace(act, take)
+
+    def spoken_face(self, language: str) -> SpokenFace | None:
+        """Return what looks a text up while it is spoken; None without a table. Any thread may ask."""
+        table = self._table
+        return None if table is None else SpokenFace(table, language, PerformanceOptions(self.choice))
+
+    def show_spoken(self, face: SpokenFace) -> None:
+        """Show a text that is being spoken, as far as it is; call it again when there is more of it."""
+        if self.face is None or not self.face.shows(face):
+            self._work.cancel()
+            self._show(FaceInHand(face), face.units, face.notes)
+        elif face.units != self.units:
+            self._show(self.face, face.units, face.notes)
+
+    def forget(self) -> None:
+        """Show nothing, as another sound is in hand."""
+        self._work.cancel()
+        if self.face is not None:
+            self._show(None, (), ())
+
+    def tick(self, position: float) -> None:
+        """Look up what comes after a time of the sound, seconds; and say if the table failed."""
+        face = self.face
+        if face is None:
+            return
+        if face.failure:
+            self._fail(face.failure)
+            return
+        begin, end = self._ready
+        if not (begin <= position < end - AHEAD / 2) and not self._preparing.busy:
+            self._ready = position, position + AHEAD
+            self._preparing.submit(lambda _progress: face.prepare(position, position + AHEAD))
+
+    def close(self) -> None:
+        """End all work."""
+        for work in (self._opening, self._work, self._preparing):
+            work.close(CLOSE_TIMEOUT)
+
+    # -- inside -------------------------------------------------------------------------------------------
+
+    def _take_found(self, tables: dict[Path, TableAbout], chosen: Path | None) -> None:
+        self.tables = {**tables, **self.tables}
+        if chosen in tables and self.chosen is None:
+            self.open(chosen)
+        self.changed.emit()
+
+    def _take(self, table: PerformanceTable) -> None:
+        self._table, self.chosen = table, table.path
+        self.tables[table.path] = table.about
+        self.changed.emit()
+
+    def _show(self, face: FaceInHand | None, units: tuple[UsedUnit, ...], notes: tuple[str, ...]) -> None:
+        if face is not self.face:
+            self._ready = 0.0, 0.0
+        self.face, self.units = face, units
+        if notes and notes != self.notes and self._table is not None:
+            more = "; " + tr("and {n} more, below the head").format(n=len(notes) - 1) if len(notes) > 1 else ""
+            self.info.emit(f"{self._table.about.name}: {notes[0]}{more}.")
+        self.notes = notes
+        self.looked_up.emit()
+
+    def _fail(self, sentence: str) -> None:
+        self.forget()
+        self.error.emit(sentence)
+
+
+def _found(paths: Sequence[Path]) -> dict[Path, TableAbout]:
+    """Return those tables that can be opened."""
+    tables = {}
+    for path in paths:
+        with suppress(PerformanceError), PerformanceTable.open(path) as table:
+            tables[path] = table.about
+    return tables
+
+
+def _opened(path: Path) -> PerformanceTable:
+    """Open a table, and read what every lookup needs of it."""
+    table = PerformanceTable.open(path)
+    table.check()
+    PerformanceDriver(table)
+    _ = table.phrases
+    return table
+
+
+def _measured(sound: MeasuredSound, progress: Progress) -> Prosody:
+    prosody = Prosody()
+    with SoundReader(sound.path, sound.channel) as reader:
+        for analysis in analyse_file(reader, sound.preset, pitch=True):
+            prosody.add(analysis)
+            end = (analysis.start + len(analysis)) * FRAME_PERIOD
+            report_progress(progress, min(1.0, end / max(reader.duration, FRAME_PERIOD)))
+    return prosody
+
+
+def _speech(sound: MeasuredSound, utterance: Utterance, prosody: Prosody) -> Transcript:
+    return transcript_of_utterance(
+        utterance, prosody.intensities, prosody.pitches, sound.path.name, sound.path
+    )  # fmt: skip
+
+
+def _units_of(track: PerformanceTrack, progress: Progress) -> tuple[UsedUnit, ...]:
+    units: list[UsedUnit] = []
+    duration = max(track.utterance.duration, FRAME_PERIOD)
+    for unit in track.units():
+        units.append(unit)
+        report_progress(progress, min(1.0, unit.end / duration))
+    return tuple(units)

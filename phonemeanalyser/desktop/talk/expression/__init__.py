@@ -1,0 +1,1 @@
+"""Expressions from sliders, recordings and OSC."""

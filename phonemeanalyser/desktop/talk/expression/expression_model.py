@@ -1,0 +1,116 @@
+"""What the face expresses beside its speech: as sliders ask for it, a recording has it, or other programs send it."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.talk.expression.expression_input import ExpressionInput
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.arrays import Float32Array
+from phonemeengine.mouth.expression.composer import Expression
+from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
+from phonemeengine.performance.livelink import read_expression
+
+USUAL_PRIORITY = 0.5
+"""Each has all that it asks for."""
+
+
+@dataclass(eq=False)
+class StreamInStep:
+    """A recorded expression whose time 0 is the beginning of the sound.
+
+    Attributes
+    ----------
+    stream : the recording.
+    start : when the sound began, on the clock of whoever shows it, seconds.
+    """
+
+    stream: ExpressionStream
+    start: float = 0.0
+
+    def weights(self, time: float) -> Float32Array:
+        """Return the weights at a time on the clock, float32, shape (52,)."""
+        return self.stream.weights(time - self.start)
+
+
+class ExpressionModel(QObject):
+    """Knows what is asked for, and how much of their channels speech has.
+
+    Signals
+    -------
+    changed : the expression is another one, or where it comes from.
+    error : a sentence for the user.
+
+    Attributes
+    ----------
+    shares : how far each is asked for, by name, 0..1.
+    priority : of speech on its own channels, 0..1.
+    path : the recording in use; None for none.
+    input : what other programs send.
+    """
+
+    changed = Signal()
+    error = Signal(str)
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.shares: dict[str, float] = dict.fromkeys(expression_presets(), 0.0)
+        self.priority = USUAL_PRIORITY
+        self.path: Path | None = None
+        self.input = ExpressionInput()
+        self._recorded: StreamInStep | None = None
+        self._work = TaskQueue(self.error.emit)
+        self.input.changed.connect(self.changed)
+        self.input.error.connect(self.error)
+
+    @property
+    def expression(self) -> Expression | None:
+        """What is expressed; None for nothing."""
+        asked = {name: share for name, share in self.shares.items() if share}
+        held = held_expression(asked) if asked else None
+        streams = tuple(stream for stream in (held, self._recorded, self.input.stream) if stream is not None)
+        if not streams:
+            return None
+        return Expression(streams, None if self.priority == USUAL_PRIORITY else self.priority)
+
+    def set_share(self, name: str, share: float) -> None:
+        """Ask for an expression, 0..1."""
+        if name in self.shares and self.shares[name] != min(max(share, 0.0), 1.0):
+            self.shares[name] = min(max(share, 0.0), 1.0)
+            self.changed.emit()
+
+    def set_priority(self, priority: float) -> None:
+        """Give speech so much of its own channels, 0..1; the expression has the rest."""
+        if self.priority != min(max(priority, 0.0), 1.0):
+            self.priority = min(max(priority, 0.0), 1.0)
+            self.changed.emit()
+
+    def set_file(self, path: Path | None) -> None:
+        """Show what was recorded, too, from the beginning of the sound in hand on; None for nothing recorded."""
+        if path is None:
+            self._take(None, None)
+        else:
+            self._work.replace(
+                lambda _progress: read_expression(path), lambda stream: self._take(path, StreamInStep(stream))
+            )
+
+    def follow(self, start: float) -> None:
+        """Take note when the sound in hand began, on the clock of whoever shows the face, seconds."""
+        if self._recorded is not None:
+            self._recorded.start = start
+
+    def clear(self) -> None:
+        """Set all sliders back."""
+        if any(self.shares.values()):
+            self.shares = dict.fromkeys(self.shares, 0.0)
+            self.changed.emit()
+
+    def close(self) -> None:
+        """Listen no more."""
+        self.input.close()
+        self._work.close(CLOSE_TIMEOUT)
+
+    def _take(self, path: Path | None, recorded: StreamInStep | None) -> None:
+        self.path, self._recorded = path, recorded
+        self.changed.emit()

@@ -1,0 +1,1 @@
+"""The heads, how they move, and the weights of their shapes."""

@@ -1,0 +1,278 @@
+"""The head, to be looked at from all sides."""
+
+import math
+import time
+from dataclasses import replace
+
+from PySide6.QtCore import QEvent, QPointF, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
+
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.talk.head.head_surface import (
+    GlSurface,
+    PictureSurface,
+    Scene,
+    has_graphics_card,
+    rendering,
+)
+from phonemeanalyser.desktop.talk.head.moving_head import MovingHead
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.light import LIGHT, Light
+from phonemeengine.mouth.morph_mesh import MorphMesh
+
+PER_PIXEL = math.radians(0.4)
+"""How far a drag of a pixel goes round the head."""
+PER_KEY, PAN_PER_KEY = math.radians(8), 0.06
+PER_NOTCH = 120
+"""Of a wheel, in Qt's eighths of a degree."""
+STILL = 3
+"""Pixels by which a press may move and still be a click."""
+LIGHT_STEP, MOST_LIGHT = math.radians(15), math.radians(75)
+ARROWS = {
+    Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
+}  # fmt: skip
+ZOOMS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
+HINT = tr_noop(
+    "Drag to go round the head, with Shift or the right button to move it; turn the wheel to come nearer. "
+    "By keys: arrows, + and −, Home to go back, W for the wireframe, comma and full stop for the light"
+)
+
+
+class HeadView(QWidget):
+    """Shows the face as it is now; mouse and keys move the camera.
+
+    Signals
+    -------
+    looked : somebody looks at it in another way: camera, wireframe or light.
+
+    Attributes
+    ----------
+    camera : None until there is a face.
+    trouble : why no head can be drawn here; empty where it can.
+    menu : what a right click offers.
+    """
+
+    looked = Signal()
+
+    def __init__(self, head: MovingHead, theme: Theme) -> None:
+        super().__init__()
+        self.camera: Camera | None = None
+        self.light: Light = LIGHT
+        self.wireframe = False
+        self.trouble = ""
+        self.surface: GlSurface | PictureSurface | None = None
+        self._head = head
+        background = QColor(theme.base)
+        self._background = (background.redF(), background.greenF(), background.blueF())
+        self._morph_mesh: MorphMesh | None = None
+        self._shown = -1
+        self._from: QPointF | None = None
+        self._pressed = QPointF()
+        self._message = QLabel(tr("loading the head …"))
+        self._work = TaskQueue(self._give_up)
+        self._lay_out(theme)
+        self.menu = PlotMenu(self, "head", lambda _at: self._values())
+        self.setContextMenuPolicy(Qt.ContextMenuPolicy.DefaultContextMenu)  # a right drag moves the head
+        head.face.changed.connect(self._take_face)
+        self._later = QTimer(self)
+        self._later.setSingleShot(True)
+        self._later.setTimerType(Qt.TimerType.PreciseTimer)
+        self._later.timeout.connect(self.refresh)
+
+    def refresh(self) -> None:
+        """Show the face as it is now, once what draws it is loaded."""
+        if self._head.face.morph_mesh is None or self.trouble:
+            return
+        if self._morph_mesh is None:
+            self._take_face()
+        if self.surface is None and not self._work.busy:
+            self._work.submit(lambda _progress: rendering(), lambda _loaded: self._begin_drawing())
+        if self.surface is None or self._shown == self._head.revision:
+            return
+        wait = self.surface.due - time.monotonic()
+        if wait <= 0:
+            self._shown = self._head.revision
+            self.surface.redraw()
+        elif not self._later.isActive():
+            self._later.start(math.ceil(1000 * wait))  # the window's next picture may be too late
+
+    def copy_view_from(self, other: "HeadView") -> None:
+        """Look at the head as another view does."""
+        self._morph_mesh, self.camera = other._morph_mesh, other.camera
+        self.look(wireframe=other.wireframe, light=other.light)
+
+    def look(
+        self, *, camera: Camera | None = None, wireframe: bool | None = None, light: Light | None = None
+    ) -> None:
+        """Look at the head from elsewhere, or in another way."""
+        self.camera = camera or self.camera
+        self.wireframe = self.wireframe if wireframe is None else wireframe
+        self.light = light or self.light
+        if self.surface is not None:
+            self.surface.redraw()
+        self.looked.emit()
+
+    def go_home(self) -> None:
+        """Look at the whole head from the front, in the usual light."""
+        if self._morph_mesh is not None:
+            self.look(camera=Camera.facing(self._morph_mesh.mesh), light=LIGHT)
+
+    def release_gl(self) -> None:
+        """Return everything back to the graphics driver, and draw no more."""
+        self._work.close(CLOSE_TIMEOUT)
+        if self.surface is not None:
+            self.surface.release_gl()
+
+    def sizeHint(self) -> QSize:
+        """Ask for the shape of a head."""
+        return QSize(300, 340)
+
+    # -- Qt's events --------------------------------------------------------------------------------------
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin to go round, or to move it."""
+        self._from = self._pressed = event.position()
+        self.setFocus(Qt.FocusReason.MouseFocusReason)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Go on."""
+        if self._from is None or self.camera is None:
+            return
+        step, self._from = event.position() - self._from, event.position()
+        aside = event.buttons() & (Qt.MouseButton.RightButton | Qt.MouseButton.MiddleButton)
+        if aside or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            height = max(1, self.height())
+            self.look(camera=self.camera.pan(-step.x() / height, step.y() / height))
+        else:
+            self.look(camera=self.camera.orbit(-step.x() * PER_PIXEL, step.y() * PER_PIXEL))
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End; a right click that moved nothing opens the menu."""
+        self._from = None
+        moved = (event.position() - self._pressed).manhattanLength()
+        if event.button() == Qt.MouseButton.RightButton and moved <= STILL:
+            self.menu.open_at(event.position().toPoint())
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        """Open the menu by its key."""
+        if event.reason() == QContextMenuEvent.Reason.Keyboard:
+            self.menu.open_at(self.rect().center())
+
+    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
+        """Look at the whole head from the front."""
+        self.go_home()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Come nearer, or go away."""
+        if self.camera is not None:
+            self.look(camera=self.camera.zoom(event.angleDelta().y() / PER_NOTCH))
+        event.accept()
+
+    def event(self, event: QEvent) -> bool:
+        """Claim the keys that are shortcuts of the window elsewhere."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and self._acts_on(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move camera and light."""
+        if self.camera is None or not self._acts_on(event):
+            super().keyPressEvent(event)
+            return
+        key = Qt.Key(event.key())
+        if key in ARROWS:
+            self._arrow(*ARROWS[key], shift=bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
+        elif key in ZOOMS:
+            self.look(camera=self.camera.zoom(ZOOMS[key]))
+        elif key == Qt.Key.Key_Home:
+            self.go_home()
+        elif key == Qt.Key.Key_W:
+            self.look(wireframe=not self.wireframe)
+        else:
+            self.move_light(LIGHT_STEP if key == Qt.Key.Key_Period else -LIGHT_STEP)
+
+    def move_light(self, angle: float) -> None:
+        """Move the light to the right, radians."""
+        azimuth = min(max(self.light.azimuth + angle, -MOST_LIGHT), MOST_LIGHT)
+        self.look(light=replace(self.light, azimuth=azimuth))
+
+    def _values(self) -> str:
+        """Return how far each movestate of the face is on, as a table."""
+        states = self._head.face.states
+        percentages = {} if states is None else states.percentages
+        return table_of({"movestate": list(percentages), "percent": list(percentages.values())})
+
+    # -- inside -------------------------------------------------------------------------------------------
+
+    def _acts_on(self, event: QKeyEvent) -> bool:
+        kept = event.modifiers() & (Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
+        known = (*ARROWS, *ZOOMS, Qt.Key.Key_Home, Qt.Key.Key_W, Qt.Key.Key_Comma, Qt.Key.Key_Period)
+        return not kept and event.key() in known
+
+    def _arrow(self, x: int, y: int, *, shift: bool) -> None:
+        assert self.camera is not None
+        moved = self.camera.pan(-x * PAN_PER_KEY, -y * PAN_PER_KEY) if shift else self.camera.orbit(
+            x * PER_KEY, y * PER_KEY
+        )  # fmt: skip
+        self.look(camera=moved)
+
+    def _lay_out(self, theme: Theme) -> None:
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMinimumSize(160, 160)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setToolTip(tr(HINT))
+        self.setAccessibleName(tr("the head"))
+        self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._message.setWordWrap(True)
+        self._message.setMargin(16)
+        self._message.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self._message.setStyleSheet(f"color: {theme.faint}; background: {theme.base}")
+        self._stack = QStackedLayout(self)
+        self._stack.addWidget(self._message)
+
+    def _begin_drawing(self) -> None:
+        self._begin(GlSurface(self._scene) if has_graphics_card() else PictureSurface(self._scene))
+
+    def _begin(self, surface: GlSurface | PictureSurface) -> None:
+        """Draw on this one from now on; a failure comes while it paints, and is dealt with afterwards."""
+        self.surface = surface
+        surface.error.connect(self._fall_back, Qt.ConnectionType.QueuedConnection)
+        self._stack.addWidget(surface)
+        self._stack.setCurrentWidget(surface)
+
+    def _fall_back(self, sentence: str) -> None:
+        """Have pictures drawn where the window's OpenGL failed; say so where these fail as well."""
+        failed, self.surface = self.surface, None
+        if failed is None:
+            return
+        self._stack.removeWidget(failed)
+        failed.deleteLater()
+        if isinstance(failed, GlSurface):
+            self._begin(PictureSurface(self._scene))
+            return
+        self._give_up(sentence)
+
+    def _give_up(self, sentence: str) -> None:
+        self.trouble = tr("The head cannot be shown: {sentence}.").format(sentence=sentence)
+        self._message.setText(self.trouble)
+        self._stack.setCurrentWidget(self._message)
+
+    def _take_face(self) -> None:
+        morph_mesh = self._head.face.morph_mesh
+        if morph_mesh is not None and morph_mesh is not self._morph_mesh:
+            self._morph_mesh, self.trouble = morph_mesh, ""  # another one may be drawn
+            self.look(camera=Camera.facing(morph_mesh.mesh))
+
+    def _scene(self) -> Scene | None:
+        morph_mesh = self._head.face.morph_mesh
+        if morph_mesh is None or self.camera is None:
+            return None
+        return Scene(
+            morph_mesh, self._head.face.positions(), self._head.pose, self.camera, self.light,
+            self._background, self.wireframe,
+        )  # fmt: skip

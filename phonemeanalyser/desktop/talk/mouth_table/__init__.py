@@ -1,0 +1,1 @@
+"""The mouth table: shapes, times and visemes."""

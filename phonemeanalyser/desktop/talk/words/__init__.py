@@ -1,0 +1,1 @@
+"""Texts: their words over time, scripts and voices."""

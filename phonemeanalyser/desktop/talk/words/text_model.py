@@ -1,0 +1,464 @@
+"""The words of the sound in hand: from labels beside it, from a script that is aligned with it, or from a voice."""
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeanalyser.desktop.language import tr, tr_count
+from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
+from phonemeanalyser.desktop.talk.drivers.original_model import OriginalModel
+from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound
+from phonemeanalyser.desktop.talk.words.running_speech import RunningSpeech
+from phonemeanalyser.desktop.talk.words.scripts import (
+    FoundWords,
+    ScriptedSound,
+    aligned,
+    spoken,
+    words_beside,
+    words_in,
+    write_speech,
+)
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, SoundWords
+from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.alignment.align import is_other_text
+from phonemeengine.errors import CorpusError
+from phonemeengine.execution import Progress
+from phonemeengine.labels.boundaries import LabelUnit, with_boundary
+from phonemeengine.labels.table import write_text
+from phonemeengine.labels.timed_words import TimedWord
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
+from phonemeengine.labels.utterance_files import format_utterance
+from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
+from phonemeengine.performance.driver import UsedUnit
+from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.speech.spooled import SpooledSpeech
+from phonemeengine.speech.voice import SpokenSentence
+from phonemeengine.storage.files import printable
+from phonemeengine.text import mandarin
+from phonemeengine.text.lexicon import Lexicon, load_lexicon
+
+POOR = 1.2
+"""A word whose score is above it fits badly: of those that are said as they are written, one in ten."""
+SHOWN_WORDS = 8
+
+
+def fits_badly(word: Word) -> bool:
+    """Return whether a word should be looked at: it fits the sound badly, or stands in no script."""
+    return word.text == UNKNOWN_WORD or (word.score is not None and word.score > POOR)
+
+
+@dataclass(frozen=True)
+class TextTools:
+    """What does the work.
+
+    Attributes
+    ----------
+    align : finds the words of a text in a sound.
+    speak : has a voice speak a text of a language.
+    """
+
+    align: Callable[[ScriptedSound, Progress], Utterance] = aligned
+    speak: Callable[[str, str, VoiceChoice], Iterator[SpokenSentence]] = spoken
+
+
+class TextModel(QObject):
+    """Knows what is said in the sound in hand, and has texts aligned and spoken; `tick` follows what is spoken.
+
+    Signals
+    -------
+    changed : the words, the text, the language, the lexicon, the voice, what moves the mouth, or what is going on.
+    known_changed : what is said in the sound in hand, as a `Transcript`, or None where that is not known.
+    known_grew : the same, where there is more of it than before.
+    speech_saved : the path of a sound file to which a text was spoken.
+    error, info : a sentence for the user; an empty error takes the one before away.
+
+    Attributes
+    ----------
+    tools : what does the work.
+    voice : who speaks.
+    drivers : by what the mouth moves.
+    original : plays what a unit of a recorded face is from.
+    words : of the sound file in hand.
+    text : the script of the sound in hand, or what is to be spoken.
+    language : of the text; empty where none is chosen.
+    lexicon_path : goes before the language's voice; None for none.
+    speakers : whom the script of the sound in hand tells apart.
+    speaker : the one whose words are taken; empty where none is chosen.
+    literal : whether the notation of scripts is taken as words, too.
+    refused : what was not aligned, since another text seems to be said; None where there is nothing.
+    """
+
+    changed = Signal()
+    known_changed = Signal(object)
+    known_grew = Signal(object)
+    speech_saved = Signal(str)
+    error = Signal(str)
+    info = Signal(str)
+
+    def __init__(
+        self, session: Session, tools: TextTools | None = None, voice: VoiceModel | None = None,
+        drivers: DriverModel | None = None,
+    ) -> None:  # fmt: skip
+        super().__init__()
+        self._session = session
+        self.tools = tools or TextTools()
+        self.voice = voice or VoiceModel()
+        self.drivers = drivers or DriverModel()
+        self.original = OriginalModel(session)
+        self.words = SoundWords(session.preset.undo_stack)
+        self.text = self.language = ""
+        self.lexicon_path: Path | None = None
+        self.literal = False
+        self.refused: ScriptedSound | None = None
+        self._lexicon: Lexicon | None = None
+        self.speakers: tuple[str, ...] = ()
+        self.speaker = ""
+        self._script: Path | None = None  # the file that tells the speakers apart
+        self._timed: tuple[TimedWord, ...] = ()
+        self._timed_text = ""  # the text that they are the words of
+        self._speech: RunningSpeech | None = None
+        self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
+        self._saving = TaskQueue(self.error.emit)
+        for part in (self._work, self._saving):
+            part.changed.connect(self.changed)
+        for changed in (part.changed for part in (self.voice, self.drivers, self.drivers.performance, self.original)):
+            changed.connect(self.changed)
+        self.drivers.error.connect(self.error)
+        self.original.error.connect(self.error)
+        self.drivers.info.connect(self.info)
+        self.words.changed.connect(self._take_words)
+        session.speech_asked.connect(self.say)
+
+    # -- what is known ------------------------------------------------------------------------------------
+
+    @property
+    def utterance(self) -> Utterance | None:
+        """What is said in the sound in hand; None where nothing is known of it."""
+        if self._session.source is SoundSource.FILE:
+            return self.words.utterance
+        spoken_now = self._speech if self._session.source is SoundSource.TEXT else None
+        return None if spoken_now is None else spoken_now.utterance
+
+    @property
+    def editable(self) -> bool:
+        """Whether boundaries can be moved.
+
+        Those of a voice cannot: sound and times come from one call, so that moving one could only put the mouth out
+        of step.
+        """
+        return self._session.source is SoundSource.FILE
+
+    @property
+    def busy(self) -> bool:
+        """Whether a text is being aligned, or a voice is being asked."""
+        return self._work.busy
+
+    @property
+    def progress(self) -> str:
+        """How far the work is, in words; nothing where there is none."""
+        if self.busy:
+            return f"{self._work.progress:.0%}"
+        return tr("saving the spoken text …") if self._saving.busy else self.drivers.performance.progress
+
+    @property
+    def summary(self) -> str:
+        """What is known, in words."""
+        utterance = self.utterance
+        if utterance is None:
+            return ""
+        n, n_bad = len(utterance.words), sum(map(fits_badly, utterance.words))
+        said = tr_count("{n} word", "{n} words", n)
+        if not self.editable:
+            return tr("{said}; boundaries fixed by the voice").format(said=said)
+        return f"{said}, " + tr_count("{n} fits badly", "{n} fit badly", n_bad) if n_bad else said
+
+    # -- what is chosen -----------------------------------------------------------------------------------
+
+    def set_text(self, text: str) -> None:
+        """Take another text."""
+        if text != self.text:
+            self.text, self.refused = text, None
+            self.changed.emit()
+
+    def set_language(self, tag: str) -> None:
+        """Take the text to be of another language; of an empty one, it is not known."""
+        if tag != self.language:
+            self.language, self.refused = tag, None
+            self.changed.emit()
+
+    def set_literal(self, on: bool) -> None:
+        """Take the notation of scripts, such as speakers' names and directions, as words, or not."""
+        if on != self.literal:
+            self.literal, self.refused = on, None
+            self.changed.emit()
+
+    def set_lexicon(self, path: Path | None) -> None:
+        """Have words pronounced as a lexicon says; None leaves that to the language's voice."""
+        if path is None:
+            self._take_lexicon(None, None)
+        else:
+            self._looking.submit(
+                lambda _progress: load_lexicon(path), lambda lexicon: self._take_lexicon(path, lexicon)
+            )
+
+    def open_script(self, path: Path, speaker: str | None = None) -> None:
+        """Take the text, or the words with their times, of a script for the sound in hand; in the background."""
+        sound, duration = self._session.path, self._session.duration
+        if self._session.source is not SoundSource.FILE or sound is None:
+            self.error.emit(tr("There is no sound file in hand; open the recording of this script, then the script."))
+            return
+        self._looking.replace(
+            lambda _progress: words_in(path, sound, duration, speaker),
+            lambda found: self._take_script(sound, replace(found, script=path)),
+        )
+
+    def choose_speaker(self, name: str) -> None:
+        """Take the words of one of the `speakers`."""
+        if self._script is not None:
+            self.speaker = name
+            self.open_script(self._script, name)
+
+    # -- what is done -------------------------------------------------------------------------------------
+
+    def align(self) -> None:
+        """Find the words of the text in the sound in hand, in the background; or end that."""
+        session = self._session
+        if self.busy:
+            self._work.cancel()
+        elif session.source is not SoundSource.FILE or session.path is None:
+            self.error.emit(tr("There is no sound file in hand; open the recording of this text, then align."))
+        elif self._may_read():
+            self._align(
+                ScriptedSound(
+                    session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon,
+                    self.literal, timed=self._timed if self.text == self._timed_text else (),
+                )
+            )  # fmt: skip
+
+    def align_anyway(self) -> None:
+        """Find the words of the text that was refused in its sound, since the user knows that they are said."""
+        if self.refused is not None and not self.busy:
+            self.error.emit("")
+            self._align(replace(self.refused, accepted=True))
+
+    def say(self) -> None:
+        """Have the voice speak the text, as soon as it can."""
+        if self._may_read(by_voice=True):
+            text, language, voice = self.text, self._language_of_text, self._voice
+            look_up = self.drivers.wants_table
+            self._work.replace(
+                lambda _progress: self._spoken(text, language, voice, look_up=look_up),
+                lambda spoken: self._take_speech(RunningSpeech(*spoken, language), text, voice),
+            )
+
+    def save_speech(self, path: Path) -> None:
+        """Have the voice speak the text into a WAV file, with words and phones beside it; does not wait."""
+        if self._may_read(by_voice=True):
+            text, language, voice = self.text, self._language_of_text, self._voice
+            self._saving.submit(
+                lambda _progress: write_speech(self.tools.speak(text, language, voice), language, path),
+                lambda _: self.speech_saved.emit(str(path)),
+            )
+
+    def save_words(self, path: Path) -> bool:
+        """Write the words of the sound file in hand as a TextGrid; says whether that went well."""
+        if self.words.utterance is None:
+            self.error.emit(tr("There are no words to save; open a sound and align its text."))
+            return False
+        try:
+            write_text(format_utterance(self.words.utterance), path)
+        except CorpusError as error:
+            self.error.emit(str(error))
+            return False
+        self.words.note_saved()
+        self.info.emit(tr("Saved words and phones as {path}.").format(path=path))
+        return True
+
+    def move_boundary(self, unit: LabelUnit, boundary: int, seconds: float) -> None:
+        """Move a boundary; see `with_boundary`."""
+        if self.utterance is None or not self.editable:
+            return
+        try:
+            moved = with_boundary(self.utterance, unit, boundary, seconds)
+        except CorpusError as error:
+            self.error.emit(str(error))
+            self.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
+        else:
+            self.words.edit(moved, tr("boundary of a {unit}").format(unit=tr(unit.value)), by_hand=True)
+
+    def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
+        """Play what a unit of the face was taken from, or the whole recording."""
+        table = self.drivers.performance.table
+        if table is not None:
+            self.original.play(table, unit, whole=whole)
+
+    def play(self, start: float, end: float) -> None:
+        """Play a stretch of the sound in hand, in seconds; it stands at the stretch's beginning afterwards."""
+        self._session.play_stretch(TimeSpan(start, end))
+
+    def follow_sound(self) -> None:
+        """Look what is known of the sound in hand, since another one is in hand now."""
+        session = self._session
+        if session.source is not SoundSource.TEXT:
+            self._speech = None
+        if session.source is SoundSource.FILE and not self.words.is_of(session.path, session.duration):
+            another = session.path != self.words.sound
+            self.refused = None
+            self.words.follow(session.path)
+            self._work.cancel()
+            if another:
+                self.speakers, self.speaker, self._script = (), "", None
+            self._look_beside(with_script=another)
+        self._tell()
+
+    def tick(self) -> None:
+        """Follow what is spoken and looked up."""
+        self._follow_speech()
+        if self.drivers.performance.face is not None:
+            self.drivers.performance.tick(self._session.position)
+        self.original.tick()
+
+    def close(self) -> None:
+        """Save what is to be saved, and end all other work."""
+        self._saving.finish()
+        self.voice.close()
+        self.original.close()
+        self.drivers.close()
+        for work in (self._work, self._looking):
+            work.close(CLOSE_TIMEOUT)
+
+    # -- inside -------------------------------------------------------------------------------------------
+
+    def _align(self, script: ScriptedSound) -> None:
+        self.refused = None
+        self._work.submit(
+            lambda progress: self.tools.align(script, progress), lambda found: self._take_aligned(script, found)
+        )
+        self.changed.emit()
+
+    @property
+    def _language_of_text(self) -> str:
+        """The language that is chosen; Chinese characters tell theirs."""
+        return self.language or ("cmn" if re.search(mandarin.HANZI, self.text) else "")
+
+    def _may_read(self, *, by_voice: bool = False) -> bool:
+        """Return whether there is a text and its language; say so if not."""
+        if not self.text.strip():
+            self.error.emit(tr("There is no text; write what is said into the field below the head."))
+        elif not self._language_of_text and not (by_voice and self.voice.choice.by_program):
+            self.error.emit(tr("The language of a text is not guessed; choose it below the text."))
+        else:
+            self.error.emit("")  # what was wrong before is right now
+            return True
+        return False
+
+    def _look_beside(self, *, with_script: bool) -> None:
+        sound, duration = self._session.path, self._session.duration
+        if sound is not None:
+            self._looking.replace(
+                lambda _progress: words_beside(sound, duration),
+                lambda found: self._take_found(sound, found if with_script else replace(found, text="")),
+            )
+
+    def _take_found(self, sound: Path, found: FoundWords) -> None:
+        if sound != self.words.sound:
+            return
+        if found.script != self._script:
+            self.speaker = ""
+        self.speakers, self._script = found.speakers, found.script
+        if len(found.speakers) > 1 and not self.speaker:
+            self.info.emit(tr("Several people speak in these labels; choose the speaker below the text."))
+        if found.text:
+            self._timed, self._timed_text = found.timed, found.text
+            self.set_text(found.text)
+        if found.utterance is not None and self.words.utterance is None:
+            self.words.put(KnownWords(found.utterance))
+
+    def _take_script(self, sound: Path, found: FoundWords) -> None:
+        """Take what a script says that the user has opened, instead of what was known before."""
+        if sound != self.words.sound:
+            return
+        self.error.emit("")
+        if found.utterance is not None:
+            self.words.edit(found.utterance, tr("script"), by_hand=False)
+            words = " ".join(word.text for word in found.utterance.words if word.text)
+            found = replace(found, text=found.text or words)
+        self._take_found(sound, found)
+        self.changed.emit()
+
+    def _take_aligned(self, script: ScriptedSound, found: Utterance) -> None:
+        if script.sound != self.words.sound:
+            return
+        if is_other_text(found) and not script.accepted:
+            self.refused = script
+            sentence = tr(
+                "Another text seems to be said in this sound; check the text and its language, or align anyway."
+            )
+            self.error.emit(sentence)
+            self.changed.emit()
+            return
+        if found.skipped:
+            words = " ".join(printable(word) for word in found.skipped[:SHOWN_WORDS])
+            more = len(found.skipped) - SHOWN_WORDS
+            words += " " + tr("and {n} more words").format(n=more) if more > 0 else ""
+            self.info.emit(tr("Nobody says: {words}.").format(words=words))
+        self.words.edit(found, tr("alignment"), by_hand=False)
+
+    @property
+    def _voice(self) -> VoiceChoice:
+        return replace(self.voice.choice, lexicon=self._lexicon, literal=self.literal)
+
+    def _spoken(
+        self, text: str, language: str, voice: VoiceChoice, *, look_up: bool
+    ) -> tuple[Iterator[SpokenSentence], SpokenFace | None]:  # fmt: skip
+        """Return a text as a voice speaks it, and what its face is looked up by, where it is."""
+        sentences = self.tools.speak(text, language, voice)
+        face = self.drivers.performance.spoken_face(language) if look_up else None
+        return (sentences, None) if face is None else (face.follow(sentences), face)
+
+    def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
+        self._speech = speech
+        self._session.speak(speech.speech, lambda: SpooledSpeech(self.tools.speak(text, speech.language, voice)))
+
+    def _follow_speech(self) -> None:
+        """Take what is newly spoken."""
+        speech = self._speech
+        if speech is not None and self._session.source is SoundSource.TEXT:
+            before = speech.utterance
+            if speech.follow(self._session.position):
+                self._tell(grown=before is not None)
+
+    def _take_words(self) -> None:
+        if self._session.source is SoundSource.FILE:
+            self._tell()
+
+    def _take_lexicon(self, path: Path | None, lexicon: Lexicon | None) -> None:
+        self.lexicon_path, self._lexicon = path, lexicon
+        self.changed.emit()
+
+    def _tell(self, *, grown: bool = False) -> None:
+        utterance, speech = self.utterance, self._speech
+        if utterance is None or speech is None:
+            self.drivers.follow(*self._known_of_file(utterance))
+        else:
+            self.drivers.follow(utterance, speech.text, spoken=speech.face)
+        (self.known_grew if grown else self.known_changed).emit(utterance and self._transcript_of(utterance))
+        self.changed.emit()
+
+    def _known_of_file(self, utterance: Utterance | None) -> tuple[Utterance | None, str, MeasuredSound | None]:
+        """Return what is said in the sound file in hand, how it is written, and the file."""
+        session, path = self._session, self.words.sound
+        if utterance is None or path is None:
+            return None, "", None
+        sound = MeasuredSound(path, session.channel, session.preset.in_force)
+        return replace(utterance, language=self._language_of_text or utterance.language), self.text, sound
+
+    def _transcript_of(self, utterance: Utterance) -> Transcript:
+        path = self.words.sound if self._session.source is SoundSource.FILE else None
+        return transcript_of_utterance(utterance, NOTHING, NOTHING, self._session.name, path)

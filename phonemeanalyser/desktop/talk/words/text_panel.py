@@ -1,0 +1,208 @@
+"""The text below the head: what is said in the sound in hand, or what a voice is to say."""
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QTextCursor
+from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QWidget
+
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
+from phonemeanalyser.desktop.talk.words.words_view import WordsTimeline
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, column, named, offer, row, silent, spoken_button
+from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+
+N_LINES = 2
+NO_LANGUAGE = tr_noop("language?")
+NO_SPEAKER = tr_noop("Choose speaker…")
+INVITATION = tr_noop(
+    "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
+)
+
+NOTATION = tr_noop(
+    "Take speakers’ names, [directions], *emphasis*, <tags> and &entities; of a script as words; otherwise they are "
+    "not spoken"
+)
+EDITABLE = tr_noop("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
+FIXED = tr_noop(
+    "Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag "
+    "boundaries, save the spoken text and open that"
+)
+
+
+class TextField(QPlainTextEdit):
+    """A text of some lines; Tab goes on to the next control.
+
+    Signals
+    -------
+    say_asked, align_asked : by Ctrl+Return, and with Shift.
+    """
+
+    say_asked = Signal()
+    align_asked = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setTabChangesFocus(True)
+        self.setPlaceholderText(tr(INVITATION))
+        self.setAccessibleName(tr("text"))
+        self.setFixedHeight(self.sizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        """Ask for two lines."""
+        edges = 2 * (self.frameWidth() + round(self.document().documentMargin()))
+        return QSize(200, N_LINES * self.fontMetrics().lineSpacing() + edges + 2)
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for no width."""
+        return QSize(0, self.sizeHint().height())
+
+    def replace_text(self, text: str) -> None:
+        """Write another text, so that Ctrl+Z brings the old one back."""
+        cursor = self.textCursor()
+        cursor.select(QTextCursor.SelectionType.Document)
+        cursor.insertText(text)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Take the keys that say or align the text."""
+        control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
+        if not (control and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}):
+            super().keyPressEvent(event)
+        elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.align_asked.emit()
+        else:
+            self.say_asked.emit()
+
+
+class TextPanel(QWidget):
+    """The text, its language and lexicon, what is done with it, and the lanes of what is said.
+
+    Signals
+    -------
+    script_asked, lexicon_asked : the user wants to choose a script, or a lexicon.
+    """
+
+    script_asked = Signal()
+    lexicon_asked = Signal()
+
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
+        super().__init__()
+        self._talking, self._texts = talking, talking.text
+        self.field = TextField()
+        self.script = spoken_button(
+            tr("Script…"), tr("Open the words of the sound: a text, a TextGrid, or JSON with times of words")
+        )
+        self.speaker = choice((), tr("speaker"), tr("Whose words of the labels are taken"))
+        self.language = choice((), tr("language of the text"), tr("The language of the text, which is not guessed"))
+        self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
+        self.lexicon = spoken_button(
+            tr("Lexicon…"), tr("A file that says how words are pronounced; without one, the voice knows")
+        )
+        self.literal = named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
+        self.align = spoken_button(tr("Align"), tr("Find the words of the text in the sound (Ctrl+Shift+Return)"))
+        self.anyway = spoken_button(
+            tr("Align Anyway"), tr("The text is right: find its words, though another text seems to be said")
+        )
+        self.refusal = ElidedLabel(tr("The recording doesn’t seem to match this text."))
+        self.say = spoken_button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
+        self.state = ElidedLabel()
+        self.lanes = WordsTimeline(self._texts, theme)
+        self._lay_out()
+        self._connect()
+        self._show_state()
+        self._texts.voice.wake()
+        self._texts.drivers.performance.wake()
+
+    def refresh(self) -> None:
+        """Show where the sound is."""
+        self.lanes.show_position(self._talking.session.position)
+
+    def _lay_out(self) -> None:
+        column(
+            self.field,
+            row(self.script, self.speaker, self.language, self.lexicon, self.literal, 1, spacing=6),
+            row(self.voice, self.align, self.say, (self.state, 1), spacing=6),
+            row(self.anyway, (self.refusal, 1), spacing=6),
+            self.lanes,
+            on=self,
+            spacing=4,
+        )
+
+    def _connect(self) -> None:
+        texts, session = self._texts, self._talking.session
+        self.field.textChanged.connect(lambda: texts.set_text(self.field.toPlainText()))
+        self.field.say_asked.connect(texts.say)
+        self.field.align_asked.connect(texts.align)
+        self.script.clicked.connect(lambda _checked: self.script_asked.emit())
+        self.speaker.textActivated.connect(self._choose_speaker)
+        self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
+        self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
+        self.literal.clicked.connect(texts.set_literal)
+        self.align.clicked.connect(lambda _checked: texts.align())
+        self.anyway.clicked.connect(lambda _checked: texts.align_anyway())
+        self.say.clicked.connect(lambda _checked: texts.say())
+        texts.changed.connect(self._show_state)
+        texts.voice.changed.connect(self._show_state)
+        session.transport_changed.connect(self._show_state)
+
+    def _choose_speaker(self, name: str) -> None:
+        if name in self._texts.speakers:
+            self._texts.choose_speaker(name)
+
+    def _choose_lexicon(self) -> None:
+        """Choose a lexicon, or do without the one that is in use."""
+        if self._texts.lexicon_path is None:
+            self.lexicon_asked.emit()
+        else:
+            self._texts.set_lexicon(None)
+
+    def _show_state(self) -> None:
+        texts = self._texts
+        if self.field.toPlainText() != texts.text:
+            with silent(self.field):
+                self.field.replace_text(texts.text)
+        self._show_speakers()
+        self._show_languages()
+        self._show_lexicon()
+        self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
+        self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
+        for part in (self.anyway, self.refusal):
+            part.setVisible(texts.refused is not None and not texts.busy)
+        self.literal.setChecked(texts.literal)
+        lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
+        self.state.setText(texts.progress or lack)
+        self.state.setToolTip(self.state.text())
+        self.lanes.setVisible(texts.utterance is not None)
+        self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
+
+    def _show_speakers(self) -> None:
+        speakers = self._texts.speakers
+        offer(
+            self.speaker, [(tr(NO_SPEAKER), None), *((name, name) for name in speakers)], self._texts.speaker or None
+        )
+        self.speaker.setVisible(len(speakers) > 1)
+
+    def _show_languages(self) -> None:
+        languages = self._texts.voice.installed.languages
+        if self.language.count() != 1 + len(languages):  # which are learnt once
+            self.language.clear()
+            self.language.addItem(tr(NO_LANGUAGE), "")
+            for language in sorted(languages, key=lambda language: tr(_short(language.name))):
+                self.language.addItem(tr(_short(language.name)), language.tag)
+        self.language.setCurrentIndex(max(0, self.language.findData(self._texts.language)))
+
+    def _show_lexicon(self) -> None:
+        path = self._texts.lexicon_path
+        self.lexicon.setText(tr("Lexicon…") if path is None else tr("No Lexicon"))
+        tip = tr("A file that says how words are pronounced; without one, the voice knows")
+        self.lexicon.setToolTip(
+            tip if path is None else tr("{path} says how words are pronounced; do without it").format(path=path)
+        )
+
+
+def _short(name: str) -> str:
+    """Return the name of a language without what the voice does with Latin letters."""
+    return name.replace(", latin as English", "").replace("latin as ", "")

@@ -1,0 +1,228 @@
+"""The voice that says texts, and what moves the mouth meanwhile, chosen below a button."""
+
+from PySide6.QtCore import QPoint, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QFormLayout, QFrame, QLineEdit, QToolButton, QWidget
+
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
+from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, SLOWEST, VoiceModel
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import choice, label, named, offer, silent
+from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.speech.program import OUTPUT, TEXT
+
+WIDTH = 420
+OWN_VOICE, OWN_PROGRAM = tr_noop("the language’s own"), tr_noop("a program of your own")
+KINDS = {"m": tr_noop("man"), "f": tr_noop("woman")}
+"""What the voices are that are a letter and a number."""
+DRIVERS = {
+    FaceDriver.AUTO: tr_noop("automatic: recorded faces, pinyin, sounds"),
+    FaceDriver.PINYIN: FaceDriver.PINYIN.caption,
+    FaceDriver.TABLE: tr_noop("a table of recorded faces"),
+    FaceDriver.RULES: FaceDriver.RULES.caption,
+}
+CHOICES = {
+    ExampleChoice.VITERBI: tr_noop("those that fit and join best (Viterbi)"),
+    ExampleChoice.NEAREST: tr_noop("those of the nearest duration"),
+    ExampleChoice.BAND: tr_noop("any within 15 % of the duration"),
+    ExampleChoice.RANDOM: tr_noop("any"),
+}
+NO_TABLE, OTHER_TABLE = tr_noop("none"), tr_noop("open a table…")
+MEANING = tr_noop(
+    "{output} is the WAV file that it shall write, {text} the text; without {text}, the program reads the text from "
+    "its standard input. A TextGrid that it writes beside the sound tells the times."
+)
+EXAMPLE = f"my-voice --file {OUTPUT} {TEXT}"
+
+
+class VoicePanel(QFrame):
+    """Pops up beside the button that it belongs to; Escape or a click elsewhere closes it.
+
+    Signals
+    -------
+    table_asked : the user wants to open a table of recorded faces.
+    """
+
+    table_asked = Signal()
+
+    def __init__(self, voice: VoiceModel, drivers: DriverModel, theme: Theme, button: QWidget) -> None:
+        super().__init__(button, Qt.WindowType.Popup)
+        self._voice, self._drivers, self._button = voice, drivers, button
+        self.setObjectName("voice")
+        self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
+        self.setAccessibleName(tr("voice"))
+        self.name = choice(
+            (), tr("voice"), tr("Who says the text: a voice of espeak-ng, or a text-to-speech program of your own")
+        )
+        self.rate = named(
+            NumberField(SLOWEST, FASTEST, decimals=1, step=0.1, unit=" " + tr("syllables/s"), waits=True),
+            tr("rate"),
+            tr("How fast a voice of espeak-ng speaks: people say four to five syllables a second"),
+        )
+        self.driver = choice(
+            ((tr(words), driver) for driver, words in DRIVERS.items()),
+            tr("what moves the mouth"),
+            tr("By what the mouth moves where the words are known, of a voice or of a recording"),
+        )
+        self.table = choice(
+            (),
+            tr("table of recorded faces"),
+            tr("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one"),
+        )
+        self.choice = choice(
+            ((tr(words), kind) for kind, words in CHOICES.items()),
+            tr("choice among recordings"),
+            tr("Which of several recordings of the same sounds are taken"),
+        )
+        self.program = named(
+            QLineEdit(), tr("command"), tr("The command that speaks, such as: {example}").format(example=EXAMPLE)
+        )
+        self.program.setPlaceholderText(EXAMPLE)
+        self._hint = label(tr(MEANING).format(output=OUTPUT, text=TEXT), theme.faint, wraps=True)
+        self._lay_out()
+        self._connect()
+        self.show_state()
+
+    def show_beside(self) -> None:
+        """Show it below what it belongs to, or above where the screen ends there."""
+        self._place()
+        self.show()
+        self.name.setFocus()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Close it by Escape."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.close()
+        else:
+            super().keyPressEvent(event)
+
+    def show_state(self) -> None:
+        """Show what is chosen."""
+        choice = self._voice.choice
+        with silent(self.rate, self.program):
+            self._list_voices()
+            own = self.name.count() - 1
+            self.name.setCurrentIndex(own if choice.by_program else max(0, self.name.findData(choice.name)))
+            self.driver.setCurrentIndex(self.driver.findData(self._drivers.chosen))
+            self._show_tables()
+            self.rate.setValue(choice.rate)
+            self.rate.setEnabled(not choice.by_program)
+            if self.program.text() != choice.program:
+                self.program.setText(choice.program)
+            for widget in (self.program, self._hint):
+                self._rows.setRowVisible(widget, choice.by_program)
+        if self.isVisible():
+            self._place()
+
+    def _place(self) -> None:
+        self.adjustSize()
+        button = self._button
+        screen = button.screen().availableGeometry()
+        place = button.mapToGlobal(QPoint(0, button.height()))
+        if place.y() + self.height() > screen.bottom():
+            place.setY(button.mapToGlobal(QPoint(0, 0)).y() - self.height())
+        place.setX(max(screen.left(), min(place.x(), screen.right() - self.width())))
+        self.move(place)
+
+    def _lay_out(self) -> None:
+        self._rows = QFormLayout(self)
+        self._rows.setContentsMargins(10, 10, 10, 10)
+        for words, widget in (
+            (tr("Voice"), self.name), (tr("Rate", "of speech"), self.rate), (tr("Command"), self.program),
+            ("", self._hint), (tr("Mouth moves by"), self.driver), (tr("Recorded faces"), self.table),
+            (tr("Of several, take"), self.choice),
+        ):  # fmt: skip
+            self._rows.addRow(words, widget)
+        self.setFixedWidth(WIDTH)
+
+    def _connect(self) -> None:
+        voice = self._voice
+        self.name.activated.connect(self._choose_voice)
+        self.rate.valueChanged.connect(lambda rate: voice.choose(rate=rate))
+        self.program.editingFinished.connect(lambda: voice.choose(program=self.program.text().strip()))
+        drivers, performance = self._drivers, self._drivers.performance
+        self.driver.activated.connect(lambda k: drivers.choose(FaceDriver(self.driver.itemData(k))))
+        self.table.activated.connect(self._choose_table)
+        self.choice.activated.connect(lambda k: performance.set_choice(ExampleChoice(self.choice.itemData(k))))
+        for part in (drivers, performance):
+            part.changed.connect(self.show_state)
+        voice.changed.connect(self.show_state)
+
+    def _choose_voice(self, place: int) -> None:
+        if place == self.name.count() - 1:
+            self._voice.choose(by_program=True)
+            self.program.setFocus()
+        else:
+            self._voice.choose(name=self.name.itemData(place), by_program=False)
+
+    def _choose_table(self, place: int) -> None:
+        if place == self.table.count() - 1:
+            self.close()
+            self.table_asked.emit()
+        else:
+            self._drivers.performance.choose(self.table.itemData(place))
+
+    def _show_tables(self) -> None:
+        """List the tables that were opened; those of synthetic performers are named so."""
+        performance = self._drivers.performance
+        tables = [(about.title, path) for path, about in performance.tables.items()]
+        offer(self.table, [(tr(NO_TABLE), None), *tables, (tr(OTHER_TABLE), OTHER_TABLE)], performance.chosen)
+        self.choice.setCurrentIndex(self.choice.findData(performance.choice))
+        self._rows.setRowVisible(self.choice, performance.chosen is not None)
+
+    def _list_voices(self) -> None:
+        """List the voices, once they are known: those of men and women first."""
+        names = sorted(self._voice.installed.voices, key=lambda name: (not _kind_of(name), name.lower()))
+        if self.name.count() != len(names) + 2:
+            self.name.clear()
+            self.name.addItem(tr(OWN_VOICE), "")
+            for name in names:
+                kind = _kind_of(name)
+                self.name.addItem(f"{name} ({tr(kind)})" if kind else name, name)
+            self.name.addItem(tr(OWN_PROGRAM), None)
+
+
+class VoiceButton(QToolButton):
+    """Says who speaks, and opens the panel.
+
+    Attributes
+    ----------
+    panel : what it opens.
+    """
+
+    def __init__(self, voice: VoiceModel, drivers: DriverModel, theme: Theme) -> None:
+        super().__init__()
+        self._voice, self._drivers = voice, drivers
+        self.panel = VoicePanel(voice, drivers, theme, self)
+        self.setText(tr("Voice && Face…"))
+        self.setAccessibleName(tr("voice, rate and mouth of a spoken text"))
+        self.clicked.connect(lambda _checked: self.panel.show_beside())
+        for part in (voice, drivers):
+            part.changed.connect(self._show_state)
+        self._show_state()
+
+    def _show_state(self) -> None:
+        choice = self._voice.choice
+        who = (
+            tr(OWN_PROGRAM)
+            if choice.by_program
+            else tr("{name}, {rate:g} syllables a second").format(name=choice.name or tr(OWN_VOICE), rate=choice.rate)
+        )
+        moved = (
+            self._drivers.performance.name
+            if self._drivers.main is FaceDriver.TABLE
+            else tr(DRIVERS[self._drivers.main])
+        )
+        self.setToolTip(
+            tr("Who says the text, how fast, and what moves the mouth (now: {who}; {moved})").format(
+                who=who, moved=moved
+            )
+        )
+
+
+def _kind_of(name: str) -> str:
+    """Return what kind of voice a letter and a number are; nothing for other names."""
+    return KINDS.get(name[0], "") if name[1:].isdecimal() else ""
