@@ -339,7 +339,7 @@
             <translation>wird zur logarithmierten Chance von {phoneme} addiert: Jede +1 macht es 2.7-mal wahrscheinlicher. Der Balken zeigt, wie viel ihm zum wahrscheinlichsten anderen fehlt: Es gilt, solange der Balken links vom Griff endet.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>after</source>
             <translation>nachher</translation>
         </message>
@@ -654,7 +654,7 @@
             <translation>Wird zu</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>before</source>
             <translation>vorher</translation>
         </message>
@@ -794,7 +794,7 @@
             <translation>Abbrechen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>cancel</source>
             <translation>abbrechen</translation>
         </message>
@@ -1039,7 +1039,7 @@
             <translation>Schließen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>close</source>
             <translation>schließen</translation>
         </message>
@@ -6101,7 +6101,7 @@
             <translation>Usbekisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>variable</source>
             <translation>Variable</translation>
         </message>
