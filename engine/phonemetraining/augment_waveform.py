@@ -109,7 +109,7 @@ class Augmentation:
     Attributes
     ----------
     rate : so many times faster and higher, formants too.
-    warp : of the mel bank, see `phonemeengine.dsp.log_mel.bank_of`.
+    warp : of the mel bank, see `phonemeengine.dsp.log_mel.warped_mel_bank`.
     reverberates : whether it is said in a room.
     background : whether there are other sounds.
     chain : what it is recorded through.

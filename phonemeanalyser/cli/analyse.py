@@ -96,7 +96,7 @@ class DifferenceWork:
         return fingerprint_of("difference", self.first, self.second, self.channel)
 
     def known_of(self, _job: Job) -> str:
-        """Return nothing: nothing is known of a file besides."""
+        """Return an empty string: nothing is known of a file besides."""
         return ""
 
     @contextmanager

@@ -162,14 +162,14 @@ def file_preset(path: Path, ear: str | None) -> Preset:
 
 
 def say_cut_off(utterances: Iterable[LabelledUtterance]) -> None:
-    """Return of which recordings a part is missing."""
+    """Print of which recordings a part is missing."""
     for utterance in utterances:
         if utterance.cut_off:
             say_note(printable_name(utterance.path), utterance.cut_off)
 
 
 def say_note(name: str, note: str) -> None:
-    """Return what is odd about a file that is worked on all the same."""
+    """Print what is odd about a file that is worked on all the same."""
     tqdm.write(f"phonemeanalyser: {name}: note: {note}", file=sys.stderr)
 
 

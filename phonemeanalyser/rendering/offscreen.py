@@ -37,7 +37,7 @@ def offscreen_context() -> moderngl.Context:
 
 
 def window_context() -> moderngl.Context:
-    """Take the OpenGL context that is current, as in a window's `initializeGL`.
+    """Take the OpenGL context that is current, as in a window's ``initializeGL``.
 
     Raises
     ------
@@ -124,7 +124,7 @@ class OffscreenRenderer:
         return picture
 
     def release(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Free all that the graphics driver holds."""
         with self._context:
             self._renderer.release()
             _let_go(self._sheet)

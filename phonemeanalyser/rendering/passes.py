@@ -108,7 +108,7 @@ class Canvas:
         return texture
 
     def release(self) -> None:
-        """Return it back to the graphics driver."""
+        """Free what the graphics driver holds."""
         if self._made is not None:
             for part in (*self._made.color_attachments, self._made.depth_attachment, self._made):
                 part.release()
@@ -137,7 +137,7 @@ class Backdrop:
         self._array.render(moderngl.TRIANGLES)
 
     def release(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Free all that the graphics driver holds."""
         for part in (self._array, self._program, self._corners):
             part.release()
 
@@ -172,7 +172,7 @@ class Shadow:
         self._texture.use(0)
 
     def release(self) -> None:
-        """Return it back to the graphics driver."""
+        """Free what the graphics driver holds."""
         self._dark_room.release()
         self._texture.release()
 
@@ -269,6 +269,6 @@ class EdgeSmoothing:
         target.scissor = (0, 0, *target.size)
 
     def release(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Free all that the graphics driver holds."""
         for part in (self._array, self._program, self._corners):
             part.release()

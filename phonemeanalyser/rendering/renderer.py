@@ -165,7 +165,7 @@ class HeadRenderer:
         target.use()
 
     def release(self) -> None:
-        """Return everything back to the graphics driver; its context must be current."""
+        """Free all that the graphics driver holds; its context must be current."""
         for array, program in zip(self._arrays.values(), self._programs.values(), strict=True):
             array.release()
             program.release()

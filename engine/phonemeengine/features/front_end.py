@@ -75,7 +75,7 @@ class FrontEnd:
     ----------
     settings : the filters.
     variables : the user's own variables.
-    pitch : measure `f0` too; without it `f0` reads 0.
+    pitch : measure ``f0`` too; without it ``f0`` reads 0.
     """
 
     def __init__(self, settings: AnalysisSettings, variables: tuple[Variable, ...], *, pitch: bool) -> None:

@@ -1,7 +1,7 @@
 """The listening thread: follows a microphone, whatever happens to it.
 
-The thread opens, reads, analyses and hands over to a recording; whoever shows the result calls `take` now and then,
-or `poll`, and never waits for sound.
+The thread opens, reads, analyses and hands over to a recording; whoever shows the result calls `take_analyses` or
+`poll` now and then, and never waits for sound.
 """
 
 import logging
@@ -64,7 +64,7 @@ def status_of(source: Input, *, heard: bool, silent: float, cancels: bool = Fals
 RETRY_PERIOD = 2.0
 """Seconds between two tries to reach a device that gives nothing."""
 MOST_WAITING = 500
-"""Blocks that wait for `take` at most; older ones are dropped and counted."""
+"""Blocks that wait for `take_analyses` at most; older ones are dropped and counted."""
 CLOSE_TIMEOUT = 5.0
 """Seconds that `close` waits for the end of the thread at most, while a microphone is open."""
 OPEN_TIMEOUT = 0.5
@@ -85,7 +85,7 @@ class Listener(Closing):
     ----------
     preset : what to recognise with.
     choice : which microphone, channel and rate; the system's default where it names none.
-    pitch : measure `f0` too, which no rule needs.
+    pitch : measure ``f0`` too, which no rule needs.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
     recorder : records from the first sample on; see `record`.
     on_analysis : called in the listening thread with each block, as soon as it is known; it must not wait.
@@ -253,7 +253,7 @@ class Listener(Closing):
                     self._open()
                 else:
                     self._listen(self._source)
-        except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+        except Exception as error:  # noqa: BLE001 - `take_analyses` raises it where it is seen
             self._error = error
             _log.exception("listening has failed")
         finally:
@@ -336,7 +336,7 @@ class Listener(Closing):
         if len(self._waiting) > MOST_WAITING:
             if self.n_dropped == 0:
                 _log.warning("frames are dropped, since nobody takes them")
-            with suppress(IndexError):  # `take` may have come first
+            with suppress(IndexError):  # `take_analyses` may have come first
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis
         self._known_at = time.monotonic()

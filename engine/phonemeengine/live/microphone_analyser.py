@@ -53,7 +53,7 @@ class MicrophoneAnalyser:
     source : the microphone.
     channel : the channel that is heard, counted from 1; 0 mixes them all.
     preset : what to recognise with.
-    pitch : measure `f0` too.
+    pitch : measure ``f0`` too.
     start : number of its first frame.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none.
     """

@@ -1,7 +1,7 @@
 """The analysis thread: plays a sound and analyses it a little ahead of what is heard.
 
-The thread reads, plays and analyses; whoever shows the result calls `take` now and then and gets what has been
-heard since. Nothing else passes between the two.
+The thread reads, plays and analyses; whoever shows the result calls `take_analyses` now and then and gets what
+has been heard since. Nothing else passes between the two.
 """
 
 import logging
@@ -264,7 +264,7 @@ class Player:
         return self._waiting.pop_due(self._output.heard)
 
     def upcoming(self) -> list[tuple[float, Analysis]]:
-        """Return what is analysed and not heard yet: `take` gives it later.
+        """Return what is analysed and not heard yet: `take_analyses` gives it later.
 
         Returns
         -------
@@ -301,7 +301,7 @@ class Player:
             if self._waits and not output.is_card:
                 reason = output.reason if isinstance(output, ClockOutput) else ""
                 self._error = DeviceError(reason or _NO_CARD)
-        except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+        except Exception as error:  # noqa: BLE001 - `take_analyses` raises it where it is seen
             self._error = error
             _log.exception("no output can be opened")
         finally:
@@ -332,7 +332,7 @@ class Player:
                 elif self._playing and not self._running:
                     self._running = True
                     self._output.run(running=True)
-            except Exception as error:  # noqa: BLE001 - `take` raises it where it is seen
+            except Exception as error:  # noqa: BLE001 - `take_analyses` raises it where it is seen
                 self._error, self._at_end, self._target, busy = error, True, None, False
                 _log.warning("playing has stopped: %s", error, exc_info=not isinstance(error, EngineError))
             if not busy:

@@ -190,7 +190,7 @@ class _Chain:
         return True
 
     def _dissolve(self, k: int, cue: Cue) -> None:
-        """Return the time of a cue to a neighbour that is too short as well, else half of it to each."""
+        """Give the time of a cue to a neighbour that is too short as well, else half of it to each."""
         b, a = self._before[k], self._after[k]
         before, after = self._at(b), self._at(a)
         if before is None and after is None:

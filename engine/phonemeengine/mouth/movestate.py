@@ -28,7 +28,7 @@ class Movestate:
     name : what it is called.
     numbers : uint32, shape (n,), the vertices that move, ascending.
     offsets : float32, shape (n, 3), how far each of them moves at 100 %.
-    interactable : whether setting others may push it back, until `MovestateSet.set_interactable` says otherwise; a
+    interactable : whether setting others may push it back, until `Percentages.set_interactable` says otherwise; a
         blink does not care about the mouth.
     """
 
@@ -180,7 +180,7 @@ class Percentages(Generic[Name]):
         return bool(self._interactable[self._place(name)])
 
     def set_interactable(self, name: Name, interactable: bool) -> None:
-        """Return whether setting others may push a state back."""
+        """Let setting others push a state back, or not."""
         self._interactable[self._place(name)] = interactable
 
     def set_percentage(self, name: Name, percent: float, mode: Mode = Mode.NONE) -> None:

@@ -159,7 +159,7 @@ _WASM = (
     '-DEAR_API=__attribute__((visibility("default")))',
     "-Wl,--export-dynamic,--export=malloc,--export=free,--strip-all",
 )
-"""For a module that asks its page for nothing, and gives all functions of `ear.h`."""
+"""For a module that asks its page for nothing, and gives all functions of ``ear.h``."""
 
 _LICENCE = next(folder for folder in (_HERE, _HERE.parents[2]) if (folder / "LICENSE").is_file()) / "LICENSE"
 """Of the program, and so of all that is shipped: beside this module where it is installed, as in a checkout."""

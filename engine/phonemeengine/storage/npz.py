@@ -17,7 +17,7 @@ _DAMAGE = (zipfile.BadZipFile, zlib.error, tokenize.TokenError, EOFError, Memory
 
 
 def read_npz(path: Path, largest: int) -> dict[str, NDArray[Any]]:
-    """Read all arrays of an archive that NumPy's `savez` wrote, never anything that is executed.
+    """Read all arrays of an archive that `numpy.savez` wrote, never anything that is executed.
 
     Parameters
     ----------

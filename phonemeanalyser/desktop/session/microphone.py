@@ -77,7 +77,7 @@ class NoListener:
     seconds = lost_seconds = known_for = 0.0
 
     def take_analyses(self) -> list[Analysis]:
-        """Return nothing."""
+        """Return an empty list."""
         return []
 
     def set_preset(self, preset: Preset) -> None:

@@ -194,7 +194,7 @@ class PresetModel(QObject):
             self.file_changed.emit()
 
     def revert(self) -> None:
-        """Return to what the preset's file says, in one change."""
+        """Go back to what the preset's file says, in one change."""
         self.end_edit()
         self.edit(self._saved, tr("return to the file"))
 

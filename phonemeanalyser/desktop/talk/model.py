@@ -194,7 +194,7 @@ class TalkModel(QObject):
     # -- what goes on -------------------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Follow what is heard, and move the face there if anybody looks; call it after the session's own tick."""
+        """Follow what is heard, and move the face there if anybody looks; call it after the session's `poll`."""
         self.text.tick()
         heard, self._heard = self._heard, []
         if not (self.watched or self.osc.on):

@@ -77,8 +77,8 @@ class _Change:
 class ToneReader:
     """Gives a tone as a stream, in the manner of `SoundReader`.
 
-    `use` may be called from another thread than the rest. Until a tone is changed, what is heard at a sample depends
-    on the sample only, however the stream was cut and wherever it was entered.
+    `set_tone` may be called from another thread than the rest. Until a tone is changed, what is heard at a sample
+    depends on the sample only, however the stream was cut and wherever it was entered.
 
     Attributes
     ----------
@@ -142,7 +142,7 @@ class ToneReader:
         """Fill room up to its end or to where a change is over; returns how much was filled."""
         if self._change is not None and self.position >= self._change.end:
             self._change = None
-        asked = self._asked  # read once: `use` may set it at any moment
+        asked = self._asked  # read once: `set_tone` may set it at any moment
         if self._change is None and asked is not self._taken:
             self._change = _Change(self._voice, asked, self.position)
             self._taken, self._voice = asked, self._change.new

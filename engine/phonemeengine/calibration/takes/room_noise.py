@@ -1,7 +1,8 @@
 """What a room sounds like while nobody speaks, and what tells it from speech, whatever recognises.
 
 The denoise threshold is set for every recogniser. Silence is told by the thresholds of the thesis rules; a preset
-with rules of its own gets one before them; recognisers by templates or scores get what `room_silence` finds.
+with rules of its own gets one before them; recognisers by templates or scores get what `silence_level_for` or
+`sensitivity_for` finds.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -49,7 +49,7 @@ class RuleCache:
         self._near_misses = _Memory()
 
     def recognised(self, recogniser: RuleRecogniser) -> UInt8Array:
-        """Return the codes that `recogniser.recognise` gives, shape (n_frames,)."""
+        """Return the codes that `RuleRecogniser.recognise` gives, shape (n_frames,)."""
         self._holding.begin()
         codes = np.full(self._n_frames, Phoneme.UNIDENTIFIED, np.uint8)
         for rule in reversed(recogniser.rules):
@@ -59,7 +59,7 @@ class RuleCache:
         return codes
 
     def may_stay(self, recogniser: RuleRecogniser, hysteresis: float) -> BoolArray:
-        """Return where `recogniser.deficits` are at most `hysteresis`; shape (n_phonemes, n_frames).
+        """Return where `RuleRecogniser.deficits` are at most `hysteresis`; shape (n_phonemes, n_frames).
 
         A phoneme may stay where the comparisons of one of its rules fail by no more than that, and no rule before
         that one holds by more.

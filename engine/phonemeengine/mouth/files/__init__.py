@@ -1,1 +1,1 @@
-"""Files of meshes and movestates, each format in a file of its own; `opening` chooses by a file's ending."""
+"""Files of meshes and movestates, each format in a file of its own; `io` chooses by a file's ending."""

@@ -192,7 +192,7 @@ def _share(comparison: RuleComparison) -> float:
 
 
 def _words(comparison: RuleComparison) -> str:
-    """Return what was compared; a variable that ends with its rule's name, such as `p_silence` is shortened."""
+    """Return what was compared; a variable that ends with its rule's name, such as ``p_silence``, is shortened."""
     variable = comparison.variable.removesuffix(f"_{comparison.rule}")
     return f"{variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
 

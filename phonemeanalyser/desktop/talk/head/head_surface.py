@@ -115,7 +115,7 @@ class GlSurface(QOpenGLWidget):
         self.update()
 
     def release_gl(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Free all that the graphics driver holds."""
         if self._renderer is not None:
             self.makeCurrent()
             self._leave()
@@ -196,7 +196,7 @@ class PictureSurface(QWidget):
         self.update()
 
     def release_gl(self) -> None:
-        """Return everything back to the graphics driver."""
+        """Free all that the graphics driver holds."""
         self._rest.stop()
         if self._offscreen is not None:
             self._offscreen.release()

@@ -122,7 +122,7 @@ class HeadView(QWidget):
             self.look(camera=Camera.facing(self._morph_mesh.mesh), light=LIGHT)
 
     def release_gl(self) -> None:
-        """Return everything back to the graphics driver, and draw no more."""
+        """Free all that the graphics driver holds, and draw no more."""
         self._work.close(CLOSE_TIMEOUT)
         if self.surface is not None:
             self.surface.release_gl()
