@@ -4,8 +4,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QLibraryInfo, QLocale, QTranslator
 
-LANGUAGES = {"en": "English", "de": "Deutsch"}
-"""What each language calls itself; texts are written in the first one."""
 SYSTEM = "system"
 """What stands in the settings where the system's language is to be followed."""
 WRITTEN_IN = "en"
@@ -13,7 +11,18 @@ CONTEXT = "PhonemeAnalyser"
 """Under which Qt finds all texts of the window."""
 IN_USE = "language"
 """The property of Qt's application that says which language is in use."""
+
+
+def _own_name(code: str) -> str:
+    """Return what a language calls itself, such as ``Deutsch`` for ``de``."""
+    name = QLocale(code).nativeLanguageName()
+    return name[:1].upper() + name[1:]
+
+
 TRANSLATIONS = Path(__file__).parent / "translations"
+_CODES = sorted(path.stem.removeprefix("phonemeanalyser_") for path in TRANSLATIONS.glob("phonemeanalyser_*.ts"))
+LANGUAGES = {WRITTEN_IN: "English", **{code: _own_name(code) for code in _CODES}}
+"""What each language calls itself, by its code: the one in which texts are written, and each that has a file."""
 
 
 def tr(text: str, comment: str = "") -> str:
@@ -48,7 +57,8 @@ def language_of(choice: str, system: QLocale | None = None) -> str:
     if choice in LANGUAGES:
         return choice
     asked = (system or QLocale.system()).uiLanguages()
-    return next((name[:2] for name in asked if name[:2] in LANGUAGES), WRITTEN_IN)
+    names = (known for name in asked for known in (name.replace("-", "_"), name.partition("-")[0]))
+    return next((name for name in names if name in LANGUAGES), WRITTEN_IN)
 
 
 def language_in_use() -> str:

@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.analyse.recognition.variable_dialog import Variable
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.engine_words import SPOKEN, tr_engine
+from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language
 from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.talk.words.text_panel import _short
@@ -172,6 +173,12 @@ def test_the_language_is_the_systems_unless_another_is_chosen(system: str, langu
     assert language_of("de", QLocale(system)) == "de"
     assert language_of("en", QLocale(system)) == "en"
     assert language_of("klingon", QLocale(system)) == language
+
+
+def test_each_file_of_translations_is_a_language_by_its_own_name() -> None:
+    codes = {path.stem.partition("_")[2] for path in TRANSLATIONS.glob("*.ts")}
+    assert set(LANGUAGES_OF_WINDOW) == {"en", *codes}
+    assert LANGUAGES_OF_WINDOW["de"] == "Deutsch"
 
 
 @pytest.mark.parametrize("language", ["en", "de"])

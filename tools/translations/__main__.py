@@ -1,7 +1,11 @@
-"""Takes new texts of the window up into the translations, and compiles them; says what is still to be translated."""
+"""Takes new texts of the window up into the translations, and compiles them; says what is still to be translated.
+
+``python -m tools.translations fr`` begins another language.
+"""
 
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import LANGUAGES, TRANSLATIONS, WRITTEN_IN
@@ -9,10 +13,10 @@ from tools.translations.sources import sources_in
 from tools.translations.ts_file import read_translations, write_translations
 
 
-def main() -> int:
-    """Do it for every language; the exit code is 1 where a text is untranslated."""
+def main(begun: Iterable[str] = ()) -> int:
+    """Do it for every language, and for those that are begun; the exit code is 1 where a text is untranslated."""
     sources, lacking = sources_in(), 0
-    for language in LANGUAGES:
+    for language in dict.fromkeys((*LANGUAGES, *begun)):
         if language == WRITTEN_IN:
             continue
         path = TRANSLATIONS / f"phonemeanalyser_{language}.ts"
@@ -34,4 +38,4 @@ def compile_translations(path: Path) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

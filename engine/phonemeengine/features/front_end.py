@@ -14,19 +14,21 @@ from phonemeengine.dsp.filters import (
     normalise,
 )
 from phonemeengine.dsp.mel import mel_edges, mel_spectra_of
-from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
-from phonemeengine.features.measure import BandFeatures, Features, peak_levels_of, zero_crossings_of
+from phonemeengine.features.measure import BandFeatures, Features
 from phonemeengine.features.variables import (
     BAND_VARIABLES,
     ENERGY_VARIABLES,
+    FRAME_MEASURES,
+    PITCH,
     WHOLE_FRAME_VARIABLES,
     Spectrum,
     Variable,
+    peak_levels_of,
 )
 from phonemeengine.settings import BIN_WIDTH, WINDOW, AnalysisSettings, Filter
 
-ZERO_CROSSINGS, VOLUME, F0 = (WHOLE_FRAME_VARIABLES.index(name) for name in ("zero_crossings", "volume", "f0"))
+F0 = WHOLE_FRAME_VARIABLES.index(PITCH.name)
 MAX_ENERGY = slice(WHOLE_FRAME_VARIABLES.index("max_energy"), WHOLE_FRAME_VARIABLES.index("max_energy") + 1)
 
 FAINTEST = np.array(1e-6, np.float32)
@@ -82,7 +84,8 @@ class FrontEnd:
         variables = (*BAND_VARIABLES, *variables)
         self.names = (*WHOLE_FRAME_VARIABLES, *(v.name for v in variables))
         self._smoother = TimeSmoother(settings.time_smooth if settings.has(Filter.TIME_SMOOTH) else 0.0)
-        self._pitch = pitch
+        measured = [m for m in FRAME_MEASURES if pitch or m is not PITCH]
+        self._frame_measures = [(self.names.index(m.name), m.measure) for m in measured]
         self._n_bins = settings.n_bins
         self._transform = SpectrumAnalyser(settings)
         self._shaper = shaper_of(settings, self._transform.scale[0])
@@ -133,10 +136,8 @@ class FrontEnd:
             values += self._raw_meter.append_maxima(raw * self._transform.scale).dot(
                 self._raw_meter.weights(Spectrum.RAW)
             )
-        values[:, ZERO_CROSSINGS] = zero_crossings_of(frames)
-        values[:, VOLUME] = peak_levels_of(frames)
-        if self._pitch:
-            values[:, F0] = fundamental_of(frames)
+        for column, measure in self._frame_measures:
+            values[:, column] = measure(frames)
         if self._denoises:
             spectra = denoise(spectra, self._threshold)
         mel = self._mel_of(spectra) if self._mel_bands else None

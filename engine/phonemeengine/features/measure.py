@@ -7,11 +7,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.features.variables import Kind, Spectrum, Variable
-from phonemeengine.settings import WINDOW
 
 FLOAT = np.dtype(np.float32)
-ZERO = np.zeros((), FLOAT)
-ONES = np.ones(WINDOW - 1, FLOAT)
 
 
 @dataclass(frozen=True, repr=False)
@@ -45,19 +42,6 @@ class Features(ShortRepr):
     def frame(self, k: int) -> dict[str, float]:
         """Return the values of frame `k` by name."""
         return dict(zip(self.names, self.values[k].tolist(), strict=True))
-
-
-def zero_crossings_of(frames: Float32Array) -> Float32Array:
-    """Count the sign changes inside each raw frame (2048 samples); zero counts as positive. Shape (n_frames,)."""
-    negative = frames < ZERO
-    counts: Float32Array = (negative[:, 1:] != negative[:, :-1]).dot(ONES)
-    return counts
-
-
-def peak_levels_of(frames: Float32Array) -> Float32Array:
-    """Return the largest absolute sample of each frame, shape (n_frames,)."""
-    levels: Float32Array = np.maximum.reduce(np.abs(frames), axis=1)
-    return levels
 
 
 class BandFeatures:

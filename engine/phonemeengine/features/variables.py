@@ -5,13 +5,17 @@ The band variables are those of the thesis, given there as ranges of bins; the u
 
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.dsp.pitch import fundamental_of
 from phonemeengine.errors import SettingsError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE
+from phonemeengine.settings import BIN_WIDTH, SAMPLE_RATE, WINDOW
 
 
 class Kind(StrEnum):
@@ -100,7 +104,49 @@ ENERGY_VARIABLES: tuple[Variable, ...] = (
     Variable("max_energy", 0, SAMPLE_RATE / 2, Kind.MAX, Spectrum.FILTERED),
 )
 
-WHOLE_FRAME_VARIABLES = ("zero_crossings", "volume", "energy", "max_energy", "f0")
+_ZERO = np.zeros((), np.float32)
+_ONES = np.ones(WINDOW - 1, np.float32)
+
+
+def zero_crossings_of(frames: Float32Array) -> Float32Array:
+    """Count the sign changes inside each raw frame (2048 samples); zero counts as positive. Shape (n_frames,)."""
+    negative = frames < _ZERO
+    counts: Float32Array = (negative[:, 1:] != negative[:, :-1]).dot(_ONES)
+    return counts
+
+
+def peak_levels_of(frames: Float32Array) -> Float32Array:
+    """Return the largest absolute sample of each frame, shape (n_frames,)."""
+    levels: Float32Array = np.maximum.reduce(np.abs(frames), axis=1)
+    return levels
+
+
+@dataclass(frozen=True)
+class FrameMeasure:
+    """What is measured on the samples of whole windows, before every filter.
+
+    Attributes
+    ----------
+    name : as of a variable.
+    measure : gives it for raw frames, shape (n_frames, 2048), as float32, shape (n_frames,).
+    unit : of the number.
+    """
+
+    name: str
+    measure: Callable[[Float32Array], Float32Array]
+    unit: str = "amplitude"
+
+
+PITCH = FrameMeasure("f0", fundamental_of, "Hz")
+"""It takes long, so it is measured only where it is asked for."""
+FRAME_MEASURES = (
+    FrameMeasure("zero_crossings", zero_crossings_of, "per window"),
+    FrameMeasure("volume", peak_levels_of),
+    PITCH,
+)
+"""A new one goes to the end, since some columns are found by their places."""
+_MEASURED = [measured.name for measured in FRAME_MEASURES]
+WHOLE_FRAME_VARIABLES = (*_MEASURED[:2], *(v.name for v in ENERGY_VARIABLES), *_MEASURED[2:])
 """What is measured on the window or on the whole spectrum: a count, 0..1, amplitudes, an amplitude, Hz."""
 
 TABLE_COLUMNS = ("start_s", "end_s", "phoneme", "intensity")
@@ -115,7 +161,7 @@ DEFICITS = tuple(f"deficit_{phoneme.label}" for phoneme in Phoneme)
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
 
 
-UNITS = {"zero_crossings": "per window", "f0": "Hz", **dict.fromkeys(DEFICITS, "log-odds")}
+UNITS = {m.name: m.unit for m in FRAME_MEASURES if m.unit != "amplitude"} | dict.fromkeys(DEFICITS, "log-odds")
 """Units of what is no amplitude."""
 
 

@@ -11,7 +11,7 @@ import os
 import textwrap
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field, fields, replace
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any
 
@@ -222,6 +222,18 @@ def shipped_tables() -> tuple[str, ...]:
     return tuple(sorted(path.stem for path in TABLES.glob("*.toml")))
 
 
+def tables_by_movestates() -> dict[str, str]:
+    """Name for each set of movestates the table that ships with the program, with what people call it.
+
+    Of several tables that move the same it is that which the set is named after, else the first one.
+    """
+    found: dict[tuple[str, ...], tuple[str, str]] = {}
+    for name in sorted(shipped_tables(), key=lambda name: name not in NAMES):
+        table = load_table(name)
+        found.setdefault(table.movestates, (name, table.name))
+    return dict(named for movestates, named in found.items() if movestates)
+
+
 def load_table(name: str | os.PathLike[str]) -> MouthTable:
     """Load a mouth table: one that ships with the program by its name, such as ``arkit``, or a file.
 
@@ -229,12 +241,22 @@ def load_table(name: str | os.PathLike[str]) -> MouthTable:
     ------
     MouthError : there is none, or it says something impossible; the message names the file, the entry and what to do.
     """
-    shipped = TABLES / f"{name}.toml"
-    path = shipped if str(name) in shipped_tables() else Path(name)
+    if str(name) in shipped_tables():
+        return _shipped_table(str(name))
+    path = Path(name)
     if not os.path.lexists(path):
         file = printable_name(path)
         words = remedy(file, shipped_tables(), "name a file, or one of {}")
         raise MouthError(f"{file}: there is no such mouth table; {words}")
+    return _table_in(path)
+
+
+@cache
+def _shipped_table(name: str) -> MouthTable:
+    return _table_in(TABLES / f"{name}.toml")
+
+
+def _table_in(path: Path) -> MouthTable:
     return load_text(path, "a mouth table (.toml)", MouthError, table_of)
 
 

@@ -6,7 +6,7 @@ import pytest
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.dsp.mel import mel_edges
 from phonemeengine.errors import SettingsError
-from phonemeengine.features.measure import BandFeatures, Features, peak_levels_of, zero_crossings_of
+from phonemeengine.features.measure import BandFeatures, Features
 from phonemeengine.features.variables import (
     BAND_VARIABLES,
     BUILT_IN_NAMES,
@@ -14,6 +14,8 @@ from phonemeengine.features.variables import (
     Spectrum,
     Variable,
     check_user_variables,
+    peak_levels_of,
+    zero_crossings_of,
 )
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Filter

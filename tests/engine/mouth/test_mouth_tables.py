@@ -22,6 +22,7 @@ from phonemeengine.mouth.table import (
     shipped_tables,
     table_of,
     table_to_toml,
+    tables_by_movestates,
 )
 from phonemeengine.phonemes import MOUTH_SHAPES, Phoneme
 
@@ -49,6 +50,15 @@ def test_every_shipped_table_knows_all_phonemes_and_stays_within_the_movement(na
 @pytest.mark.parametrize(("name", "columns"), COLUMNS.items())
 def test_the_sets_of_other_programs_have_their_movestates_in_their_order(name: str, columns: tuple[str, ...]) -> None:
     assert load_table(name).movestates == columns
+
+
+def test_each_set_of_movestates_has_the_table_that_is_named_as_it() -> None:
+    tables = tables_by_movestates()
+    moved = [load_table(name).movestates for name in tables]
+    assert set(moved) == {load_table(name).movestates for name in shipped_tables()} - {()}
+    assert len(set(moved)) == len(moved)
+    assert set(tables) >= {"arkit", "oculus", "vrm", "vrm1"}
+    assert tables["arkit"] == "ARKit 52"
 
 
 def test_arkit_has_52_names_of_which_each_left_has_a_right() -> None:

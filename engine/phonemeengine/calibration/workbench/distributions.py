@@ -10,7 +10,7 @@ from phonemeengine.arrays import Float32Array, Float64Array, Int64Array, UInt8Ar
 from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.execution import Progress, no_progress, report_progress
-from phonemeengine.features.variables import DEFICITS
+from phonemeengine.features.variables import UNITS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.scores import NO_SENSITIVITIES
 
@@ -98,7 +98,7 @@ OUTERMOST = 0.002
 """A histogram reaches from this quantile of all frames to the opposite one; what lies beyond is in its end bins."""
 DECADES = 1.5
 """An amplitude whose middle 90 % span more powers of ten than these is shown on a logarithmic scale."""
-NO_AMPLITUDES = frozenset({"zero_crossings", "f0", *DEFICITS})
+NO_AMPLITUDES = frozenset(UNITS)
 """Variables that are counts, frequencies or logarithms, and shown on a linear scale."""
 Pair = tuple[Phoneme, Phoneme]
 

@@ -691,7 +691,7 @@ typedef struct {
     int knows_visemes;
 } network;
 
-enum { ZERO_CROSSINGS, VOLUME, NOTHING, BAND };
+enum { ZERO_CROSSINGS, VOLUME, NOTHING, BAND, KINDS_OF_VARIABLES };
 enum { RAW, FILTERED, NORMALISED, MEL, SOURCES };
 enum { SUM, MAXIMUM, MEAN };
 
@@ -922,7 +922,7 @@ static void read_variables(reader *in, arena *memory, front_end *front)
     for (k = 0; k < front->n_variables; k++) {
         variable read;
         size_t most;
-        read.what = read_within(in, ZERO_CROSSINGS, BAND);
+        read.what = read_within(in, 0, KINDS_OF_VARIABLES - 1);
         read.source = read_within(in, RAW, MEL);
         read.kind = read_within(in, SUM, MEAN);
         most = read.source == MEL ? front->n_mel : front->n_bins;
@@ -1776,15 +1776,26 @@ static void measure_variables(ear *of, uint32_t source, const float *spectrum)
             of->values[k] = measured_on(&front->variables[k], spectrum);
 }
 
+/* The pitch is measured by no ear: it reads 0, as NOTHING. */
+static float measured_on_window(uint32_t what, const float *window, float level)
+{
+    switch (what) {
+    case ZERO_CROSSINGS:
+        return zero_crossings_of(window);
+    case VOLUME:
+        return level;
+    default:
+        return 0;
+    }
+}
+
 static void measure_whole_frame(ear *of, const float *window, float level)
 {
     const front_end *front = &of->model->front;
     size_t k;
-    for (k = 0; k < front->n_variables; k++) {
-        uint32_t what = front->variables[k].what;
-        if (what != BAND)
-            of->values[k] = what == VOLUME ? level : what == ZERO_CROSSINGS ? zero_crossings_of(window) : 0;
-    }
+    for (k = 0; k < front->n_variables; k++)
+        if (front->variables[k].what != BAND)
+            of->values[k] = measured_on_window(front->variables[k].what, window, level);
 }
 
 static void divide_all(float *values, size_t n, float by)

@@ -12,13 +12,12 @@ from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
-from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
+from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, tables_by_movestates
 
 USUAL_ADDRESS = "127.0.0.1:39539"
 """Where VMC programs listen on this computer."""
 AS_THE_HEAD = "head"
-TABLES = (AS_THE_HEAD, "arkit", "vrm", "vrm1", "oculus")
-"""What is sent: what moves the head, or one of the sets of movestates that receivers know."""
+"""Stands for the table that moves the head."""
 CLOSE_TIMEOUT = 2.0
 """Seconds after which the end of the program waits no longer for the network."""
 
@@ -38,7 +37,9 @@ class OscModel(QObject):
     Attributes
     ----------
     address : ``HOST:PORT``, as the user wrote it.
-    table : one of `TABLES`.
+    tables : what a receiver may be sent, by name, with what people call it: the table of the head, or that of each
+        set of movestates.
+    table : one of them.
     performer : says what the head says, with the movestates of the receiver.
     """
 
@@ -49,7 +50,8 @@ class OscModel(QObject):
     def __init__(self, clock: Callable[[], float]) -> None:
         super().__init__()
         self.address = USUAL_ADDRESS
-        self.table = TABLES[0]
+        self.tables = {AS_THE_HEAD: tr("as the head"), **tables_by_movestates()}
+        self.table = AS_THE_HEAD
         self._clock = clock
         self._head_table = load_table(USUAL_TABLE)
         self._own_table: MouthTable | None = None
@@ -97,7 +99,7 @@ class OscModel(QObject):
 
     def set_table(self, name: str) -> None:
         """Send the movestates of another set."""
-        if name in TABLES and name != self.table:
+        if name in self.tables and name != self.table:
             self.table = name
             self._own_table = None if name == AS_THE_HEAD else load_table(name)
             self.follow(self._head_table, self.performer.idle.detail)

@@ -2,18 +2,10 @@
 
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QWidget
 
-from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.talk.expression.osc_model import AS_THE_HEAD, TABLES, OscModel
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, grid, named, silent
-
-NAMES = {
-    AS_THE_HEAD: tr_noop("as the head"),
-    "arkit": "ARKit 52",
-    "vrm": "VRM 0: A I U E O",
-    "vrm1": "VRM 1: aa ih ou ee oh",
-    "oculus": "Oculus 15",
-}
 
 
 class OscPanel(QWidget):
@@ -37,7 +29,7 @@ class OscPanel(QWidget):
         )
         self.address.setPlaceholderText("HOST:PORT")
         self.table = choice(
-            ((tr(NAMES[name]), name) for name in TABLES),
+            ((words, name) for name, words in osc.tables.items()),
             tr("movestates that are sent"),
             tr("The movestates of the avatar that receives them: those of the head’s table, or another set"),
         )
