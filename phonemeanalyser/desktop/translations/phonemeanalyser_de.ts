@@ -539,7 +539,7 @@
             <translation>wie im Format üblich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_model.py" />
             <source>as the head</source>
             <translation>wie der Kopf</translation>
         </message>
