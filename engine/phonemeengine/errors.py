@@ -23,6 +23,7 @@ EngineError
 Every message is one sentence for the person at the screen: what is wrong, the limit, and what came.
 """
 
+import math
 from collections.abc import Iterable, Mapping
 
 MOST_SUGGESTED = 3
@@ -121,6 +122,27 @@ class UnknownPhonemeError(CorpusError):
 
 class TakeError(CorpusError):
     """Takes cannot be kept or used."""
+
+
+def check_range(
+    what: str,
+    value: float,
+    limits: tuple[float, float, str],
+    error: type[EngineError] = SettingsError,
+    remedy: str = "",
+) -> None:
+    """Refuse a number that is not finite, or lies outside its limits.
+
+    Parameters
+    ----------
+    what : the number's name, with which the sentence begins.
+    limits : the lowest and the highest value, and their unit.
+    error : what a refusal is.
+    remedy : how the sentence ends.
+    """
+    low, high, unit = limits
+    if not (math.isfinite(value) and low <= value <= high):
+        raise error(f"{what} must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}{remedy}")
 
 
 def meant_by(word: str, known: Iterable[str]) -> list[str]:

@@ -1,11 +1,10 @@
 """What one analysis agrees on: the fixed grid of frames, and the filters with their parameters."""
 
-import math
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
 
-from phonemeengine.errors import SettingsError
+from phonemeengine.errors import SettingsError, check_range
 
 SAMPLE_RATE = 44_100
 """Samples per second of everything that is analysed; other rates are resampled to it."""
@@ -101,41 +100,200 @@ class Channel(StrEnum):
         return known if isinstance(known, Channel) else None
 
 
+@dataclass(frozen=True)
+class Parameter:
+    """A number or a choice of the analysis: whoever reads, checks, shows or writes one asks this table.
+
+    Attributes
+    ----------
+    name : the field of `AnalysisSettings`, and the key in preset files.
+    label : what it is called wherever people meet it; that of its stage, where that has no other parameter.
+    part : what it is called beside its stage; empty where the stage has no other parameter.
+    low, high : the range of a number.
+    unit : of the number; empty where it has none.
+    decimals, step : the digits after the point that matter, and how far an arrow key goes.
+    usual : the largest usual value, where sliders end.
+    choices : the words and the value of each, where it is no free number.
+    optional : whether a preset file may lack it.
+    """
+
+    name: str
+    label: str
+    part: str = ""
+    low: float = 0.0
+    high: float = 1.0
+    unit: str = ""
+    decimals: int = 2
+    step: float = 0.05
+    usual: float = 1.0
+    choices: tuple[tuple[str, Any], ...] = ()
+    optional: bool = False
+
+    @property
+    def limits(self) -> tuple[float, float, str]:
+        """The lowest and the highest value, and their unit."""
+        return self.low, self.high, self.unit
+
+
+@dataclass(frozen=True)
+class Stage:
+    """What a sound passes on its way to the answer: a filter, or what follows the filters.
+
+    Attributes
+    ----------
+    name : that of its `Filter`, or what follows: ``statistics``, ``look_ahead`` and ``intensity``.
+    label, hint : what it is called, and what it does.
+    parameters : in the order in which they are shown and written.
+    strength : the usual value of its parameter, where 0 does nothing.
+    is_range : whether its first parameter must not exceed its second.
+    """
+
+    name: str
+    label: str
+    hint: str
+    parameters: tuple[Parameter, ...] = ()
+    strength: float = 0.0
+    is_range: bool = False
+
+
+def _bound(name: str, label: str, part: str, decimals: int, step: float) -> Parameter:
+    return Parameter(name, label, part, 0.0, SAMPLE_RATE / 2, "Hz", decimals, step, usual=1300.0)
+
+
+def _level(name: str, label: str, part: str) -> Parameter:
+    return Parameter(name, label, part, -120.0, 0.0, "dB", decimals=0, step=1.0)
+
+
 QUANTISATIONS = (1, 2, 4)
+_RATES = tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)
+_STAGES = (
+    Stage(
+        Filter.QUANTISE,
+        "Quantise",
+        "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased "
+        "removes them first.",
+        (
+            Parameter("quantise", "Quantise", "every", choices=_RATES),
+            Parameter(
+                "decimation",
+                "Decimation",
+                "kind",
+                choices=tuple((kind.replace("_", "-"), kind) for kind in Decimation),
+            ),
+        ),
+    ),
+    Stage(
+        Filter.PRE_EMPHASIS,
+        "Pre-emphasis",
+        "Raises high frequencies: each sample less a share of the one before it.",
+        (Parameter("pre_emphasis", "Pre-emphasis", step=0.01),),
+        strength=0.97,
+    ),
+    Stage(
+        Filter.WINDOW_FUNCTION,
+        "Window",
+        "Fades the window's ends, so that a tone stays on few bins. Off is a rectangle.",
+        (
+            Parameter(
+                "window_function",
+                "Window",
+                choices=tuple((shape.replace("_", "-").title(), shape) for shape in WindowFunction),
+            ),
+        ),
+    ),
+    Stage(
+        Filter.FREQUENCY_SMOOTH,
+        "Freq. smoothing",
+        "Blurs each bin with its neighbours; 1 is the mean of three.",
+        (Parameter("frequency_smooth", "Freq. smoothing", decimals=3),),
+        strength=0.5,
+    ),
+    Stage(
+        Filter.TIME_SMOOTH,
+        "Time smoothing",
+        "Blurs each spectrum with the one before; nearer 1 is slower.",
+        (Parameter("time_smooth", "Time smoothing", decimals=3),),
+        strength=0.5,
+    ),
+    Stage(
+        Filter.HIGH_PASS,
+        "High-pass",
+        "Removes what lies below start (hum, rumble), and fades in up to end.",
+        (
+            _bound("high_pass_start", "High-pass start", "from", decimals=1, step=10.0),
+            _bound("high_pass_end", "High-pass end", "to", decimals=1, step=10.0),
+        ),
+        is_range=True,
+    ),
+    Stage(
+        Filter.LOW_PASS,
+        "Low-pass",
+        "Fades out from start to end, and removes what lies above.",
+        (
+            _bound("low_pass_start", "Low-pass start", "from", decimals=0, step=100.0),
+            _bound("low_pass_end", "Low-pass end", "to", decimals=0, step=100.0),
+        ),
+        is_range=True,
+    ),
+    Stage(
+        Filter.DENOISE,
+        "Denoise",
+        "Sets amplitudes below the threshold to 0.",
+        (Parameter("denoise_threshold", "Denoise", decimals=5, step=0.0005, usual=0.1),),
+        strength=0.001,
+    ),
+    Stage(
+        Filter.MEL,
+        "Mel",
+        "Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); variables can measure it.",
+        (Parameter("mel_bands", "Mel", low=4, high=80, unit="bands", decimals=0, step=1.0),),
+    ),
+    Stage(
+        Filter.NORMALISE,
+        "Normalise",
+        "Divides each spectrum by its largest amplitude: loudness does not matter.",
+    ),
+    Stage(
+        "statistics",
+        "Statistics",
+        "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. With "
+        "hysteresis, another phoneme follows only where it is the better one by so much.",
+        (
+            Parameter("minimum_hold", "Minimum hold", "hold", unit="s", step=0.01, usual=0.2),
+            Parameter("hysteresis", "Hysteresis", "hysteresis", optional=True),
+        ),
+    ),
+    Stage(
+        "look_ahead",
+        "Look-ahead",
+        "How long the recogniser may wait for what comes after a frame: longer is surer, and later. "
+        "Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.",
+        (
+            Parameter("look_ahead", "Look-ahead", "file", high=0.05, unit="s", step=0.01, optional=True),
+            Parameter("live_look_ahead", "Live look-ahead", "live", high=0.05, unit="s", step=0.01, optional=True),
+        ),
+    ),
+    Stage(
+        "intensity",
+        "Intensity",
+        "Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level.",
+        (
+            _level("intensity_low", "Level of intensity 0", "0 at"),
+            _level("intensity_high", "Level of intensity 1", "1 at"),
+        ),
+        is_range=True,
+    ),
+)
+STAGES = {stage.name: stage for stage in _STAGES}
+"""All that a sound passes, in order, by name."""
+PARAMETERS = {parameter.name: parameter for stage in _STAGES for parameter in stage.parameters}
+"""All parameters, in order, by name."""
+STRENGTHS = {stage.parameters[0].name: stage for stage in _STAGES if stage.strength}
+"""The filters that do nothing at strength 0, by the field of their strength."""
+RANGES = tuple(tuple(parameter.name for parameter in stage.parameters) for stage in _STAGES if stage.is_range)
+"""Pairs of parameters of which the first must not exceed the second."""
 THESIS_FILTERS = frozenset({Filter.QUANTISE, Filter.HIGH_PASS, Filter.NORMALISE})
 """The filters of the thesis that act with its usual numbers; both blurs and denoise stand at 0 there."""
-STRENGTHS: dict[Filter, tuple[str, float]] = {
-    Filter.PRE_EMPHASIS: ("pre_emphasis", 0.97),
-    Filter.FREQUENCY_SMOOTH: ("frequency_smooth", 0.5),
-    Filter.TIME_SMOOTH: ("time_smooth", 0.5),
-    Filter.DENOISE: ("denoise_threshold", 0.001),
-}
-"""The filters that do nothing at strength 0: the field of the strength, and what is usual."""
-
-# name: (lowest, highest, unit) of every parameter that is a plain number
-LIMITS: dict[str, tuple[float, float, str]] = {
-    "pre_emphasis": (0.0, 1.0, ""),
-    "frequency_smooth": (0.0, 1.0, ""),
-    "time_smooth": (0.0, 1.0, ""),
-    "high_pass_start": (0.0, SAMPLE_RATE / 2, "Hz"),
-    "high_pass_end": (0.0, SAMPLE_RATE / 2, "Hz"),
-    "low_pass_start": (0.0, SAMPLE_RATE / 2, "Hz"),
-    "low_pass_end": (0.0, SAMPLE_RATE / 2, "Hz"),
-    "denoise_threshold": (0.0, 1.0, ""),
-    "mel_bands": (4, 80, "bands"),
-    "minimum_hold": (0.0, 1.0, "s"),
-    "hysteresis": (0.0, 1.0, ""),
-    "look_ahead": (0.0, 0.05, "s"),
-    "live_look_ahead": (0.0, 0.05, "s"),
-    "intensity_low": (-120.0, 0.0, "dB"),
-    "intensity_high": (-120.0, 0.0, "dB"),
-}
-PAIRS = (
-    ("high_pass_start", "high_pass_end"),
-    ("low_pass_start", "low_pass_end"),
-    ("intensity_low", "intensity_high"),
-)
-"""Parameters of which the first must not exceed the second."""
 
 
 @dataclass(frozen=True)
@@ -192,26 +350,25 @@ class AnalysisSettings:
     def __post_init__(self) -> None:
         if self.quantise not in QUANTISATIONS:
             raise SettingsError(f"quantise must be one of 1, 2, 4, got {self.quantise}")
-        for name, (low, high, unit) in LIMITS.items():
-            value = getattr(self, name)
-            if not (math.isfinite(value) and low <= value <= high):
-                raise SettingsError(f"{name} must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}")
-        for lower, upper in PAIRS:
+        for name, of in PARAMETERS.items():
+            if not of.choices:
+                check_range(name, getattr(self, name), of.limits)
+        for lower, upper in RANGES:
             self._check_order(lower, upper)
 
     def with_filter(self, step: Filter, on: bool) -> "AnalysisSettings":
         """Return the settings with a filter on or off; one that would do nothing gets its usual strength."""
         if not on:
             return replace(self, filters=self.filters - {step})
-        name, usual = STRENGTHS.get(step, ("", 0.0))
-        strength: dict[str, Any] = {name: usual} if name and not getattr(self, name) else {}
-        return replace(self, filters=self.filters | {step}, **strength)
+        usual: dict[str, Any] = {name: of.strength for name, of in STRENGTHS.items() if of.name == step}
+        weak = {name: strength for name, strength in usual.items() if not getattr(self, name)}
+        return replace(self, filters=self.filters | {step}, **weak)
 
     def with_numbers(self, **numbers: Any) -> "AnalysisSettings":
         """Return the settings with other numbers; a filter whose strength changes is on while that is above 0."""
         filters = self.filters
-        for step, (name, _) in STRENGTHS.items():
-            strength = numbers.get(name, getattr(self, name))
+        for name, stage in STRENGTHS.items():
+            strength, step = numbers.get(name, getattr(self, name)), Filter(stage.name)
             if strength != getattr(self, name):
                 filters = filters | {step} if strength else filters - {step}
         return replace(self, filters=filters, **numbers)
@@ -222,7 +379,7 @@ class AnalysisSettings:
         A look-ahead for a microphone lengthens that for files where it is longer.
         """
         changes = {name: value}
-        for low, high in (*PAIRS, ("live_look_ahead", "look_ahead")):
+        for low, high in (*RANGES, ("live_look_ahead", "look_ahead")):
             if name == low:
                 changes[high] = max(value, getattr(self, high))
             if name == high:
@@ -261,15 +418,13 @@ class AnalysisSettings:
     def front_end(self) -> str:
         """Describe all that shapes the spectra, for curve files and legends: equal words stand for equal filters."""
         quantised = f"quantise {self.step} {self.decimation}" if self.step > 1 else "quantise off"
-        words = {
-            Filter.PRE_EMPHASIS: f"pre_emphasis {self.pre_emphasis:.7g}",
-            Filter.WINDOW_FUNCTION: f"window {self.window_function}",
-            Filter.FREQUENCY_SMOOTH: f"frequency_smooth {self.frequency_smooth:.7g}",
-            Filter.TIME_SMOOTH: f"time_smooth {self.time_smooth:.7g}",
-            Filter.HIGH_PASS: f"high_pass {self.high_pass_start:.7g}-{self.high_pass_end:.7g} Hz",
-            Filter.LOW_PASS: f"low_pass {self.low_pass_start:.7g}-{self.low_pass_end:.7g} Hz",
-            Filter.DENOISE: f"denoise {self.denoise_threshold:.7g}",
-            Filter.MEL: f"mel {self.mel_bands} bands",
-            Filter.NORMALISE: "normalise",
-        }
-        return ", ".join([quantised, *(text for step, text in words.items() if self.has(step))])
+        return ", ".join(
+            [quantised, *(self._words_of(STAGES[f]) for f in Filter if f in self.filters - {Filter.QUANTISE})]
+        )
+
+    def _words_of(self, stage: Stage) -> str:
+        """Return name, values and unit of a filter."""
+        values = [getattr(self, parameter.name) for parameter in stage.parameters]
+        written = "-".join(value if isinstance(value, str) else f"{value:.7g}" for value in values)
+        unit = stage.parameters[0].unit if stage.parameters else ""
+        return f"{stage.name.removesuffix('_function')} {written} {unit}".strip()

@@ -42,7 +42,7 @@ from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.settings import LIMITS
+from phonemeengine.settings import PARAMETERS
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""
@@ -55,9 +55,10 @@ PATIENCE = 3.0
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is listened to, and what is told of it."""
     add_input(parser)
-    low, high, unit = LIMITS["live_look_ahead"]
-    wait = f"wait so long for what comes after a sound, {low:g} to {high:g} s: surer, later (default: the preset's)"
-    parser.add_argument("--look-ahead", type=number_in(low, high, unit), metavar="S", help=wait)
+    ahead = PARAMETERS["live_look_ahead"]
+    limits = f"{ahead.low:g} to {ahead.high:g} {ahead.unit}"
+    wait = f"wait so long for what comes after a sound, {limits}: surer, later (default: the preset's)"
+    parser.add_argument("--look-ahead", type=number_in(*ahead.limits), metavar="S", help=wait)
     parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
     parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")

@@ -7,6 +7,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 
 WORDS = (
     # what is chosen from
+    tr_noop("plain"), tr_noop("anti-aliased"), tr_noop("bands"),
     tr_noop("linear"), tr_noop("mel"), tr_noop("logarithmic"),
     tr_noop("sine"), tr_noop("white noise"), tr_noop("pink noise"), tr_noop("sweep"), tr_noop("vowel"),
     tr_noop("per window"), tr_noop("log-odds"), tr_noop("ratio"),
@@ -37,13 +38,6 @@ WORDS = (
     # what is wrong with a take, and what is left out of a fit
     tr_noop("silent"), tr_noop("too short"), tr_noop("too quiet"), tr_noop("too noisy"), tr_noop("clipped"),
     tr_noop("not silent"), tr_noop("speaker"), tr_noop("take"),
-    # filters and other numbers of a preset, in the Edit menu
-    tr_noop("quantise"), tr_noop("decimation"), tr_noop("pre emphasis"), tr_noop("window function"),
-    tr_noop("frequency smooth"), tr_noop("time smooth"), tr_noop("high pass"), tr_noop("high pass start"),
-    tr_noop("high pass end"), tr_noop("low pass"), tr_noop("low pass start"), tr_noop("low pass end"),
-    tr_noop("denoise"), tr_noop("denoise threshold"), tr_noop("mel bands"), tr_noop("normalise"),
-    tr_noop("statistics"), tr_noop("minimum hold"), tr_noop("hysteresis"), tr_noop("look ahead"),
-    tr_noop("live look ahead"), tr_noop("intensity low"), tr_noop("intensity high"),
     # groups of thresholds
     tr_noop("Filters"), tr_noop("Silence"), tr_noop("SZ and SCH"), tr_noop("A and E"), tr_noop("Sounds"),
     tr_noop("Other sounds"), tr_noop("Calm"), tr_noop("what shapes the variables"),
@@ -54,8 +48,6 @@ WORDS = (
     tr_noop(
         "Another phoneme follows only where it is the better one by so much. The bar is by how much it is now."
     ),
-    tr_noop("time smooth"), tr_noop("freq. smooth"), tr_noop("high-pass start"), tr_noop("high-pass end"),
-    tr_noop("hold >"), tr_noop("hysteresis >"),
     # the factory presets
     tr_noop(
         "Rules of your own over frequency bands: every comparison shows its margin, and every limit can be dragged."

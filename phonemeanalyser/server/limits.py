@@ -1,9 +1,9 @@
 """Where a server is usually reached, what it grants those who ask it, and how it refuses."""
 
-import math
 from dataclasses import dataclass
 
-from phonemeengine import EngineError, SettingsError
+from phonemeengine import EngineError
+from phonemeengine.errors import check_range
 
 # What a server refuses, with the number that HTTP has for it.
 
@@ -72,6 +72,4 @@ class ServerLimits:
 
     def __post_init__(self) -> None:
         for name, (low, high, unit, words) in LIMITS.items():
-            value = getattr(self, name)
-            if not (math.isfinite(value) and low <= value <= high):
-                raise SettingsError(f"{words}: must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}")
+            check_range(f"{words}:", getattr(self, name), (low, high, unit))

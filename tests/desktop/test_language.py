@@ -38,7 +38,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import controls_of
 from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, preset_entries
 from phonemeengine.recognition.spec import recogniser_names, recogniser_of
-from phonemeengine.settings import LIMITS, Filter
+from phonemeengine.settings import STAGES
 from tests.desktop.hands import shown
 from tests.desktop.studio import DESK, Studio
 from tests.desktop.texts import texts_of
@@ -282,7 +282,8 @@ def test_all_words_of_the_engines_tables_are_translated() -> None:
         *(c.words for c in CONVERSIONS.values()), *(driver.caption for driver in FaceDriver),
         *(kind.value for kind in UnitKind), *(unit.value for unit in LabelUnit), *(fault.value for fault in Fault),
         *(kind.value.replace("_", " ") for kind in ToneKind), *LANGUAGES, *expression_presets(),
-        *(step.value.replace("_", " ") for step in Filter), *(name.replace("_", " ") for name in LIMITS),
+        *(words for stage in STAGES.values() for words in (stage.label, stage.hint)),
+        *(words for stage in STAGES.values() for of in stage.parameters for words in (of.label, of.part) if words),
         *(preset_entries(FACTORY_PRESETS)[k].summary for k in range(len(FACTORY_PRESETS))),
         *(load_table(name).name for name in shipped_tables() if "mouth shapes" in load_table(name).name),
         *({source.value for source in Spectrum} - {"mel"}), *({unit_of(name) for name in BUILT_IN_NAMES} - {"Hz"}),

@@ -21,7 +21,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import FACTORY, FACTORY_PRESETS, load_preset
 from phonemeengine.recognition.phoneme_data import LAYOUT
-from phonemeengine.settings import LIMITS, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.settings import PARAMETERS, AnalysisSettings, Decimation, Filter, WindowFunction
 from phonemeengine.speech.pinyin.plan import format_plan
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
 from phonemeengine.speech.pinyin.track import pinyin_track
@@ -168,9 +168,11 @@ def is_preset(document: dict[str, object]) -> bool:
 
 def test_ranges_and_defaults_of_the_docs_are_those_of_the_settings() -> None:
     told = {**rows("The whole file"), **rows("front_end"), **rows("statistics"), **rows("intensity")}
-    for name, (low, high, _) in LIMITS.items():
-        if name in told:
-            assert told[name][2].startswith(f"{low:g}..{high:g}"), name
+    told |= {name: row for name, row in rows("phoneme_data").items() if name in PARAMETERS and "bins" not in row[2]}
+    for name, of in PARAMETERS.items():
+        if name in told and not of.choices:
+            assert told[name][2].startswith(f"{of.low:g}..{of.high:g}"), name
+    assert {name for name in PARAMETERS if not name.startswith("high_pass")} <= told.keys()
     for field in fields(AnalysisSettings):
         if field.name in told and told[field.name][3] != "-":
             assert float(told[field.name][3]) == field.default, field.name

@@ -1,9 +1,14 @@
-"""Finds the texts of the window that are translated: those that the code gives to `tr` and its kin."""
+"""Finds the texts of the window that are translated: those that the code gives to `tr` and its kin.
+
+To these come the words of the engine's table of parameters, so that a filter is named in one place.
+"""
 
 import ast
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+
+from phonemeengine.settings import STAGES
 
 ROOT = Path(__file__).resolve().parents[2]
 WINDOW = ROOT / "phonemeanalyser" / "desktop"
@@ -27,12 +32,21 @@ class Source:
 
 
 def sources_in(folder: Path = WINDOW) -> dict[tuple[str, str], Source]:
-    """Return all texts of a folder by text and comment, each where it is found first."""
+    """Return all texts of a folder and of the parameters by text and comment, each where it is found first."""
     found: dict[tuple[str, str], Source] = {}
     for path in sorted(folder.rglob("*.py")):
         for text, comment in texts_of(path.read_text("utf-8")):
             found.setdefault((text, comment), Source(text, comment, path.relative_to(ROOT).as_posix()))
+    for text in texts_of_parameters():
+        found.setdefault((text, ""), Source(text, "", "engine/phonemeengine/settings.py"))
     return found
+
+
+def texts_of_parameters() -> Iterator[str]:
+    """Yield the words of the engine's table of parameters."""
+    for stage in STAGES.values():
+        words = (stage.label, stage.hint, *(words for of in stage.parameters for words in (of.label, of.part)))
+        yield from filter(None, words)
 
 
 def texts_of(code: str) -> Iterator[tuple[str, str]]:

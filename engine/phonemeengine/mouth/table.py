@@ -19,7 +19,7 @@ import numpy as np
 import tomli_w
 
 from phonemeengine.arrays import Float32Array, ShortRepr
-from phonemeengine.errors import MouthError, remedy
+from phonemeengine.errors import MouthError, check_range, remedy
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
 from phonemeengine.phonemes import Phoneme
@@ -102,11 +102,7 @@ class MotionSettings:
 
 def _check(values: Any) -> None:
     for name in (entry.name for entry in fields(values)):
-        low, high, unit = LIMITS[name]
-        value = getattr(values, name)
-        if not (math.isfinite(value) and low <= value <= high):
-            limits = f"{low:g}..{high:g} {unit}".rstrip()
-            raise MouthError(f"{name} must lie in {limits}, got {value:g}; correct it")
+        check_range(name, getattr(values, name), LIMITS[name], MouthError, "; correct it")
 
 
 def _limited(name: str, seconds: float) -> float:

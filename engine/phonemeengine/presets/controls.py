@@ -17,7 +17,7 @@ from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, P
 from phonemeengine.recognition.rules import CONDITIONS, Condition, Rule
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
 from phonemeengine.recognition.spec import Recogniser, Tuning, spec_of
-from phonemeengine.settings import BIN_WIDTH, LIMITS, Filter
+from phonemeengine.settings import BIN_WIDTH, PARAMETERS, Filter
 
 CONDITION_OF = {c.threshold: c for c in CONDITIONS}
 """The comparison of the thesis rules in which a threshold stands."""
@@ -25,8 +25,6 @@ LIMIT_ROOM = 4.0
 """The slider of a rule's limit reaches to so many times what the limit was."""
 MOST_NAMES = 2
 """So many phonemes are named beside the slider of a limit."""
-MOST_HOLD = 0.2
-"""Seconds; who wants a phoneme to stay longer types it."""
 FILTERS_NOTE = "what shapes the variables"
 NOTES = (
     ("Silence", "all of these, else it is no silence"),
@@ -37,11 +35,6 @@ NOTES = (
 )
 """The rules of the thesis in words, in the order of `RULE_FIELDS`."""
 RANGES: dict[str, tuple[float, int]] = {
-    "time_smooth": (1, 3),
-    "frequency_smooth": (1, 3),
-    "high_pass_start": (1300, 1),
-    "high_pass_end": (1300, 1),
-    "denoise_threshold": (0.1, 5),
     "zero_crossings": (1500, 1),
     "energy": (20, 4),
     "max_energy": (1, 5),
@@ -54,7 +47,7 @@ RANGES: dict[str, tuple[float, int]] = {
     "m_a1": (16, 3),
     "m_o1": (11, 3),
 }
-"""The largest usual value, and decimals, by variable or by filter parameter."""
+"""The largest usual value, and decimals, by variable."""
 
 
 @dataclass(frozen=True)
@@ -174,32 +167,48 @@ def _groups_of(preset: Preset, recogniser: Recogniser | None) -> Iterator[Contro
 
 
 def _thresholds(used: frozenset[str]) -> Iterator[ControlGroup]:
-    yield ControlGroup("Filters", FILTERS_NOTE, tuple(_number_control(name) for name in FILTER_FIELDS))
+    yield ControlGroup("Filters", FILTERS_NOTE, tuple(_filter_control(name) for name in FILTER_FIELDS))
     complete = all(name in used for names in RULE_FIELDS for name in names)
     for (title, note), names in zip(NOTES, RULE_FIELDS, strict=True):
-        controls = tuple(_number_control(name) for name in names if name in used)
+        controls = tuple(_threshold_control(name) for name in names if name in used)
         yield ControlGroup(title, note if complete else "", controls)
 
 
-def _number_control(name: str) -> Control:
-    condition = CONDITION_OF.get(name)
-    variable = condition.variable if condition else ""
-    unit = BIN_WIDTH if name.startswith("high_pass") else 1.0
-    high, decimals = RANGES[variable or name]
+def _filter_control(name: str) -> Control:
+    """Return a control of a filter; the bounds of the high-pass are bins in PhonemeData, and in Hz here."""
+    is_bins = name.startswith("high_pass")
+    unit = BIN_WIDTH if is_bins else 1.0
+    return _parameter_control(
+        name,
+        hint=f"PhonemeData name: {name}" + (", in bins there, in Hz here" if is_bins else ""),
+        read=lambda preset: float(getattr(preset.phoneme_data, name)) * unit,
+        write=lambda preset, value: _with_number(preset, name, value / unit),
+        live=lambda _preset, _moment: None,
+    )
+
+
+def _parameter_control(name: str, **others: Any) -> Control:
+    of = PARAMETERS[name]
+    return Control(name, of.label, 0.0, of.usual, of.decimals, unit=of.unit, **others)
+
+
+def _threshold_control(name: str) -> Control:
+    condition = CONDITION_OF[name]
+    variable = condition.variable
+    high, decimals = RANGES[variable]
     rule = f"{name[0].upper()}: " if variable == "m_o1" else ""  # three that else read alike
     return Control(
         name=name,
-        label=f"{rule}{variable} {condition.sign}" if condition else _words(name),
+        label=f"{rule}{variable} {condition.sign}",
         low=0.0,
         high=high,
         decimals=decimals,
-        read=lambda preset: float(getattr(preset.phoneme_data, name)) * unit,
-        write=lambda preset, value: _with_number(preset, name, value / unit),
+        read=lambda preset: float(getattr(preset.phoneme_data, name)),
+        write=lambda preset, value: _with_number(preset, name, value),
         live=lambda _preset, moment: moment.values.get(variable),
-        sign=condition.sign if condition else "",
+        sign=condition.sign,
         variable=variable,
-        unit="Hz" if name in LIMITS and LIMITS[name][2] == "Hz" else "",
-        hint=f"PhonemeData name: {name}" + (", in bins there, in Hz here" if unit != 1 else ""),
+        hint=f"PhonemeData name: {name}",
     )
 
 
@@ -212,11 +221,6 @@ def _with_number(preset: Preset, name: str, value: float) -> Preset:
     if name == "high_pass_end":
         numbers["high_pass_start"] = min(value, numbers["high_pass_start"])
     return preset.with_phoneme_data(PhonemeData(**numbers))
-
-
-def _words(name: str) -> str:
-    words = name.replace("_", " ").replace("frequency", "freq.").removesuffix(" threshold")
-    return words.replace("high pass", "high-pass")
 
 
 # -- the limits of rules -----------------------------------------------------------------------------------------
@@ -320,13 +324,15 @@ def _deficit(sensitivities: Mapping[Phoneme, float], values: Mapping[str, float]
 
 def _calm(*, has_hysteresis: bool) -> ControlGroup:
     hold = _setting_control(
-        "minimum_hold", "hold", MOST_HOLD, "s", lambda _preset, moment: moment.lasted,
+        "minimum_hold",
         "A phoneme stays so long at least. The bar is how long it has been there.",
-    )  # fmt: skip
+        lambda _preset, moment: moment.lasted,
+    )
     hysteresis = _setting_control(
-        "hysteresis", "hysteresis", 1.0, "", lambda _preset, moment: moment.deficit,
+        "hysteresis",
         "Another phoneme follows only where it is the better one by so much. The bar is by how much it is now.",
-    )  # fmt: skip
+        lambda _preset, moment: moment.deficit,
+    )
     return ControlGroup("Calm", "lower follows faster", (hysteresis, hold) if has_hysteresis else (hold,))
 
 
@@ -335,19 +341,12 @@ def _with_statistics(preset: Preset, changes: dict[str, Any]) -> Preset:
     return replace(preset, settings=replace(preset.settings, statistics=True, **changes))
 
 
-def _setting_control(
-    name: str, label: str, high: float, unit: str, live: Callable[[Preset, Moment], float | None], hint: str
-) -> Control:  # fmt: skip
-    return Control(
-        name=name,
-        label=f"{label} >",
-        low=0.0,
-        high=high,
-        decimals=2,
+def _setting_control(name: str, hint: str, live: Callable[[Preset, Moment], float | None]) -> Control:
+    return _parameter_control(
+        name,
+        hint=hint,
         read=lambda preset: float(getattr(preset.settings, name)),
         write=lambda preset, value: _with_statistics(preset, {name: value}),
         live=live,
         sign=">",
-        unit=unit,
-        hint=hint,
     )

@@ -21,24 +21,27 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, load_model
-from phonemeengine.recognition.phoneme_data import PhonemeData
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates
-from phonemeengine.settings import AnalysisSettings, Decimation, Ear, Filter, WindowFunction
+from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Ear, Filter
 from phonemeengine.storage.strict_table import StrictTable, parse_toml, shown
 
 FORMAT = "phonemeanalyser preset 1"
 
 # what stands in each table, and of which kind it is
-FRONT_END: dict[str, type] = {
-    "filters": list, "quantise": int, "decimation": Decimation, "pre_emphasis": float,
-    "window_function": WindowFunction, "low_pass_start": float, "low_pass_end": float, "mel_bands": int,
-}  # fmt: skip
-STATISTICS: dict[str, type] = {"statistics": bool, "minimum_hold": float, "hysteresis": float}
-INTENSITY: dict[str, type] = {"intensity_low": float, "intensity_high": float}
-_AHEAD: dict[str, type] = {"look_ahead": float, "live_look_ahead": float}
+_USUAL = AnalysisSettings()
+_KINDS: dict[str, dict[str, type]] = {
+    name: {of.name: type(getattr(_USUAL, of.name)) for of in stage.parameters if of.name not in FILTER_FIELDS}
+    for name, stage in STAGES.items()
+}
+FRONT_END: dict[str, type] = {"filters": list, **{n: kind for f in Filter for n, kind in _KINDS[f].items()}}
+STATISTICS: dict[str, type] = {"statistics": bool, **_KINDS["statistics"]}
+INTENSITY = _KINDS["intensity"]
+_AHEAD = _KINDS["look_ahead"]
+_OPTIONAL = [name for name, parameter in PARAMETERS.items() if parameter.optional]
 _TEXTS: dict[str, type] = {
     "name": str, "recogniser": str, "model": str, "file_model": str, "encoder_head": str, "notes": str,
 }  # fmt: skip
@@ -134,8 +137,8 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
 
 def _settings_of(top: StrictTable) -> AnalysisSettings:
     front_end = top.table("front_end")
-    values = front_end.read(FRONT_END) | {"filters": frozenset(front_end.members("filters", Filter))}
-    values |= top.table("statistics").read(STATISTICS, ("hysteresis",)) | top.table("intensity").read(INTENSITY)
+    values = front_end.read(FRONT_END, _OPTIONAL) | {"filters": frozenset(front_end.members("filters", Filter))}
+    values |= top.table("statistics").read(STATISTICS, _OPTIONAL) | top.table("intensity").read(INTENSITY, _OPTIONAL)
     return AnalysisSettings(**values | {key: top.value(key, float) for key in _AHEAD if key in top})
 
 

@@ -64,7 +64,7 @@ class StrictTable:
 
     def read(self, kinds: Mapping[str, type], optional: Collection[str] = ()) -> dict[str, Any]:
         """Return all entries, each of its kind as for `value`; refuse others, and a lack of those not optional."""
-        self.check_keys([key for key in kinds if key not in optional], optional)
+        self.check_keys([key for key in kinds if key not in optional], [key for key in kinds if key in optional])
         return {key: self.value(key, kind) for key, kind in kinds.items() if key in self.entries}
 
     def value(self, key: str, kind: type[T], default: T | None = None) -> T:

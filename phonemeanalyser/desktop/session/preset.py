@@ -8,7 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import tr, tr_amid
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
@@ -29,20 +29,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
-from phonemeengine.settings import Ear, Filter
-
-FILTER_PARAMETERS: dict[Filter, tuple[str, ...]] = {
-    Filter.QUANTISE: ("quantise", "decimation"),
-    Filter.PRE_EMPHASIS: ("pre_emphasis",),
-    Filter.WINDOW_FUNCTION: ("window_function",),
-    Filter.FREQUENCY_SMOOTH: ("frequency_smooth",),
-    Filter.TIME_SMOOTH: ("time_smooth",),
-    Filter.HIGH_PASS: ("high_pass_start", "high_pass_end"),
-    Filter.LOW_PASS: ("low_pass_start", "low_pass_end"),
-    Filter.DENOISE: ("denoise_threshold",),
-    Filter.MEL: ("mel_bands",),
-    Filter.NORMALISE: (),
-}
+from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Ear, Filter
 
 
 class _Edit(QUndoCommand):
@@ -205,35 +192,22 @@ class PresetModel(QObject):
     def set_setting(self, name: str, value: Any) -> None:
         """Change one field of the settings; of an ordered pair, the other one gives way."""
         settings = self.preset.settings.with_number(name, value)
-        self.edit(
-            replace(self.preset, settings=settings), tr("change of {what}").format(what=tr(name.replace("_", " ")))
-        )
+        self._use_settings(settings, tr("change of {what}").format(what=_label_of(name)))
 
     def set_filter(self, step: Filter, on: bool) -> None:
         """Switch a filter on or off; one that would do nothing gets its usual strength."""
         settings = self.preset.settings.with_filter(step, on)
-        self.edit(
-            replace(self.preset, settings=settings), f"{tr(step.replace('_', ' '))} {tr('on') if on else tr('off')}"
-        )
+        self._use_settings(settings, f"{_label_of(step)} {tr('on') if on else tr('off')}")
 
-    def reset_filter(self, step: Filter) -> None:
-        """Reset a filter to what the preset's file says."""
-        saved = self._saved.settings
-        changes: dict[str, Any] = {name: getattr(saved, name) for name in FILTER_PARAMETERS[step]}
-        filters = self.preset.settings.filters
-        changes["filters"] = filters | {step} if saved.has(step) else filters - {step}
-        settings = replace(self.preset.settings, **changes)
-        self.edit(
-            replace(self.preset, settings=settings), tr("reset of {what}").format(what=tr(step.replace("_", " ")))
-        )
-
-    def reset_settings(self, names: tuple[str, ...]) -> None:
-        """Reset some fields of the settings to what the preset's file says."""
-        changes: dict[str, Any] = {name: getattr(self._saved.settings, name) for name in names}
-        settings = replace(self.preset.settings, **changes)
-        self.edit(
-            replace(self.preset, settings=settings), tr("reset of {what}").format(what=tr(names[0].replace("_", " ")))
-        )
+    def reset_stage(self, name: str) -> None:
+        """Reset a filter, or what follows the filters, to what the preset's file says."""
+        saved, settings = self._saved.settings, self.preset.settings
+        changes: dict[str, Any] = {of.name: getattr(saved, of.name) for of in STAGES[name].parameters}
+        if name == "statistics":
+            changes[name] = saved.statistics
+        switched = (settings.filters ^ saved.filters) & {name}
+        settings = replace(settings, filters=settings.filters ^ switched, **changes)
+        self._use_settings(settings, tr("reset of {what}").format(what=_label_of(name)))
 
     def tune(self, name: str, value: float) -> None:
         """Set one of the `controls`, if the recogniser takes the value."""
@@ -241,7 +215,7 @@ class PresetModel(QObject):
         try:
             self.edit(
                 self.controls[name].write(self.preset, value),
-                tr("change of {what}").format(what=tr(name.replace("_", " "))),
+                tr("change of {what}").format(what=_label_of(name)),
             )
         except (RecogniserError, SettingsError) as error:
             self.rejected.emit(str(error))
@@ -286,6 +260,9 @@ class PresetModel(QObject):
         kept = tuple(v for v in self.preset.variables if v.name != name)
         self.edit(replace(self.preset, variables=kept), tr("removal of {name}").format(name=name))
 
+    def _use_settings(self, settings: AnalysisSettings, what: str) -> None:
+        self.edit(replace(self.preset, settings=settings), what)
+
     def _tuned_for(self, name: str) -> Preset:
         preset, source = self.preset, self._left.get(name)
         if source is None and name == self._saved.recogniser:
@@ -322,6 +299,12 @@ class PresetModel(QObject):
 def preset_filter() -> str:
     """Return what a dialog that asks for a preset shows."""
     return tr("Presets ({endings})").format(endings=" ".join("*" + suffix for suffix in PRESET_SUFFIXES))
+
+
+def _label_of(name: str) -> str:
+    """Return what a stage, a parameter or another control is called amid a sentence."""
+    known = STAGES.get(name) or PARAMETERS.get(name)
+    return tr_amid(known.label) if known else tr(name.replace("_", " "))
 
 
 def _factory_thresholds() -> tuple[Thresholds, ...]:

@@ -38,7 +38,7 @@ def test_keys_set_the_look_ahead_of_the_microphone_and_undo_takes_it_back(deskto
     assert desktop.preset.preset.settings.live_look_ahead == 0.03
     QTest.keyClick(slider, Qt.Key.Key_End)
     assert desktop.preset.preset.settings.live_look_ahead == 0.05
-    assert "Undo change of live look ahead" in edits(window)
+    assert "Undo change of live look-ahead" in edits(window)
     desktop.preset.undo_stack.undo()
     assert slider.value() == 2
 

@@ -19,13 +19,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.analyse.recognition.filter_column import FIELDS
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdSlider
-from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import AnalysisSettings, Filter
+from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Filter
 from tests.desktop.hands import CARDS, click, press, shown, type_number
 from tests.sounds import noise
 
@@ -59,7 +57,8 @@ TYPED = {
     "intensity_low": "-30",
     "intensity_high": "-20",
 }
-OF_STEP = {name: step for step, names in FILTER_PARAMETERS.items() for name in names}
+OF_STEP = {of.name: step for step in Filter for of in STAGES[step].parameters}
+CHOSEN = [name for name, of in PARAMETERS.items() if of.choices]
 
 
 @pytest.fixture(scope="module")
@@ -130,7 +129,7 @@ def test_every_typed_number_changes_preset_and_what_comes_out(desktop, window, s
         desktop.preset.undo_stack.setIndex(1)
 
 
-@pytest.mark.parametrize("name", [name for name, field in FIELDS.items() if field.choices])
+@pytest.mark.parametrize("name", CHOSEN)
 def test_every_choice_of_a_box_changes_preset_and_spectra(desktop, window, speech, name):
     step = OF_STEP[name]
     if not window.filters.switches[step].isChecked():
@@ -140,16 +139,16 @@ def test_every_choice_of_a_box_changes_preset_and_spectra(desktop, window, speec
     box.setCurrentIndex(0)
     box.activated.emit(0)
     presets = [desktop.preset.preset]
-    for _, value in FIELDS[name].choices[1:]:
+    for _, value in PARAMETERS[name].choices[1:]:
         press(window, Qt.Key.Key_Down)
         assert getattr(desktop.preset.preset.settings, name) is value or name == "quantise"
         assert "spectra" in differences(speech, presets[-1], desktop.preset.preset)
         presets.append(desktop.preset.preset)
-    assert len(set(map(fingerprint_of, presets))) == len(FIELDS[name].choices)
+    assert len(set(map(fingerprint_of, presets))) == len(PARAMETERS[name].choices)
 
 
 def test_every_parameter_has_its_field(window):
-    named = set(TYPED) | {name for name, field in FIELDS.items() if field.choices}
+    named = {*TYPED, *CHOSEN}
     assert set(window.filters.fields) == named
     plain = set(AnalysisSettings.__dataclass_fields__) - {"filters", "statistics"}
     assert plain == named | {"live_look_ahead"}  # which has the slider
@@ -163,8 +162,8 @@ def test_a_reset_gives_back_what_the_file_says_of_one_filter_only(desktop, qtbot
         click(window.filters.switches[other])
         elsewhere = desktop.preset.preset
         click(window.filters.switches[step])
-        for name in FILTER_PARAMETERS[step]:
-            change(window, desktop, name)
+        for of in STAGES[step].parameters:
+            change(window, desktop, of.name)
         assert desktop.preset.preset != elsewhere
         click(window.filters.resets[step])
         assert desktop.preset.preset == elsewhere
@@ -178,7 +177,7 @@ def change(window, desktop, name: str) -> None:
     if name in TYPED:
         type_number(window.filters.fields[name], TYPED[name])
     else:
-        choices = [value for _, value in FIELDS[name].choices]
+        choices = [value for _, value in PARAMETERS[name].choices]
         k = 0 if getattr(desktop.preset.preset.settings, name) != choices[0] else 1
         window.filters.fields[name].activated.emit(k)
 
@@ -265,7 +264,7 @@ def test_after_typing_a_number_the_keys_are_shortcuts_again(desktop, qtbot):
     assert desktop.preset.bypassed
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert desktop.preset.preset.settings.time_smooth == 0
-    assert window.filters.fields["time_smooth"].text() == "0.00"
+    assert window.filters.fields["time_smooth"].text() == "0.000"
 
 
 def test_every_control_of_the_window_says_what_it_does(desktop, qtbot):

@@ -6,12 +6,12 @@ from dataclasses import fields
 import pytest
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.preset import FILTER_PARAMETERS, PresetModel
+from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import THESIS_PRESET, load_preset
 from phonemeengine.recognition.phoneme_data import PhonemeData
-from phonemeengine.settings import BIN_WIDTH, Filter
+from phonemeengine.settings import BIN_WIDTH, STAGES, Filter
 
 # one small change of each kind
 EDITS: dict[str, Callable[[PresetModel], None]] = {
@@ -113,7 +113,7 @@ def test_the_value_it_has_already_is_no_change(model: PresetModel) -> None:
         model.tune(name, control.read(model.preset))
     for step in Filter:
         model.set_filter(step, model.preset.settings.has(step))
-        model.reset_filter(step)
+        model.reset_stage(step)
     assert model.undo_stack.count() == 0
 
 
@@ -213,12 +213,12 @@ def test_an_impossible_value_is_refused_and_changes_nothing(name: str, value: fl
 def test_a_reset_gives_a_filter_back_what_its_file_says(step: Filter, mine: PresetModel) -> None:
     saved = mine.preset
     others = {"quantise": 2, "mel_bands": 20}
-    for name in FILTER_PARAMETERS[step]:
+    for name in (of.name for of in STAGES[step].parameters):
         if name not in {"decimation", "window_function"}:
             mine.set_setting(name, others.get(name, 0.5))
     mine.set_filter(step, not saved.settings.has(step))
     assert mine.has_unsaved_changes
-    mine.reset_filter(step)
+    mine.reset_stage(step)
     assert mine.preset == saved
     assert not mine.has_unsaved_changes
 
@@ -226,18 +226,18 @@ def test_a_reset_gives_a_filter_back_what_its_file_says(step: Filter, mine: Pres
 def test_a_reset_leaves_the_other_filters_alone(mine: PresetModel) -> None:
     mine.set_setting("time_smooth", 0.5)
     mine.set_setting("denoise_threshold", 0.25)
-    mine.reset_filter(Filter.TIME_SMOOTH)
+    mine.reset_stage(Filter.TIME_SMOOTH)
     assert mine.preset.settings.time_smooth == 0
     assert mine.preset.settings.denoise_threshold == 0.25
 
 
-def test_settings_that_belong_to_no_filter_are_reset_by_name(mine: PresetModel) -> None:
+def test_what_follows_the_filters_is_reset_too(mine: PresetModel) -> None:
     saved = mine.preset
     mine.set_setting("intensity_low", -50.0)
     mine.set_setting("minimum_hold", 0.2)
-    mine.reset_settings(("intensity_low", "intensity_high"))
+    mine.reset_stage("intensity")
     assert mine.preset.settings.minimum_hold == 0.2
-    mine.reset_settings(("statistics", "minimum_hold"))
+    mine.reset_stage("statistics")
     assert mine.preset == saved
 
 

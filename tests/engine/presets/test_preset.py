@@ -16,24 +16,19 @@ from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
-from phonemeengine.settings import BIN_WIDTH, LIMITS, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.settings import BIN_WIDTH, PARAMETERS, RANGES, AnalysisSettings, Decimation, Filter, WindowFunction
 
 COUNTING = "0.5,0.25,3,4,0.125\n6,7,8,9\n10,11\n12,13,14,15\n16,17\n18,19,20,21\n"
-ORDERED = (
-    ("high_pass_start", "high_pass_end"),
-    ("low_pass_start", "low_pass_end"),
-    ("intensity_low", "intensity_high"),
-)
 ROUND_HERTZ = ("high_pass_start", "high_pass_end")
 
 
 @st.composite
 def all_settings(draw) -> AnalysisSettings:
-    values = {name: draw(st.floats(low, high)) for name, (low, high, _) in LIMITS.items()}
+    values = {name: draw(st.floats(of.low, of.high)) for name, of in PARAMETERS.items() if not of.choices}
     values["mel_bands"] = int(values["mel_bands"])
     for name in ROUND_HERTZ:
         values[name] = round(values[name], 6)
-    for lower, upper in ORDERED:
+    for lower, upper in RANGES:
         values[lower], values[upper] = sorted((values[lower], values[upper]))
     return AnalysisSettings(
         filters=draw(st.frozensets(st.sampled_from(Filter))),

@@ -1,10 +1,9 @@
 """Tones that can take the place of a sound: what is to be heard, as values that check themselves."""
 
-import math
 from dataclasses import dataclass
 from enum import StrEnum
 
-from phonemeengine.errors import SettingsError
+from phonemeengine.errors import SettingsError, check_range
 
 
 class ToneKind(StrEnum):
@@ -34,12 +33,6 @@ BANDWIDTH_LIMITS = (20.0, 1_000.0)
 """How wide a formant may be, Hz."""
 
 
-def _check(name: str, value: float, limits: tuple[float, float, str]) -> None:
-    low, high, unit = limits
-    if not (math.isfinite(value) and low <= value <= high):
-        raise SettingsError(f"{name} must lie in {low:g}..{high:g} {unit}, got {value:g}")
-
-
 @dataclass(frozen=True)
 class Formant:
     """A resonance of the vocal tract.
@@ -58,8 +51,8 @@ class Formant:
     bandwidth: float = 80.0
 
     def __post_init__(self) -> None:
-        _check("a formant's frequency", self.frequency, (*FORMANT_LIMITS, "Hz"))
-        _check("a formant's bandwidth", self.bandwidth, (*BANDWIDTH_LIMITS, "Hz"))
+        check_range("a formant's frequency", self.frequency, (*FORMANT_LIMITS, "Hz"))
+        check_range("a formant's bandwidth", self.bandwidth, (*BANDWIDTH_LIMITS, "Hz"))
 
 
 def _spoken(*frequencies: float) -> tuple[Formant, ...]:
@@ -114,7 +107,7 @@ class Tone:
 
     def __post_init__(self) -> None:
         for name, limits in TONE_LIMITS.items():
-            _check(name, getattr(self, name), limits)
+            check_range(name, getattr(self, name), limits)
         if self.low >= self.high:
             raise SettingsError(
                 f"a sweep must rise, got low {self.low:g} Hz and high {self.high:g} Hz; raise high or lower low"

@@ -27,7 +27,7 @@ from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, scores_in
 from phonemeengine.recognition.spec import Tuning, spec_of
 from phonemeengine.recognition.templates import levels_of
-from phonemeengine.settings import FRAME_PERIOD, HOP, LIMITS, SAMPLE_RATE, WINDOW, Filter
+from phonemeengine.settings import FRAME_PERIOD, HOP, PARAMETERS, SAMPLE_RATE, WINDOW, Filter
 
 # What makes a room silence for recognisers by scores: a sensitivity of the learned one, a level of templates.
 #
@@ -243,8 +243,7 @@ def measure_room(samples: Float32Array, preset: Preset) -> RoomNoise:
     features = _features_of(samples, preset)
     least = _least_thresholds(preset)
     bounds = {name: _bound_of(features[variable], least[name]) for name, variable in MEASURED.items()}
-    highest = LIMITS["denoise_threshold"][1]
-    bounds["denoise_threshold"] = _capped(bounds["denoise_threshold"], highest)
+    bounds["denoise_threshold"] = _capped(bounds["denoise_threshold"], PARAMETERS["denoise_threshold"].high)
     level = float(np.sqrt(np.mean((samples - samples.mean(dtype=np.float64)) ** 2, dtype=np.float64)))
     return RoomNoise(bounds, level, seconds, tuple(_notes(samples)), samples)
 

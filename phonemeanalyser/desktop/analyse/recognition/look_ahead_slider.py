@@ -8,7 +8,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.widgets.builders import label, named, silent
 from phonemeengine.recognition.spec import spec_of
-from phonemeengine.settings import FRAME_PERIOD, LIMITS
+from phonemeengine.settings import FRAME_PERIOD, PARAMETERS
 
 NAME = "live_look_ahead"
 ENDS = (Qt.Key.Key_Home, Qt.Key.Key_End)
@@ -35,7 +35,7 @@ class LookAheadSlider(QSlider):
                 "not learn from, as its training measured them."
             ),
         )
-        self.setRange(0, round(LIMITS[NAME][1] / FRAME_PERIOD))
+        self.setRange(0, round(PARAMETERS[NAME].high / FRAME_PERIOD))
         self.setPageStep(1)
         self.setTickPosition(QSlider.TickPosition.TicksBelow)
         self.valueChanged.connect(self._set)
