@@ -184,25 +184,19 @@ class SoundKind:
     viseme: Viseme | None = None
 
 
+SEEN = {
+    Manner.STOP: (Viseme.DD, Viseme.KK),
+    Manner.NASAL: (Viseme.NN, Viseme.KK),
+    Manner.APPROXIMANT: (Viseme.DD, Viseme.NN, Viseme.RR, Viseme.FF, Viseme.TH),
+    Manner.FRICATIVE: (Viseme.FF, Viseme.TH, Viseme.KK),
+}
+"""By which visemes sounds that are none of the phonemes are told apart, for each manner."""
+
 KINDS: tuple[SoundKind, ...] = (
     SoundKind(Phoneme.SILENCE, Manner.SILENCE),
     *(SoundKind(vowel, Manner.VOWEL) for vowel in VOWELS),
-    *(
-        SoundKind(Phoneme.UNIDENTIFIED, manner)
-        for manner in (Manner.STOP, Manner.NASAL, Manner.APPROXIMANT, Manner.FRICATIVE)
-    ),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.STOP, Viseme.DD),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.STOP, Viseme.KK),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.NASAL, Viseme.NN),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.NASAL, Viseme.KK),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.DD),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.NN),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.RR),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.FF),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.APPROXIMANT, Viseme.TH),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.FRICATIVE, Viseme.FF),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.FRICATIVE, Viseme.TH),
-    SoundKind(Phoneme.UNIDENTIFIED, Manner.FRICATIVE, Viseme.KK),
+    *(SoundKind(Phoneme.UNIDENTIFIED, manner) for manner in SEEN),
+    *(SoundKind(Phoneme.UNIDENTIFIED, manner, viseme) for manner, visemes in SEEN.items() for viseme in visemes),
     SoundKind(Phoneme.P, Manner.STOP),
     SoundKind(Phoneme.M, Manner.NASAL),
     SoundKind(Phoneme.SZ, Manner.SIBILANT),

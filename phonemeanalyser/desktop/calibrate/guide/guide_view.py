@@ -1,6 +1,7 @@
 """What the user sees while he is led through what is to be said."""
 
 import math
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QRectF, Qt, Signal
@@ -142,11 +143,12 @@ class GuideView(QWidget):
             tr("Say nine single sounds in place of the sentence that is learned from"),
             lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
         )
-        self.hear_old = spoken_button(
-            tr("▶ old preset"), tr("Hear the sentence, and see the head with the old preset"), self._hear_old
-        )
-        self.hear_new = spoken_button(
-            tr("▶ new preset"), tr("Hear the sentence, and see the head with the new preset"), self._hear_new
+        self.hear_old, self.hear_new = (
+            spoken_button(words, tip, partial(self._hear, new=new))
+            for words, tip, new in (
+                (tr("▶ old preset"), tr("Hear the sentence, and see the head with the old preset"), False),
+                (tr("▶ new preset"), tr("Hear the sentence, and see the head with the new preset"), True),
+            )
         )
         self.save = spoken_button(
             tr("use and save as…"), tr("Change the preset, and save it under a name of its own"), self._save
@@ -221,12 +223,6 @@ class GuideView(QWidget):
             shortcut.setAutoRepeat(False)
             shortcut.activated.connect(lambda buttons=buttons: _click(*buttons))
         guide.changed.connect(self._show)
-
-    def _hear_old(self) -> None:
-        self._hear(new=False)
-
-    def _hear_new(self) -> None:
-        self._hear(new=True)
 
     def _hear(self, *, new: bool) -> None:
         """Play the sentence; the button of what is heard stays down."""

@@ -3,8 +3,7 @@
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
-from types import ModuleType
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOffscreenSurface, QOpenGLContext, QPainter, QSurfaceFormat
@@ -14,7 +13,7 @@ from PySide6.QtWidgets import QWidget
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
@@ -44,12 +43,52 @@ class Scene:
     wireframe: bool
 
 
-def rendering() -> ModuleType:
-    """Return what draws heads: a second the first time, in which a window should not stand still."""
-    import phonemeanalyser.rendering.offscreen  # noqa: PLC0415
-    import phonemeanalyser.rendering.renderer  # noqa: PLC0415
+class _Renderer(Protocol):
+    """A `HeadRenderer`, whose module takes a second to load the first time; a window should not stand still then."""
 
-    return phonemeanalyser.rendering
+    def draw(
+        self,
+        camera: Camera,
+        positions: Float32Array,
+        pose: HeadPose,
+        *,
+        size: tuple[int, int],
+        background: tuple[float, float, float],
+        wireframe: bool,
+        light: Light,
+        glow: bool,
+    ) -> None: ...
+
+    def release(self) -> None: ...
+
+
+class _PictureTaker(Protocol):
+    """An `OffscreenRenderer`, which is loaded with that."""
+
+    def resize(self, size: tuple[int, int]) -> None: ...
+
+    def picture(
+        self,
+        camera: Camera,
+        positions: Float32Array,
+        pose: HeadPose,
+        *,
+        background: tuple[float, float, float],
+        wireframe: bool,
+        light: Light,
+        fine: bool,
+        glow: bool,
+    ) -> UInt8Array: ...
+
+    def release(self) -> None: ...
+
+
+def load_rendering() -> tuple[Callable[[MorphMesh], _Renderer], Callable[[MorphMesh], _PictureTaker]]:
+    """Return what makes a renderer in the OpenGL context that is current, and what makes one without a window."""
+    from phonemeanalyser.rendering.offscreen import OffscreenRenderer, window_context  # noqa: PLC0415
+    from phonemeanalyser.rendering.renderer import HeadRenderer  # noqa: PLC0415
+
+    return lambda morph_mesh: HeadRenderer(window_context(), morph_mesh), OffscreenRenderer
 
 
 def has_graphics_card() -> bool:
@@ -70,7 +109,7 @@ class GlSurface(QOpenGLWidget):
 
     Signals
     -------
-    failed : a sentence; nothing can be drawn here.
+    error : a sentence; nothing can be drawn here.
     """
 
     error = Signal(str)
@@ -87,7 +126,7 @@ class GlSurface(QOpenGLWidget):
         self.due = 0.0
         self._scene = scene
         self._morph_mesh: MorphMesh | None = None
-        self._renderer: Any = None
+        self._renderer: _Renderer | None = None
 
     def initializeGL(self) -> None:
         """Begin in a context that is new."""
@@ -126,11 +165,11 @@ class GlSurface(QOpenGLWidget):
             self._renderer.release()
         self._renderer = self._morph_mesh = None
 
-    def _renderer_of(self, morph_mesh: MorphMesh) -> Any:
+    def _renderer_of(self, morph_mesh: MorphMesh) -> _Renderer:
         if self._renderer is None or morph_mesh is not self._morph_mesh:
             self._leave()
-            context = rendering().offscreen.window_context()
-            self._renderer, self._morph_mesh = rendering().renderer.HeadRenderer(context, morph_mesh), morph_mesh
+            in_window, _ = load_rendering()
+            self._renderer, self._morph_mesh = in_window(morph_mesh), morph_mesh
         return self._renderer
 
 
@@ -139,7 +178,7 @@ class PictureSurface(QWidget):
 
     Signals
     -------
-    failed : a sentence; nothing can be drawn here.
+    error : a sentence; nothing can be drawn here.
 
     Attributes
     ----------
@@ -160,7 +199,7 @@ class PictureSurface(QWidget):
         self._rest.timeout.connect(self._draw_finely)
         self._scene = scene
         self._morph_mesh: MorphMesh | None = None
-        self._offscreen: Any = None
+        self._offscreen: _PictureTaker | None = None
         self._image: QImage | None = None
 
     def redraw(self) -> None:
@@ -224,8 +263,9 @@ class PictureSurface(QWidget):
         less = min(1.0, (most / (width * height)) ** 0.5)
         return max(1, round(width * less)), max(1, round(height * less))
 
-    def _offscreen_of(self, morph_mesh: MorphMesh) -> Any:
+    def _offscreen_of(self, morph_mesh: MorphMesh) -> _PictureTaker:
         if self._offscreen is None or morph_mesh is not self._morph_mesh:
             self.release_gl()
-            self._offscreen, self._morph_mesh = rendering().offscreen.OffscreenRenderer(morph_mesh), morph_mesh
+            _, without_window = load_rendering()
+            self._offscreen, self._morph_mesh = without_window(morph_mesh), morph_mesh
         return self._offscreen

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.talk.head.head_surface import (
     PictureSurface,
     Scene,
     has_graphics_card,
-    rendering,
+    load_rendering,
 )
 from phonemeanalyser.desktop.talk.head.moving_head import MovingHead
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -90,7 +90,7 @@ class HeadView(QWidget):
         if self._morph_mesh is None:
             self._take_face()
         if self.surface is None and not self._work.busy:
-            self._work.submit(lambda _progress: rendering(), lambda _loaded: self._begin_drawing())
+            self._work.submit(lambda _progress: load_rendering(), lambda _loaded: self._begin_drawing())
         if self.surface is None or self._shown == self._head.revision:
             return
         wait = self.surface.due - time.monotonic()
