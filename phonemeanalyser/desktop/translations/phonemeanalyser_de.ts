@@ -69,12 +69,12 @@
             <translation>... von diesem oder von allen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>0 at</source>
             <translation>0 bei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>1 at</source>
             <translation>1 bei</translation>
         </message>
@@ -494,7 +494,7 @@
             <translation>In dieser Aufnahme scheint ein anderer Text gesprochen zu werden; Text und Sprache prüfen oder trotzdem ausrichten.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>anti-aliased</source>
             <translation>ohne Aliasing</translation>
         </message>
@@ -629,7 +629,7 @@
             <translation>Rücktaste</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>bands</source>
             <translation>Bänder</translation>
         </message>
@@ -709,12 +709,12 @@
             <translation>Blinzeln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Blurs each bin with its neighbours; 1 is the mean of three.</source>
             <translation>Verwischt jede Frequenzstufe mit ihren Nachbarn; 1 ist das Mittel aus dreien.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Blurs each spectrum with the one before; nearer 1 is slower.</source>
             <translation>Verwischt jedes Spektrum mit dem vorigen; je näher an 1, desto träger.</translation>
         </message>
@@ -1204,8 +1204,8 @@
             <translation>dunkel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>decimation</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Decimation</source>
             <translation>Dezimierung</translation>
         </message>
         <message>
@@ -1259,19 +1259,9 @@
             <translation>Löschen einer Beschriftung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Denoise</source>
             <translation>Entrauschen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>denoise</source>
-            <translation>Entrauschen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>denoise threshold</source>
-            <translation>Schwelle des Entrauschens</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
@@ -1319,7 +1309,7 @@
             <translation>Verteilung der Variable</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Divides each spectrum by its largest amplitude: loudness does not matter.</source>
             <translation>Teilt jedes Spektrum durch seine größte Amplitude: Die Lautstärke spielt keine Rolle.</translation>
         </message>
@@ -1397,11 +1387,6 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Empty Deleted Takes…</source>
             <translation>Gelöschte Takes entfernen…</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>end</source>
-            <translation>Ende</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -1484,7 +1469,7 @@
             <translation>Estnisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>every</source>
             <translation>jeder</translation>
         </message>
@@ -1549,12 +1534,12 @@
             <translation>Mitgeliefert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Fades out from start to end, and removes what lies above.</source>
             <translation>Blendet vom Anfang bis zum Ende aus und entfernt, was darüber liegt.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Fades the window's ends, so that a tone stays on few bins. Off is a rectangle.</source>
             <translation>Blendet die Enden des Fensters aus, sodass ein Ton auf wenigen Frequenzstufen bleibt. Ohne ist es ein Rechteck.</translation>
         </message>
@@ -1589,7 +1574,7 @@
             <translation>Zahlen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
             <source>file</source>
             <translation>Datei</translation>
         </message>
@@ -1780,8 +1765,8 @@
             <translation>Französisch (Schweiz)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>freq. smooth</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Freq. smoothing</source>
             <translation>Freq.-Glättung</translation>
         </message>
         <message>
@@ -1813,11 +1798,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>Frequency of the sine: arrow keys by a semitone, page keys by an octave</source>
             <translation>Frequenz des Sinustons: Pfeiltasten um einen Halbton, Bildtasten um eine Oktave</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>frequency smooth</source>
-            <translation>Glätten der Frequenz</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
@@ -2025,44 +2005,24 @@
             <translation>gehalten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>high pass</source>
-            <translation>Hochpass</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>high pass end</source>
-            <translation>Ende des Hochpasses</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>high pass start</source>
-            <translation>Anfang des Hochpasses</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>High-pass</source>
             <translation>Hochpass</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>high-pass end</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>High-pass end</source>
             <translation>Hochpass Ende</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>high-pass start</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>High-pass start</source>
             <translation>Hochpass Anfang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>hold</source>
             <translation>Halt</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>hold &gt;</source>
-            <translation>Halt &gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
@@ -2140,7 +2100,7 @@
             <translation>{phoneme} halten, solange der Laut gesprochen wird: Zu hören waren {seconds:.2f} s.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. With hysteresis, another phoneme follows only where it is the better one by so much.</source>
             <translation>Hält jedes Phonem eine Mindestzeit lang und ersetzt ein unbekanntes durch seinen wahrscheinlichsten Nachfolger. Mit Hysterese folgt ein anderes Phonem nur, wenn es um so viel besser passt.</translation>
         </message>
@@ -2215,7 +2175,7 @@
             <translation>Wie lange jedes {what} dauert: 100 % wie in der Tabelle, weniger ist schneller, mehr langsamer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>How long the recogniser may wait for what comes after a frame: longer is surer, and later. Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.</source>
             <translation>Wie lange der Erkenner auf das warten darf, was nach einem Frame kommt: länger ist sicherer und später. Regeln warten nie. Beim Mikrofon verspätet das Warten den Mund, daher gilt dafür eine eigene Grenze.</translation>
         </message>
@@ -2265,14 +2225,14 @@
             <translation>Ungarisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>hysteresis</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Hysteresis</source>
             <translation>Hysterese</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>hysteresis &gt;</source>
-            <translation>Hysterese &gt;</translation>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>hysteresis</source>
+            <translation>Hysterese</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -2325,19 +2285,9 @@
             <translation>Beschriftung einfügen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Intensity</source>
             <translation>Intensität</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>intensity high</source>
-            <translation>obere Intensität</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>intensity low</source>
-            <translation>untere Intensität</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
@@ -2440,7 +2390,7 @@
             <translation>Behalten, nur die anderen erzeugen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased removes them first.</source>
             <translation>Behält jeden n-ten Abtastwert. „Einfach“ faltet hohe Frequenzen auf tiefe, wie in der Thesis; „ohne Aliasing“ entfernt sie vorher.</translation>
         </message>
@@ -2455,7 +2405,7 @@
             <translation>Tastenkürzel</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>kind</source>
             <translation>Art</translation>
         </message>
@@ -2640,6 +2590,16 @@
             <translation>Detailgrad</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Level of intensity 0</source>
+            <translation>Pegel der Intensität 0</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Level of intensity 1</source>
+            <translation>Pegel der Intensität 1</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>Level of that, dB below full scale (RMS)</source>
             <translation>Pegel davon, dB unter Vollaussteuerung (Effektivwert)</translation>
@@ -2750,8 +2710,8 @@
             <translation>live</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>live look ahead</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Live look-ahead</source>
             <translation>Vorausschau live</translation>
         </message>
         <message>
@@ -2835,11 +2795,6 @@
             <translation>Erneut nach Mikrofonen suchen (F5)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>look ahead</source>
-            <translation>Vorausschau</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Look at the whole head from the front (Home, or a double click)</source>
             <translation>Den ganzen Kopf von vorn ansehen (Pos1 oder Doppelklick)</translation>
@@ -2865,7 +2820,7 @@
             <translation>erneut nach Mikrofonen suchen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Look-ahead</source>
             <translation>Vorausschau</translation>
         </message>
@@ -2915,24 +2870,19 @@
             <translation>nur Lautstärke</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>low pass</source>
-            <translation>Tiefpass</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>low pass end</source>
-            <translation>Ende des Tiefpasses</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>low pass start</source>
-            <translation>Anfang des Tiefpasses</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Low-pass</source>
             <translation>Tiefpass</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Low-pass end</source>
+            <translation>Tiefpass Ende</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Low-pass start</source>
+            <translation>Tiefpass Anfang</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -3080,7 +3030,7 @@
             <translation>Mittlerer Puffer: Blöcke von 20 ms</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Mel</source>
             <translation>Mel</translation>
         </message>
@@ -3088,11 +3038,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>mel</source>
             <translation>mel</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>mel bands</source>
-            <translation>Mel-Bänder</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
@@ -3120,8 +3065,8 @@
             <translation>Eigene</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>minimum hold</source>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Minimum hold</source>
             <translation>Mindestdauer</translation>
         </message>
         <message>
@@ -3390,13 +3335,8 @@
             <translation>entsteht mit dem ersten Take</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Normalise</source>
-            <translation>Normieren</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>normalise</source>
             <translation>Normieren</translation>
         </message>
         <message>
@@ -3765,7 +3705,7 @@
             <translation>Spitzenpegel in dB unter Vollaussteuerung, mit dem höchsten der letzten 1.5 s, und wie die Verstärkung des Mikrofons dazu passt: höher drehen, wo „leise“ steht, und herunter, wo „laut“ steht. Das Licht meldet eine Minute lang, dass das Mikrofon übersteuert war</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level.</source>
             <translation>Spitzenpegel, bei denen die Intensität 0 und 1 ist; bei Stille ist sie immer 0.</translation>
         </message>
@@ -3850,7 +3790,7 @@
             <translation>Pixel (*.png);;Linien (*.svg)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>plain</source>
             <translation>einfach</translation>
         </message>
@@ -3915,12 +3855,7 @@
             <translation>Praat-TextGrid (*.TextGrid)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>pre emphasis</source>
-            <translation>Preemphase</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Pre-emphasis</source>
             <translation>Preemphase</translation>
         </message>
@@ -4005,13 +3940,8 @@
             <translation>Panjabi</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Quantise</source>
-            <translation>Quantisieren</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>quantise</source>
             <translation>Quantisieren</translation>
         </message>
         <message>
@@ -4025,7 +3955,7 @@
             <translation>Beenden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Raises high frequencies: each sample less a share of the one before it.</source>
             <translation>Hebt hohe Frequenzen an: jeder Abtastwert abzüglich eines Anteils des vorigen.</translation>
         </message>
@@ -4266,7 +4196,7 @@
             <translation>Endgültig {what} vom Datenträger entfernen? Was vorher an den Takes geändert wurde, lässt sich dann nicht mehr rückgängig machen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Removes what lies below start (hum, rumble), and fades in up to end.</source>
             <translation>Entfernt, was unter dem Anfang liegt (Brummen, Rumpeln), und blendet bis zum Ende ein.</translation>
         </message>
@@ -4751,7 +4681,7 @@
             <translation>Alle Regler auf 0 zurücksetzen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Sets amplitudes below the threshold to 0.</source>
             <translation>Setzt Amplituden unter der Schwelle auf 0.</translation>
         </message>
@@ -4766,19 +4696,9 @@
             <translation>Shan</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>shape</source>
-            <translation>Form</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Shapes and times vary a little, as they do in people</source>
             <translation>Formen und Zeiten schwanken ein wenig, wie bei Menschen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>share</source>
-            <translation>Anteil</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
@@ -4881,7 +4801,7 @@
             <translation>Unter dem Sonagramm gezeigt:</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); variables can measure it.</source>
             <translation>Zeigt das Spektrum durch Dreiecksfilter, die wie das Gehör verteilt sind (HTK-Mel); Variablen können es messen.</translation>
         </message>
@@ -4954,16 +4874,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>smile</source>
             <translation>Lächeln</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>Smooth F</source>
-            <translation>Glätten F</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>Smooth time</source>
-            <translation>Glätten Zeit</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
@@ -5146,7 +5056,7 @@
             <translation>Beginnen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>start</source>
             <translation>los</translation>
         </message>
@@ -5156,13 +5066,8 @@
             <translation>Stand</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Statistics</source>
-            <translation>Statistik</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>statistics</source>
             <translation>Statistik</translation>
         </message>
         <message>
@@ -5194,11 +5099,6 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>stop {percent:.0f} %</source>
             <translation>Stopp {percent:.0f} %</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>strength</source>
-            <translation>Stärke</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
@@ -5846,11 +5746,6 @@
             <translation>die am besten passen und verbinden (Viterbi)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
-            <source>threshold</source>
-            <translation>Schwelle</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>Thresholds</source>
             <translation>Schwellen</translation>
@@ -5906,9 +5801,9 @@
             <translation>Zeitleiste</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>time smooth</source>
-            <translation>Glätten der Zeit</translation>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Time smoothing</source>
+            <translation>Zeitglättung</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
@@ -6436,7 +6331,7 @@
             <translation>Wessen Wörter aus den Labels übernommen werden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
+            <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Window</source>
             <translation>Fenster</translation>
         </message>
@@ -6444,11 +6339,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>window</source>
             <translation>Fenster</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>window function</source>
-            <translation>Fensterfunktion</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
