@@ -22,6 +22,7 @@ from phonemeengine.errors import SettingsError
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
@@ -55,12 +56,14 @@ class Analysis(ShortRepr):
     frames : what was measured.
     recognised : uint8, shape (n_frames,): codes of `Phoneme`, as the recogniser says.
     phonemes : uint8, shape (n_frames,): the same after the statistics.
-    visemes : uint8, shape (n_frames,): codes of `Viseme` that go with the phonemes, or `NO_VISEME`.
+    visemes : uint8, shape (n_frames,): codes of the visemes of the set that go with the phonemes, or `NO_VISEME`.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
     confidences : float32, shape (n_frames,): how sure the phonemes are: the share of such answers that are
         right, 0..1; NaN where that is not known, see `sure_of`.
     settings : with which all of this was found.
-    viseme_scores : float32, shape (n_frames, 15): how likely each `Viseme` is; None where the recogniser hears none.
+    viseme_scores : float32, shape (n_frames, n_visemes): how likely each viseme is; None where the recogniser tells
+        none apart.
+    viseme_set : the visemes that it tells apart; of the usual set the codes are those of `Viseme`.
     """
 
     start: int
@@ -72,6 +75,7 @@ class Analysis(ShortRepr):
     confidences: Float32Array
     settings: AnalysisSettings
     viseme_scores: Float32Array | None = None
+    viseme_set: VisemeSet = STANDARD_VISEMES
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -105,6 +109,11 @@ class Analysis(ShortRepr):
     def times(self) -> Float64Array:
         """Middle of each frame in seconds, shape (n_frames,)."""
         return (self.start + np.arange(len(self), dtype=float) + 0.5) * FRAME_PERIOD
+
+    @property
+    def viseme_phones(self) -> list[str]:
+        """For each frame the letter of a sound that looks as it does; empty where its phoneme says as much."""
+        return self.viseme_set.phones_of(self.visemes)
 
     def part(self, frames: slice) -> "Analysis":
         """Return some of the frames of the block, as a block."""
@@ -293,10 +302,12 @@ class Analyser:
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
-        visemes = self._visemes.follow(phonemes, recognition.visemes)
+        visemes = self._visemes.follow(phonemes, recognition.visemes, recognition.viseme_set)
         sure = sure_of(self._preset, phonemes, scores_in(measured.features), deficits if by_rules else None)
         seen = recognition.visemes
-        return Analysis(start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen)
+        return Analysis(
+            start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen, recognition.viseme_set
+        )
 
     def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
         if self._leaves_features_out(preset):
@@ -378,6 +389,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         confidences=np.concatenate([a.confidences for a in analyses]),
         settings=analyses[-1].settings,
         viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(analyses) else None,
+        viseme_set=analyses[-1].viseme_set,
     )
 
 

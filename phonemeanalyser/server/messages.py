@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from phonemeanalyser.server.limits import RefusedError
-from phonemeengine import GrownWords, MouthTable, Phoneme, Viseme, Word, load_table
+from phonemeengine import GrownWords, MouthTable, Phoneme, Word, load_table
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.labels.visemes import viseme_of
@@ -19,7 +19,6 @@ from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.settings import FRAME_PERIOD
 
 _PHONEMES = [phoneme.label for phoneme in Phoneme]
-_VISEMES: list[str | None] = [*(viseme.label for viseme in Viseme), *[None] * (256 - len(Viseme))]
 _START = ("encoding", "rate", "channels", "table", "language", "text")
 _LATER = ("text", "end")
 _T = TypeVar("_T", int, str)
@@ -106,7 +105,7 @@ def frames(heard: HeardPiece) -> str:
     told: dict[str, Any] = {
         "time": round(analysis.start * FRAME_PERIOD, 2),
         "phonemes": [_PHONEMES[code] for code in analysis.phonemes.tolist()],
-        "visemes": [_VISEMES[code] for code in analysis.visemes.tolist()],
+        "visemes": analysis.viseme_set.labels_of(analysis.visemes),
         "confidences": [None] * len(sure) if math.isnan(sure[0]) else sure,
         "intensities": _thousandths(analysis.intensities),
     }

@@ -1,18 +1,21 @@
 """What is seen of sounds: which viseme a phone has, which ones a phoneme allows, and that none flickers."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from phonemeengine.errors import ModelError
 from phonemeengine.labels.articulation import IPA_LETTERS
 from phonemeengine.labels.phone_sets import ipa_phoneme
 from phonemeengine.labels.visemes import (
     NO_VISEME,
     PHONEME_VISEMES,
+    STANDARD_VISEMES,
     VISEME_PHONES,
     Viseme,
-    usual_visemes,
+    VisemeSet,
     viseme_of,
-    viseme_phones,
 )
 from phonemeengine.mouth.blendshape_names import OCULUS
 from phonemeengine.mouth.table import load_table
@@ -53,8 +56,8 @@ def test_without_ears_for_visemes_a_phoneme_has_its_own_and_an_unidentified_one_
     phonemes = np.array([Phoneme.SILENCE, Phoneme.M, Phoneme.UNIDENTIFIED, Phoneme.A], np.uint8)
     visemes = VisemeSmoother().follow(phonemes, None)
     assert visemes.tolist() == [Viseme.SIL, Viseme.PP, NO_VISEME, Viseme.AA]
-    assert visemes.tolist() == usual_visemes(phonemes).tolist()
-    assert viseme_phones(visemes) == ["", "", "", ""]
+    assert visemes.tolist() == STANDARD_VISEMES.usual_visemes(phonemes).tolist()
+    assert STANDARD_VISEMES.phones_of(visemes) == ["", "", "", ""]
 
 
 def heard(*likely: tuple[Viseme, float]) -> np.ndarray:
@@ -70,7 +73,57 @@ def test_a_heard_viseme_is_one_that_the_phoneme_allows():
     phonemes = np.array([Phoneme.UNIDENTIFIED, Phoneme.A], np.uint8)
     found = VisemeSmoother().follow(phonemes, heard((Viseme.FF, 0.9), (Viseme.FF, 0.9)))
     assert found.tolist() == [Viseme.FF, Viseme.AA]
-    assert viseme_phones(found) == ["f", ""]
+    assert STANDARD_VISEMES.phones_of(found) == ["f", ""]
+
+
+OWN = VisemeSet(
+    names=("shut", "teeth", "tongue", "open", "round"),
+    phonemes={
+        **dict.fromkeys(Phoneme, ("open",)),
+        **dict.fromkeys((Phoneme.SILENCE, Phoneme.M, Phoneme.P), ("shut",)),
+        **dict.fromkeys((Phoneme.U, Phoneme.O), ("round",)),
+        Phoneme.UNIDENTIFIED: ("teeth", "tongue"),
+    },
+    usual=dict.fromkeys(set(Phoneme) - {Phoneme.UNIDENTIFIED, Phoneme.U, Phoneme.O}, "open")
+    | dict.fromkeys((Phoneme.SILENCE, Phoneme.M, Phoneme.P), "shut"),
+    phones={"teeth": "f", "tongue": "θ"},
+)
+
+
+def test_a_recogniser_may_tell_visemes_of_its_own_apart():
+    phonemes = np.array([Phoneme.UNIDENTIFIED, Phoneme.UNIDENTIFIED, Phoneme.U, Phoneme.M], np.uint8)
+    likely = np.array([[0, 0.9, 0.1, 0, 0], [0, 0.1, 0.8, 0.1, 0], [0.9, 0, 0, 0, 0.1], [0, 0, 0, 1, 0]], np.float32)
+    found = VisemeSmoother().follow(phonemes, likely, OWN)
+    assert OWN.labels_of(found) == ["teeth", "tongue", "round", "shut"]
+    assert OWN.phones_of(found) == ["f", "θ", "", ""]
+    assert OWN.labels_of(VisemeSmoother().follow(phonemes, None, OWN)) == [None, None, None, "shut"]
+
+
+def test_a_viseme_set_is_read_as_it_was_written():
+    for one in (OWN, STANDARD_VISEMES):
+        assert VisemeSet.from_json(one.to_json()) == one
+
+
+def test_visemes_of_two_sets_are_one_by_their_names():
+    other = replace(OWN, names=("round", "open", "tongue", "teeth", "shut"))
+    codes = np.array([0, 1, 4, NO_VISEME], np.uint8)
+    assert OWN.codes_of(codes, other).tolist() == [4, 3, 0, NO_VISEME]
+    assert OWN.codes_of(codes, STANDARD_VISEMES).tolist() == [NO_VISEME] * 4
+
+
+BAD_SETS = {
+    "names twice": ({"names": ("a", "a")}, "1..32 different names"),
+    "a strange name": ({"names": ("shut", "teeth", "tongue", "open")}, "names 'round'"),
+    "a phoneme without one": ({"phonemes": {Phoneme.A: ("open",)}}, "no viseme for the phoneme silence"),
+    "unusual": ({"usual": {Phoneme.A: "shut"}}, "'shut' is no viseme of the phoneme a"),
+    "no sound": ({"phones": {"teeth": "1"}}, "'1' of the viseme 'teeth' is no letter of the IPA"),
+}
+
+
+@pytest.mark.parametrize(("change", "sentence"), BAD_SETS.values(), ids=BAD_SETS.keys())
+def test_a_viseme_set_whose_parts_do_not_fit_is_refused(change, sentence):
+    with pytest.raises(ModelError, match=sentence):
+        replace(OWN, **change)
 
 
 def test_a_viseme_stays_until_another_is_far_likelier_however_the_sound_is_cut():

@@ -12,7 +12,7 @@ from phonemeengine import Analyser, Phoneme, Viseme, load_preset, load_table
 from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.audio.resampling import resample_whole
-from phonemeengine.labels.visemes import NO_VISEME, viseme_phones
+from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.live.incoming_speech import in_time
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.presets.preset import Preset
@@ -84,7 +84,7 @@ def test_the_weights_are_those_of_a_mouth_that_hears_the_same(server: str, recor
     told = streamed(server, {"encoding": "f32", "rate": 44_100, "table": "arkit"}, cut(recording.tobytes(), [3528]))
     found, morpher = heard(recording), Morpher(load_table("arkit"))
     assert told.messages[0]["ready"]["movestates"] == list(morpher.movestates)
-    phones = viseme_phones(found.visemes)
+    phones = found.viseme_phones
     for k, weights in enumerate(told.column("weights")):
         morpher.hear(k * 0.01, int(found.phonemes[k]), float(found.intensities[k]), phones[k])
         np.testing.assert_allclose(weights, morpher.weights(k * 0.01), atol=2e-3)

@@ -13,9 +13,9 @@ from phonemeengine.calibration.training_examples import N_HEARD, NOT_SAID, Train
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.label import Label
-from phonemeengine.labels.visemes import Viseme
+from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
 from phonemetraining.augment_spectrum import augment_spectra
@@ -312,6 +312,11 @@ def test_the_visemes_of_a_voice_are_learned_with_its_phonemes(model):
     whole, *_ = adapt(trained, strange)
     other = said([Phoneme.I, Phoneme.A, Phoneme.U] * 2, 310, 1.5)
     assert viseme_accuracy_of(whole, other) > viseme_accuracy_of(trained, other)
+    turned = replace(STANDARD_VISEMES, names=STANDARD_VISEMES.names[::-1])
+    heads = tuple(OutputHead(head.weights[:, ::-1], head.bias[::-1]) for head in trained.viseme_heads)
+    same, *_ = adapt(replace(trained, viseme_heads=heads, viseme_set=turned), strange)
+    for a, b in zip(same.viseme_heads, whole.viseme_heads, strict=True):
+        np.testing.assert_allclose(a.weights[:, ::-1], b.weights, atol=0.02)
     phonemes_alone = replace(trained, viseme_heads=())
     assert adapt(phonemes_alone, strange)[0].viseme_heads == ()
 

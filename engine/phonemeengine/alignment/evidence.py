@@ -8,7 +8,7 @@ import numpy as np
 from phonemeengine.alignment.manners import KINDS, levels_of, log_likelihoods, measured_of
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array
-from phonemeengine.labels.visemes import Viseme
+from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.scores import scores_in
 
@@ -65,7 +65,7 @@ class Evidence:
     ----------
     probabilities : of each phoneme, float32, shape (n_frames, n_phonemes).
     levels : of the sound and of its differences, dB, float32, shape (n_frames, 2).
-    visemes : how likely each viseme is, float32, shape (n_frames, 15); None where nobody hears them.
+    visemes : how likely each `Viseme` is, float32, shape (n_frames, 15); None where they are not recognised.
     """
 
     probabilities: Float32Array
@@ -88,7 +88,8 @@ def evidence_of(analysis: Analysis) -> Evidence:
         scores = np.full((len(analysis), len(Phoneme)), (1 - SURENESS) / (len(Phoneme) - 1), np.float32)
         scores[np.arange(len(analysis)), analysis.recognised] = SURENESS
     levels = levels_of(analysis.frames.windows)
-    return Evidence(np.array(scores, np.float32), levels, analysis.viseme_scores)
+    visemes = analysis.viseme_scores if analysis.viseme_set == STANDARD_VISEMES else None
+    return Evidence(np.array(scores, np.float32), levels, visemes)
 
 
 def spoken_in(evidence: Evidence) -> BoolArray:

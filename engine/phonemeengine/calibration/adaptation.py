@@ -14,11 +14,11 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.fine_tuning import (
-    KINDS,
     TrainingSegment,
     TunedLayers,
     first_tuned,
     heads_of,
+    kinds_of,
     softmax_of,
 )
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
@@ -26,7 +26,7 @@ from phonemeengine.calibration.training_examples import TrainingExample, example
 from phonemeengine.dsp.log_mel import silent_log_mels
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress, report_progress
-from phonemeengine.labels.visemes import Viseme
+from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, OutputHead
@@ -50,11 +50,9 @@ LEAST_SECONDS = 2.0
 BALANCE = 30
 """Frames of a phoneme beyond which further ones count less, so that all phonemes count alike."""
 
-N_CLASSES = (len(Phoneme), len(Viseme))
-"""Of each kind."""
-CORNERS = ([Phoneme.A, Phoneme.I, Phoneme.U], [Viseme.AA, Viseme.IH, Viseme.OU])
-VOWELS = ([*CORNERS[0], Phoneme.E, Phoneme.O], [*CORNERS[1], Viseme.E, Viseme.OH])
-"""Of each kind. A network that learned some vowels alone would hear them in all others too."""
+CORNERS = np.array([Phoneme.A, Phoneme.I, Phoneme.U], np.uint8)
+VOWELS = np.array([*CORNERS, Phoneme.E, Phoneme.O], np.uint8)
+"""A network that learned some vowels alone would name them in all others, too."""
 GIVEN_TO_SILENCE = 0.5
 """By how much silence becomes likelier in the second of each pair of adapted presets, nats."""
 MEASURED = ("by_look_ahead_ms", "macro_f1")
@@ -95,12 +93,13 @@ class _LabelStats:
     targets: Float32Array
 
     @classmethod
-    def of(cls, encoded: Sequence[_Encoded], kind: int) -> "_LabelStats":
+    def of(cls, model: Model, encoded: Sequence[_Encoded], kind: int) -> "_LabelStats":
         """Count the frames of the labels; vowels count only where the corners of the vowel space are there."""
-        n = N_CLASSES[kind]
+        n = len(model.viseme_set.names) if kind else len(Phoneme)
+        corners, vowels = (_shown_by(model, classes) if kind else classes for classes in (CORNERS, VOWELS))
         totals = sum((np.bincount(e.codes[kind], e.weights[kind], n) for e in encoded), np.zeros(n))
-        if (totals[CORNERS[kind]] < LEAST_FRAMES).any():
-            totals[VOWELS[kind]] = 0
+        if (totals[corners] < LEAST_FRAMES).any():
+            totals[vowels] = 0
         competing = totals >= LEAST_FRAMES
         smoothed = (SMOOTHING * competing / max(1, int(competing.sum()))).astype(np.float32)
         targets = smoothed + np.float32(1 - SMOOTHING) * np.eye(n, dtype=np.float32)
@@ -121,11 +120,11 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
             f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
             f"give {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    stats = [_LabelStats.of(encoded, kind) for kind in range(len(encoded[0].codes))]
+    stats = [_LabelStats.of(model, encoded, kind) for kind in range(len(encoded[0].codes))]
     anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
     tuned_model = _fine_tuned(model, _segments_of(encoded, stats, len(model.heads)), anchors)
     told = {name: value for name, value in model.about.items() if name not in MEASURED}
-    warps = NO_WARP if stats[0].competing[CORNERS[0]].all() else model.warps
+    warps = NO_WARP if stats[0].competing[CORNERS].all() else model.warps
     return tuple(replace(_interpolated(model, tuned_model, share), warps=warps, about=told) for share in STEP_SIZES)
 
 
@@ -201,10 +200,17 @@ def _encode(model: Model, example: TrainingExample) -> _Encoded:
     after = silent_log_mels(len(model.heads) - 1)
     hidden = _first_layers(model).forward(np.concatenate((example.log_powers.astype(np.float32), after)))
     weights = example.certainties.astype(np.float32)
-    said = example.visemes < len(Viseme)
-    codes = (example.phonemes, np.where(said, example.visemes, 0).astype(np.uint8))
+    visemes = model.viseme_set.codes_of(example.visemes, STANDARD_VISEMES)
+    said = visemes != NO_VISEME
+    codes = (example.phonemes, np.where(said, visemes, 0).astype(np.uint8))
     n = 2 if model.viseme_heads else 1
     return _Encoded(hidden, codes[:n], (weights, weights * said)[:n])
+
+
+def _shown_by(model: Model, phonemes: UInt8Array) -> UInt8Array:
+    """Return the visemes of the model's set that phonemes usually have."""
+    visemes = model.viseme_set.usual_visemes(phonemes)
+    return np.array([viseme for viseme in visemes.tolist() if viseme != NO_VISEME], np.uint8)
 
 
 def _segments_of(
@@ -228,7 +234,7 @@ def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
     heads = heads_of(model)
     everything = np.ones(len(heads[0].bias), bool)
     scores = np.stack([outputs @ head.weights + head.bias for head in heads], axis=1)
-    kinds = KINDS[: 2 if model.viseme_heads else 1]
+    kinds = kinds_of(model)
     targets = np.concatenate([softmax_of(scores[..., kind], everything[kind]) for kind in kinds], axis=2)
     return TrainingSegment(hidden, targets, np.ones((*targets.shape[:2], len(kinds)), np.float32), everything)
 

@@ -10,13 +10,10 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.calibration.optimiser import Optimiser
-from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 
-KINDS = (slice(0, len(Phoneme)), slice(len(Phoneme), len(Phoneme) + len(Viseme)))
-"""The classes of a head that compete with each other: phonemes, and visemes."""
 VISEME_SHARE = 0.5
 """How much the visemes count, beside the phonemes."""
 HEAD_SHARES = np.array([0.11, 0.11, 0.15, 0.15, 0.15, 0.33], np.float32)
@@ -53,6 +50,12 @@ def first_tuned(model: Model) -> int:
     return max(1, len(model.layers) - N_TUNED)
 
 
+def kinds_of(model: Model) -> tuple[slice, ...]:
+    """Return the classes of a head that compete with each other: phonemes, and visemes where the model knows any."""
+    n, n_visemes = len(Phoneme), len(model.viseme_set.names)
+    return (slice(0, n), slice(n, n + n_visemes)) if model.viseme_heads else (slice(0, n),)
+
+
 def heads_of(model: Model) -> tuple[OutputHead, ...]:
     """Return for each look-ahead the head of the phonemes, with that of the visemes behind it where there is one."""
     if not model.viseme_heads:
@@ -74,7 +77,7 @@ class TunedLayers:
     """
 
     def __init__(self, model: Model, n_steps: int, generator: np.random.Generator) -> None:
-        self._model = model
+        self._model, self._kinds = model, kinds_of(model)
         self._layers = [_TunableLayer(layer) for layer in model.layers[first_tuned(model) :]]
         heads = heads_of(model)
         self._weights = np.concatenate([head.weights for head in heads], axis=1)
@@ -103,8 +106,8 @@ class TunedLayers:
         n_heads = len(self._model.heads)
         heads = list(zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True))
         layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
-        phonemes, visemes = (tuple(OutputHead(w[:, kind], b[kind]) for w, b in heads) for kind in KINDS)
-        known = visemes if self._model.viseme_heads else ()
+        phonemes, *visemes = (tuple(OutputHead(w[:, kind], b[kind]) for w, b in heads) for kind in self._kinds)
+        known = visemes[0] if visemes else ()
         return replace(self._model, layers=layers, heads=phonemes, viseme_heads=known).rounded()
 
     def _gradients_of(self, segment: TrainingSegment, factors: Float32Array) -> list[Float32Array]:
@@ -114,7 +117,7 @@ class TunedLayers:
             hidden = layer.forward(hidden)
         scores = (hidden @ self._weights + self._bias).reshape(segment.targets.shape)
         errors = -segment.targets
-        for k, kind in enumerate(KINDS[: segment.weights.shape[2]]):
+        for k, kind in enumerate(self._kinds):
             errors[..., kind] += softmax_of(scores[..., kind], segment.competing[kind])
             errors[..., kind] *= (segment.weights[..., k] * factors[:, k])[..., np.newaxis]
         sums = errors.reshape(len(hidden), -1)

@@ -7,7 +7,6 @@ from phonemeengine.calibration.workbench.retuner import Retuner, front_end_key, 
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
-from phonemeengine.labels.visemes import usual_visemes
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.intensity import intensities_of
@@ -40,8 +39,6 @@ class RetunedSound:
         tracks, settings = self._tracks, preset.settings
         tracks.recognised[:], codes = self._retuner.recognise(preset)
         scores = self._retuner.scores(preset)
-        changed = codes != tracks.phonemes
-        tracks.visemes[changed] = usual_visemes(codes[changed])
         tracks.phonemes[:] = codes
         levels = tracks.columns[tracks.names.index("volume")]
         tracks.intensities[:] = intensities_of(levels, settings.intensity_low, settings.intensity_high)

@@ -55,7 +55,7 @@ class SoundTracks:
     ----------
     n_frames : of the sound.
     states : codes of `FrameState`, uint8, shape (n_frames,).
-    recognised, phonemes, visemes : as of `Analysis`, uint8, shape (n_frames,).
+    recognised, phonemes : as of `Analysis`, uint8, shape (n_frames,).
     intensities, confidences : as of `Analysis`, float32, shape (n_frames,).
     peaks : the outline of the waveform, as far as the sound was read.
     revision : another number after each change.
@@ -64,7 +64,7 @@ class SoundTracks:
     def __init__(self, n_frames: int) -> None:
         self.n_frames = n_frames
         self.states: UInt8Array = np.zeros(n_frames, np.uint8)
-        self.recognised, self.phonemes, self.visemes = (np.zeros(n_frames, np.uint8) for _ in range(3))
+        self.recognised, self.phonemes = np.zeros(n_frames, np.uint8), np.zeros(n_frames, np.uint8)
         self.intensities, self.confidences = (np.zeros(n_frames, np.float32) for _ in range(2))
         self._measured = _Measured((), np.zeros((0, n_frames), np.float32))
         self.peaks = WaveformPeaks()
@@ -104,7 +104,7 @@ class SoundTracks:
             self._measured = _Measured(part.features.names, columns)
         place = slice(part.start, part.start + len(part))
         self.recognised[place], self.phonemes[place] = part.recognised, part.phonemes
-        self.visemes[place], self.intensities[place] = part.visemes, part.intensities
+        self.intensities[place] = part.intensities
         self.confidences[place], self.columns[:, place] = part.confidences, part.features.values.T
         self.states[place] = FrameState.KNOWN
         self.revision += 1

@@ -1,14 +1,21 @@
 """Fifteen visemes: what the lips and the tongue show of a sound, finer than the eleven phonemes tell.
 
 They are those of Oculus Lipsync, which avatars carry as blend shapes. Every phoneme allows some of them; which one it
-is, a recogniser may hear, or a phone says.
+is, a recogniser may recognise, or a phone says. A recogniser may also tell other visemes apart: a `VisemeSet` says
+what they are.
 """
 
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
 from enum import IntEnum
+from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
-from phonemeengine.arrays import UInt8Array
+from phonemeengine.arrays import BoolArray, UInt8Array
+from phonemeengine.errors import ModelError
 from phonemeengine.labels.articulation import letters_of
 from phonemeengine.phonemes import Phoneme
 
@@ -44,6 +51,112 @@ _LABELS = {
 }
 NO_VISEME = 255
 """The code of frames whose viseme nobody knows, or of which people disagree."""
+MOST_VISEMES = 32
+"""So many a set may have: a shipped ear computes them together."""
+
+
+@dataclass(frozen=True)
+class VisemeSet:
+    """The visemes that a recogniser tells apart: their names, and how they go with phonemes and sounds.
+
+    Parameters
+    ----------
+    names : of the visemes, 1..32 in the order of their codes.
+    phonemes : by each phoneme, the names of the visemes that it may be shown by, at least one.
+    usual : by a phoneme, the viseme that it has where no more is known; one that may be any of several has none.
+    phones : by a viseme that is finer than its phoneme, the letter of the IPA of a sound that it shows: mouth tables
+        know that.
+
+    Raises
+    ------
+    ModelError : they do not fit together.
+    """
+
+    names: tuple[str, ...]
+    phonemes: Mapping[Phoneme, tuple[str, ...]]
+    usual: Mapping[Phoneme, str]
+    phones: Mapping[str, str]
+
+    def __post_init__(self) -> None:
+        known = {*self.names}
+        if not 1 <= len(self.names) == len(known) <= MOST_VISEMES or not all(self.names):
+            raise ModelError(f"a viseme set has 1..{MOST_VISEMES} different names, got {len(self.names)}; correct it")
+        named = {*self.usual.values(), *self.phones, *(name for names in self.phonemes.values() for name in names)}
+        if strange := sorted(named - known):
+            raise ModelError(f"the viseme set names {strange[0]!r:.40}, which is none of its visemes; add it to them")
+        if lacking := [phoneme.label for phoneme in Phoneme if not self.phonemes.get(phoneme)]:
+            raise ModelError(f"the viseme set has no viseme for the phoneme {lacking[0]}; name one")
+        for phoneme, name in self.usual.items():
+            if name not in self.phonemes[phoneme]:
+                raise ModelError(f"{name!r:.40} is no viseme of the phoneme {phoneme.label}; correct the viseme set")
+        for name, phone in self.phones.items():
+            if len(letters_of(phone)) != 1:
+                raise ModelError(f"{phone!r:.40} of the viseme {name!r:.40} is no letter of the IPA; correct it")
+
+    @cached_property
+    def allowed(self) -> BoolArray:
+        """Which visemes each phoneme may be shown by, shape (11, n_visemes)."""
+        return np.array([[name in self.phonemes[phoneme] for name in self.names] for phoneme in Phoneme])
+
+    def usual_visemes(self, phonemes: UInt8Array) -> UInt8Array:
+        """Return the visemes of phonemes of which no more is known, uint8, shape (n_frames,).
+
+        An unidentified sound mostly has `NO_VISEME`: it may be any of several.
+        """
+        return self._usual[phonemes]
+
+    def phones_of(self, visemes: UInt8Array) -> list[str]:
+        """Return for each frame the letter of a sound that looks as it does; empty where its phoneme says as much."""
+        found: list[str] = self._phones[visemes].tolist()
+        return found
+
+    def labels_of(self, visemes: UInt8Array) -> list[str | None]:
+        """Return the name of each frame's viseme; None where it is not known."""
+        found: list[str | None] = self._labels[visemes].tolist()
+        return found
+
+    def codes_of(self, visemes: UInt8Array, other: "VisemeSet") -> UInt8Array:
+        """Return the codes that another set's visemes have here, by their names; `NO_VISEME` for what it lacks."""
+        codes = [self.names.index(name) if name in self.names else NO_VISEME for name in other.names]
+        return np.array(codes + [NO_VISEME] * (NO_VISEME + 1 - len(codes)), np.uint8)[visemes]
+
+    def to_json(self) -> str:
+        """Return the set as JSON, which `from_json` reads."""
+        by_phoneme = {phoneme.label: names for phoneme, names in self.phonemes.items()}
+        usual = {phoneme.label: name for phoneme, name in self.usual.items()}
+        told = {"names": self.names, "phonemes": by_phoneme, "usual": usual, "phones": dict(self.phones)}
+        return json.dumps(told, ensure_ascii=False, sort_keys=True)
+
+    @classmethod
+    def from_json(cls, text: str) -> "VisemeSet":
+        """Read a set.
+
+        Raises
+        ------
+        ModelError : its parts do not fit together.
+        ValueError, KeyError, TypeError, AttributeError : it is damaged.
+        """
+        told, phoneme_of = json.loads(text), {phoneme.label: phoneme for phoneme in Phoneme}
+        return cls(
+            names=tuple(str(name) for name in told["names"]),
+            phonemes={phoneme_of[name]: tuple(map(str, names)) for name, names in told["phonemes"].items()},
+            usual={phoneme_of[name]: str(viseme) for name, viseme in told["usual"].items()},
+            phones={str(name): str(phone) for name, phone in told["phones"].items()},
+        )
+
+    @cached_property
+    def _usual(self) -> UInt8Array:
+        codes = {phoneme: self.names.index(name) for phoneme, name in self.usual.items()}
+        return np.array([codes.get(phoneme, NO_VISEME) for phoneme in Phoneme], np.uint8)
+
+    @cached_property
+    def _phones(self) -> NDArray[np.object_]:
+        return np.array([self.phones.get(name, "") for name in self._labels], object)
+
+    @cached_property
+    def _labels(self) -> NDArray[np.object_]:
+        return np.array([*self.names, *[None] * (NO_VISEME + 1 - len(self.names))], object)
+
 
 PHONEME_VISEMES: dict[Phoneme, tuple[Viseme, ...]] = {
     Phoneme.SILENCE: (Viseme.SIL,),
@@ -83,14 +196,13 @@ _LETTERS: dict[Viseme, str] = {
 """The sounds of which nobody doubts what they show, by their letters in the IPA. Others share the looks of several:
 h takes the mouth of the next vowel, j and w are between a vowel and a consonant, ə is anything."""
 _BY_LETTER = {letter: viseme for viseme, letters in _LETTERS.items() for letter in letters.split()}
-ALLOWED = np.array([[viseme in PHONEME_VISEMES[phoneme] for viseme in Viseme] for phoneme in Phoneme])
-"""Which visemes each phoneme may be shown by, shape (11, 15)."""
-_PHONES = np.array(
-    [VISEME_PHONES.get(Viseme(k), "") if k < len(Viseme) else "" for k in range(NO_VISEME + 1)], object
+STANDARD_VISEMES = VisemeSet(
+    names=tuple(viseme.label for viseme in Viseme),
+    phonemes={phoneme: tuple(v.label for v in visemes) for phoneme, visemes in PHONEME_VISEMES.items()},
+    usual={phoneme: visemes[0].label for phoneme, visemes in PHONEME_VISEMES.items() if len(visemes) == 1},
+    phones={viseme.label: phone for viseme, phone in VISEME_PHONES.items()},
 )
-_USUAL = np.array(
-    [PHONEME_VISEMES[p][0] if len(PHONEME_VISEMES[p]) == 1 else NO_VISEME for p in Phoneme], np.uint8
-)  # fmt: skip
+"""The fifteen, which every recogniser has that says nothing else; their codes are those of `Viseme`."""
 
 
 def viseme_of(phone: str, phoneme: Phoneme) -> Viseme | None:
@@ -105,18 +217,3 @@ def viseme_of(phone: str, phoneme: Phoneme) -> Viseme | None:
         return Viseme.SIL
     letters = letters_of(phone)
     return _BY_LETTER.get(letters[0]) if len(letters) == 1 else None
-
-
-def viseme_phones(visemes: UInt8Array) -> list[str]:
-    """Return for each frame the symbol of a sound that looks as it does; empty where its phoneme says as much."""
-    found: list[str] = _PHONES[visemes].tolist()
-    return found
-
-
-def usual_visemes(phonemes: UInt8Array) -> UInt8Array:
-    """Return the visemes of phonemes of which no more is known, uint8, shape (n_frames,).
-
-    An unidentified sound has `NO_VISEME`: it may be any of several.
-    """
-    usual: UInt8Array = _USUAL[phonemes]
-    return usual

@@ -11,7 +11,6 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, pus
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
-from phonemeengine.labels.visemes import viseme_phones
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.presets.ears import for_live_use
@@ -194,7 +193,7 @@ def in_time(preset: Preset, delay: float) -> Preset:
 def _weights(morpher: Morpher, analysis: Analysis) -> Float32Array:
     """Return the weights of the movestates when each frame begins, shape (n_frames, n_movestates)."""
     weights = np.empty((len(analysis), len(morpher.movestates)), np.float32)
-    columns = (analysis.phonemes.tolist(), analysis.intensities.tolist(), viseme_phones(analysis.visemes))
+    columns = (analysis.phonemes.tolist(), analysis.intensities.tolist(), analysis.viseme_phones)
     for k, (phoneme, intensity, phone) in enumerate(zip(*columns, strict=True)):
         time = (analysis.start + k) * FRAME_PERIOD
         morpher.hear(time, phoneme, intensity, phone)

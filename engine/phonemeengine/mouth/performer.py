@@ -17,7 +17,6 @@ from typing import NamedTuple, Protocol
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
-from phonemeengine.labels.visemes import viseme_phones
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.coarticulation import PlannedMovement, planned_movements
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_runs
@@ -123,7 +122,7 @@ def timed_frames(analysis: Analysis, end: float, known: Transcript | None = None
     """
     start = end - len(analysis) * FRAME_PERIOD
     columns = (analysis.phonemes, analysis.intensities, analysis.features.values[:, F0])
-    rows = zip(*(column.tolist() for column in columns), viseme_phones(analysis.visemes), strict=True)
+    rows = zip(*(column.tolist() for column in columns), analysis.viseme_phones, strict=True)
     frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(row[0]), *row[1:]) for k, row in enumerate(rows)]
     return frames if known is None else known_frames(frames, analysis.start, known)
 

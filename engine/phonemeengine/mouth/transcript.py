@@ -18,7 +18,6 @@ from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.phoneme_map import CLOSURE
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Phone, Utterance, Word
-from phonemeengine.labels.visemes import viseme_phones
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.segments import Segment, SegmentBuilder
 from phonemeengine.settings import FRAME_PERIOD
@@ -114,8 +113,7 @@ def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path
     """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
     joiner, runs, prosody = SegmentBuilder(), [], Prosody()
     for analysis in analyses:
-        phones = viseme_phones(analysis.visemes)
-        runs += joiner.extend(analysis.phonemes, analysis.intensities, phones, analysis.confidences)
+        runs += joiner.extend(analysis.phonemes, analysis.intensities, analysis.viseme_phones, analysis.confidences)
         prosody.add(analysis)
     runs += joiner.finish(duration)
     return Transcript(name, duration, tuple(runs), prosody.intensities, prosody.pitches, path)

@@ -9,6 +9,7 @@ from importlib.util import find_spec
 
 from phonemeengine.encoder.model_folder import has_whisper, open_whisper
 from phonemeengine.errors import ModelError
+from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.encoded import EncodedRecogniser
 from phonemeengine.recognition.learned import LearnedRecogniser
@@ -126,5 +127,10 @@ def _heard_with(preset: Preset, ear: Ear, warnings: list[str]) -> Preset:
         raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}")
     heard = replace(preset, ear=ear, file_ear=Ear.LIVE, warnings=tuple(warnings))
     if ear is Ear.WHISPER:
+        if heard.config.model is not None and heard.config.model.viseme_set != STANDARD_VISEMES:
+            raise ModelError(
+                f"the model of the preset {preset.name[:60]!r} has visemes of its own, which the speech encoder does "
+                "not know; files are recognised without it"
+            )
         recogniser_for(heard)
     return heard

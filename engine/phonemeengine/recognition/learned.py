@@ -129,7 +129,7 @@ class LearnedRecogniser:
     def probabilities(self, windows: Float32Array) -> tuple[Float32Array, Float32Array | None]:
         """Take the next frames; return how likely phonemes and visemes are in those `look_ahead` frames before.
 
-        Before any sensitivity acts; float32, shapes (n, 11) and (n, 15), the latter None where it knows none.
+        Before any sensitivity acts; float32, shapes (n, 11) and (n, n_visemes), the latter None where it knows none.
         """
         if not len(windows):
             return NOTHING
@@ -151,7 +151,7 @@ class LearnedRecogniser:
 
     def _recognition(self, shares: Float32Array, visemes: Float32Array | None) -> Recognition:
         scores = self._sensitivity.apply(shares)
-        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes, self._model.viseme_set)
 
     def recognise_with(
         self, others: Sequence["LearnedRecogniser"], windows: Sequence[Float32Array]

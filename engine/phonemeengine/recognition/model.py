@@ -13,15 +13,16 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.errors import ModelError
-from phonemeengine.labels.visemes import Viseme
+from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import atomic_write, reason_of
 from phonemeengine.storage.npz import read_npz
 
-FORMAT = 3
-"""The version of the file's layout; a newer one is refused. The first knew no visemes, the second no centred ones."""
+FORMAT = 4
+"""The version of the file's layout; a newer one is refused. The first knew no visemes, the second no centred ones,
+the third no visemes of its own."""
 LARGEST_FILE = 8 << 20
 MOST_LAYERS, MOST_CHANNELS, MOST_DILATION = 32, 1024, 256
 MOST_WARPS, LEAST_WARP, MOST_WARP = 8, 0.5, 2.0
@@ -73,8 +74,9 @@ class Model(ShortRepr):
     anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
         shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
-    viseme_heads : the same as `heads` for the fifteen visemes; empty where it knows none.
+    viseme_heads : the same as `heads` for the visemes of its set; empty where it knows none.
     centred : whether it hears as far ahead as back, for sounds that are wholly known; it has one head then.
+    viseme_set : the visemes that it tells apart.
     """
 
     layers: tuple[Layer, ...]
@@ -84,6 +86,7 @@ class Model(ShortRepr):
     about: dict[str, Any] = field(default_factory=dict)
     viseme_heads: tuple[OutputHead, ...] = ()
     centred: bool = False
+    viseme_set: VisemeSet = STANDARD_VISEMES
 
     def frames_ahead(self, look_ahead: float) -> int:
         """Return for how many frames after a frame it waits, where it may wait for so many seconds.
@@ -165,19 +168,21 @@ def load_model(path: Path) -> Model:
         ) from error
     except ModelError as error:
         raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error
-    except (ValueError, KeyError, TypeError, OverflowError, RecursionError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as error:
         raise ModelError(f"{path.name}: the model's file is damaged; get it anew, or train it again") from error
 
 
 def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
     arrays: dict[str, NDArray[Any]] = {
-        "format": np.array(FORMAT if model.centred else 2 if model.viseme_heads else 1),
+        "format": np.array(_format_of(model)),
         "dilations": np.array([layer.dilation for layer in model.layers]),
         "n_heads": np.array(len(model.heads)),
         "warps": np.array(model.warps),
         "anchors": model.anchors.astype(np.float16),
         **({"centred": np.array(True)} if model.centred else {}),
     }
+    if model.viseme_set != STANDARD_VISEMES:
+        arrays["viseme_set"] = np.frombuffer(model.viseme_set.to_json().encode(), np.uint8)
     for k, layer in enumerate(model.layers):
         arrays[f"layer_{k}_weights"] = layer.weights.astype(np.float16)
         arrays[f"layer_{k}_bias"] = layer.bias.astype(np.float32)
@@ -186,6 +191,13 @@ def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
             arrays[f"{name}_{k}_weights"] = head.weights.astype(np.float16)
             arrays[f"{name}_{k}_bias"] = head.bias.astype(np.float32)
     return arrays
+
+
+def _format_of(model: Model) -> int:
+    """Return the lowest version that can say what a model is, so that older programs read what they can."""
+    if model.viseme_set != STANDARD_VISEMES:
+        return 4
+    return 3 if model.centred else 2 if model.viseme_heads else 1
 
 
 def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
@@ -208,13 +220,17 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
         width = len(bias)
     heads = _heads_of(arrays, HEAD, n_heads, (width, len(Phoneme)))
     knows_visemes = f"{VISEME_HEAD}_0_weights" in arrays
-    viseme_heads = _heads_of(arrays, VISEME_HEAD, n_heads, (width, len(Viseme))) if knows_visemes else ()
+    viseme_set = STANDARD_VISEMES
+    if "viseme_set" in arrays:
+        viseme_set = VisemeSet.from_json(arrays["viseme_set"].tobytes().decode())
+    n_visemes = len(viseme_set.names)
+    viseme_heads = _heads_of(arrays, VISEME_HEAD, n_heads, (width, n_visemes)) if knows_visemes else ()
     anchors = _checked(arrays["anchors"], (None, None, N_BANDS))
     about = _about_of(arrays["about"])
     centred = bool(arrays.get("centred", False))
     if centred and (n_heads > 1 or dilations.sum() > MOST_FRAMES_AROUND):
         raise ModelError(f"a centred model has one head and hears {MOST_FRAMES_AROUND} frames around; get it anew")
-    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads, centred)
+    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads, centred, viseme_set)
 
 
 def _heads_of(

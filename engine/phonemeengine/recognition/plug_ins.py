@@ -21,6 +21,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import AudioError, CorpusError, RecogniserError
 from phonemeengine.execution import Cancelled
 from phonemeengine.features.measure import Features
+from phonemeengine.labels.visemes import VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recognition import Recognition, RuleComparison, Trace
@@ -87,8 +88,8 @@ class PlugIn:
 
         Raises
         ------
-        RecogniserError : it cannot be made, it failed, or what it gave are no codes of phonemes, or no scores, one
-            for each frame.
+        RecogniserError : it cannot be made, it failed, or what it gave are no codes of phonemes, or no scores or
+            visemes, one for each frame.
         """
         recogniser = self._recogniser
         given = self._call(
@@ -99,11 +100,17 @@ class PlugIn:
         _check(found.phonemes, np.uint8, (n,), "codes", self._refusal)
         if n and found.phonemes.max() >= len(Phoneme):
             raise self._refusal(f"gave the code {found.phonemes.max()}, and phonemes are 0..{len(Phoneme) - 1}")
-        if not self.scores:
-            return Recognition(found.phonemes.copy())
-        _check(found.scores, np.float32, (n, len(self.scores)), "scores", self._refusal)
-        assert found.scores is not None
-        return Recognition(found.phonemes.copy(), found.scores.copy())
+        scores = visemes = None
+        if self.scores:
+            _check(found.scores, np.float32, (n, len(self.scores)), "scores", self._refusal)
+            assert found.scores is not None
+            scores = found.scores.copy()
+        if found.visemes is not None:
+            if not isinstance(found.viseme_set, VisemeSet):
+                raise self._refusal(f"gave a {type(found.viseme_set).__name__} where a VisemeSet is wanted")
+            _check(found.visemes, np.float32, (n, len(found.viseme_set.names)), "visemes", self._refusal)
+            visemes = found.visemes.copy()
+        return Recognition(found.phonemes.copy(), scores, visemes, found.viseme_set)
 
     def deficits(self, features: Features) -> Float32Array | None:
         """Return by how much each phoneme falls short, shape (n_frames, n_phonemes), or None where it does not say.

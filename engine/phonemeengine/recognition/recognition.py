@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from phonemeengine.arrays import Float32Array, UInt8Array
+from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 
 # Why a frame was recognised as it was.
@@ -48,9 +49,12 @@ class Recognition:
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
     scores : float32, shape (n_frames, n_scores): the columns that the recogniser's `scores` names, or None where it
         names none.
-    visemes : float32, shape (n_frames, 15): how likely each `Viseme` is; None where the recogniser hears none.
+    visemes : float32, shape (n_frames, n_visemes): how likely each viseme of the set is; None where the recogniser
+        tells none apart.
+    viseme_set : the visemes that it tells apart.
     """
 
     phonemes: UInt8Array
     scores: Float32Array | None = None
     visemes: Float32Array | None = None
+    viseme_set: VisemeSet = STANDARD_VISEMES

@@ -6,7 +6,7 @@ from types import MappingProxyType
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.labels.visemes import ALLOWED, usual_visemes
+from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -111,17 +111,20 @@ class VisemeSmoother:
     def __init__(self) -> None:
         self._phoneme = self._viseme = -1
 
-    def follow(self, phonemes: UInt8Array, probabilities: Float32Array | None) -> UInt8Array:
+    def follow(
+        self, phonemes: UInt8Array, probabilities: Float32Array | None, viseme_set: VisemeSet = STANDARD_VISEMES
+    ) -> UInt8Array:
         """Return the visemes of the next phonemes, uint8, shape (n_frames,).
 
         Parameters
         ----------
         phonemes : codes of `Phoneme`, after all smoothing, shape (n_frames,).
-        probabilities : of the visemes, shape (n_frames, 15); None where nobody hears them.
+        probabilities : of the visemes of the set, shape (n_frames, n_visemes); None where they are not recognised.
+        viseme_set : what they are.
         """
         if probabilities is None:
-            return usual_visemes(phonemes)
-        allowed = np.where(ALLOWED[phonemes], probabilities, np.float32(-1))
+            return viseme_set.usual_visemes(phonemes)
+        allowed = np.where(viseme_set.allowed[phonemes], probabilities, np.float32(-1))
         visemes = []
         for phoneme, viseme, row in zip(phonemes.tolist(), allowed.argmax(axis=1).tolist(), allowed, strict=True):
             if phoneme != self._phoneme or row[viseme] > row[self._viseme] + MARGIN:

@@ -21,7 +21,7 @@ from phonemeengine.features.variables import (
     Spectrum,
     Variable,
 )
-from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
+from phonemeengine.labels.visemes import STANDARD_VISEMES, VISEME_PHONES, Viseme
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_live_use
@@ -195,6 +195,10 @@ def recogniser_sections(preset: Preset) -> Iterator[Section]:
 def _live_model(model: Model) -> Model:
     if model.centred:
         raise PresetError("the preset's model hears files alone, and an ear listens live; choose another preset")
+    if model.viseme_set != STANDARD_VISEMES:
+        raise PresetError(
+            "the preset's model has visemes of its own, and an ear knows the fifteen alone; choose another preset"
+        )
     return model.rounded()
 
 

@@ -20,6 +20,7 @@ from phonemeengine.analyser import (
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.encoder.model_folder import FOLDER_VARIABLE
 from phonemeengine.errors import PresetError
+from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets import ears
 from phonemeengine.presets.ears import ear_in_words, for_files, while_played
@@ -194,6 +195,15 @@ def test_a_preset_that_was_trained_without_the_encoder_does_without():
     assert for_files(PRESET).ear is Ear.TWIN
     (told,) = for_files(PRESET, Ear.WHISPER).warnings
     assert told == "the preset 'both' does not know what Whisper hears; it was trained without it"
+
+
+@pytest.mark.usefixtures("whisper")
+def test_a_model_with_visemes_of_its_own_is_not_asked_together_with_the_encoder():
+    own = replace(STANDARD_VISEMES, phones={})
+    (told,) = for_files(replace(BOTH, file_model=replace(TWIN, viseme_set=own)), Ear.WHISPER).warnings
+    assert told.endswith(
+        "has visemes of its own, which the speech encoder does not know; files are recognised without it"
+    )
 
 
 # -- the file ----------------------------------------------------------------------------------------------

@@ -14,14 +14,14 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
 from phonemeengine.errors import ModelError, PresetError
 from phonemeengine.features.variables import SCORES
-from phonemeengine.labels.visemes import NO_VISEME, Viseme
+from phonemeengine.labels.visemes import NO_VISEME, Viseme, VisemeSet
 from phonemeengine.mouth.performer import MOUTH_ALONE, Performer, timed_frames
 from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import transcript_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.model import FORMAT, Model, load_model, save_model
+from phonemeengine.recognition.model import FORMAT, Model, OutputHead, load_model, save_model
 from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 from tests.models import band_of, tone_model
@@ -232,7 +232,7 @@ def altered(path: Path, **changes: np.ndarray) -> Path:
 
 
 BAD = {
-    "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 4, and this program reads"),
+    "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 5, and this program reads"),
     "weights of another shape": (
         lambda p: altered(p, layer_0_weights=np.zeros((3, 2), np.float16)),
         "do not fit together",
@@ -338,6 +338,38 @@ def test_the_file_of_a_model_keeps_its_visemes_and_that_of_one_without_is_as_it_
         assert len(again.viseme_heads) == len(one.viseme_heads)
     with np.load(tmp_path / "plain.npz") as file:
         assert int(file["format"]) == 1
+
+
+def with_own_visemes(model: Model) -> Model:
+    """Give a model that tells two visemes apart, and silence."""
+    columns = [Viseme.SIL, Viseme.FF, Viseme.NN]
+    heads = tuple(OutputHead(head.weights[:, columns], head.bias[columns]) for head in model.viseme_heads)
+    own = VisemeSet(
+        names=("rest", "teeth on lip", "tongue up"),
+        phonemes={**dict.fromkeys(Phoneme, ("rest",)), Phoneme.UNIDENTIFIED: ("teeth on lip", "tongue up")},
+        usual={Phoneme.SILENCE: "rest"},
+        phones={"teeth on lip": "v", "tongue up": "l"},
+    )
+    return replace(model, viseme_heads=heads, viseme_set=own)
+
+
+def test_a_model_brings_visemes_of_its_own_in_its_file(tmp_path):
+    save_model(with_own_visemes(tone_model(SOUNDS, visemes=SEEN)), tmp_path / "own.npz")
+    with np.load(tmp_path / "own.npz") as file:
+        assert int(file["format"]) == 4
+    model = load_model(tmp_path / "own.npz")
+    analysis = concatenate_analyses(heard(preset_of(model)))
+    assert analysis.viseme_set.labels_of(analysis.visemes[[10, 35, 85]]) == ["rest", "teeth on lip", "tongue up"]
+    runs = transcript_of([analysis], "tones", len(SOUND) / SAMPLE_RATE).runs
+    assert [run.phone for run in runs if run.end - run.start > 0.05] == ["", "v", "", "l", ""]
+
+
+def test_a_damaged_viseme_set_is_refused_in_one_sentence(tmp_path):
+    save_model(with_own_visemes(tone_model(SOUNDS, visemes=SEEN)), tmp_path / "own.npz")
+    for content in (b"[]", b"{}", b'{"names": 1}', b"\xff"):
+        path = altered(tmp_path / "own.npz", viseme_set=np.frombuffer(content, np.uint8))
+        with pytest.raises(ModelError, match=r"the model's file is damaged; get it anew"):
+            load_model(path)
 
 
 def test_a_mouth_closes_teeth_on_lip_where_an_f_is_heard(tmp_path):

@@ -254,6 +254,7 @@ def test_a_plug_in_that_neither_fits_nor_learns_says_so(loudness: Path, takes):
 # -- what is wrong with a plug-in -----------------------------------------------------------------------------
 
 PROBABLE = "Recognition(np.zeros(len(windows), np.uint8), np.zeros((len(windows), 11), np.float32))"
+SEEING = "Recognition(np.zeros(len(windows), np.uint8), None, np.full((len(windows), {n}), 0.1, np.float32){more})"
 WRONG_ANSWERS: dict[str, tuple[dict[str, object], str]] = {
     "an answer too soon": ({"look_ahead": 2}, r"gave uint8, shape \(3,\) where codes of uint8, shape \(1,\)"),
     "a look ahead without end": ({"look_ahead": 101}, r"looks 101 frames ahead, and 0\.\.100 are allowed"),
@@ -261,11 +262,19 @@ WRONG_ANSWERS: dict[str, tuple[dict[str, object], str]] = {
     "a look ahead that is no number": ({"look_ahead": "'far'"}, "cannot say how far it looks ahead"),
     "no scores": ({"scores": ("x",)}, "gave a NoneType where scores of float32"),
     "too many scores": ({"scores": ("x",), "answer": PROBABLE}, r"shape \(3, 11\) where scores .* \(3, 1\)"),
+    "too many visemes": ({"answer": SEEING.format(n=16, more="")}, r"shape \(3, 16\) where visemes .* \(3, 15\)"),
+    "visemes of no set": ({"answer": SEEING.format(n=15, more=", 'mine'")}, "gave a str where a VisemeSet is wanted"),
     "scores of no phonemes": (
         {"scores": ("x",), "tuned_by": [str(Tuning.SENSITIVITIES)], "answer": PROBABLE},
         "its scores must be those of all phonemes",
     ),
 }
+
+
+def test_a_plug_in_tells_visemes_apart(shelf: Shelf):
+    answer = SEEING.format(n=15, more="")
+    found = Analyser(offer(shelf, answer=answer)).push(np.zeros(2048, np.float32))
+    np.testing.assert_array_equal(found.viseme_scores, np.full((len(found), 15), 0.1, np.float32))
 
 
 @pytest.mark.parametrize(("changes", "what"), WRONG_ANSWERS.values(), ids=WRONG_ANSWERS.keys())

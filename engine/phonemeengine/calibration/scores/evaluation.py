@@ -24,7 +24,7 @@ from phonemeengine.calibration.scores.scoring import (
 )
 from phonemeengine.errors import AudioError, CorpusError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.labels.visemes import NO_VISEME, Viseme, viseme_of
+from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES, Viseme, viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve, calibration_errors, fit_confidence
@@ -222,7 +222,8 @@ def _answers(
 
     def heard() -> Iterator[Analysis]:
         for analysis in analyses:
-            found.append((analysis.phonemes, analysis.intensities, analysis.visemes, analysis.confidences))
+            visemes = STANDARD_VISEMES.codes_of(analysis.visemes, analysis.viseme_set)
+            found.append((analysis.phonemes, analysis.intensities, visemes, analysis.confidences))
             yield analysis
 
     aligned = align_analyses(heard(), words, duration) if words else None

@@ -11,7 +11,7 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float64Array, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
-from phonemeengine.labels.visemes import NO_VISEME, usual_visemes
+from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD
@@ -71,7 +71,8 @@ def scores_of(answers: Iterable[Answers]) -> Scores:
 
     A frame that was not recognised, at the end of a sound shorter than its labels, counts as silence.
     """
-    given = [(labels, guess, visemes[0] if visemes else usual_visemes(guess)) for labels, guess, *visemes in answers]
+    usual = STANDARD_VISEMES.usual_visemes
+    given = [(labels, guess, visemes[0] if visemes else usual(guess)) for labels, guess, *visemes in answers]
     parts = [(labels, _fitted(guess, len(labels.phonemes))) for labels, guess, _ in given]
     visemes = np.concatenate([_fitted(seen, len(labels.phonemes)) for labels, _, seen in given])
     shown = np.concatenate([labels.visemes for labels, _ in parts])
