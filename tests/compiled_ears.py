@@ -82,12 +82,24 @@ class EarLibrary:
         self.c = ctypes.CDLL(str(path))
         self.c.ear_error_text.restype = ctypes.c_char_p
         self.c.ear_latency.restype = ctypes.c_double
-        for name in ("ear_table_shape_name", "ear_table_movestate", "ear_table_name", "ear_model_name"):
+        names = (
+            "ear_table_shape_name",
+            "ear_table_movestate",
+            "ear_table_name",
+            "ear_model_name",
+            "ear_model_viseme",
+        )
+        for name in names:
             getattr(self.c, name).restype = ctypes.c_char_p
 
     def text(self, code: int) -> str:
         """Give what an error says."""
         return bytes(self.c.ear_error_text(code)).decode()
+
+    def visemes(self, model: "CModel") -> tuple[str, ...]:
+        """Give the names of the visemes that a model tells apart."""
+        n = self.c.ear_model_visemes(model.handle)
+        return tuple(bytes(self.c.ear_model_viseme(model.handle, k)).decode() for k in range(n))
 
     def model_size(self, content: bytes) -> tuple[int, int]:
         """Give the result of checking a file, and how much memory its model needs."""

@@ -7,7 +7,14 @@ from pathlib import Path
 from phonemeengine.errors import ExportError, remedy
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
-from phonemeengine.shipping.sections import is_ear_file, join_sections, mouth_section, recogniser_sections
+from phonemeengine.shipping.sections import (
+    is_ear_file,
+    join_sections,
+    mouth_section,
+    recogniser_sections,
+    viseme_sections,
+    viseme_set_of,
+)
 from phonemeengine.shipping.targets import TARGETS
 from phonemeengine.storage.files import atomic_write, reason_of
 
@@ -36,8 +43,9 @@ def format_ear(preset: Preset, tables: Iterable[str | os.PathLike[str]] = USUAL_
             f"an ear has at most {MOST_TABLES} mouth tables, each with a name of its own, got {len(paths)}; "
             "leave some out"
         )
-    mouths = [mouth_section(name, load_table(table)) for name, table in names.items()]
-    return join_sections([*recogniser_sections(preset), *mouths])
+    visemes, recogniser = viseme_set_of(preset), recogniser_sections(preset)
+    mouths = [mouth_section(name, load_table(table), visemes) for name, table in names.items()]
+    return join_sections([*viseme_sections(visemes), *recogniser, *mouths])
 
 
 def ship(

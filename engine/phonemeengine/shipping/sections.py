@@ -21,7 +21,7 @@ from phonemeengine.features.variables import (
     Spectrum,
     Variable,
 )
-from phonemeengine.labels.visemes import STANDARD_VISEMES, VISEME_PHONES, Viseme
+from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_live_use
@@ -37,8 +37,10 @@ from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filt
 # The bytes of an ``.ear`` file: little-endian numbers of 32 bits, in sections that say how long they are.
 
 MAGIC = b"EAR\x1a"
-VERSION = 1
-"""Of the layout; an ear refuses newer ones."""
+VERSION = 2
+"""Of the layout; an ear refuses newer ones. A file without visemes of its own is of the first."""
+OWN_VISEMES = "VISM"
+"""The section that only files of the second version have."""
 
 
 class SectionWriter:
@@ -90,7 +92,8 @@ def join_sections(sections: Iterable[tuple[str, SectionWriter]]) -> bytes:
     """Return a file of sections, each with the four letters of its name."""
     parts = [(name.encode(), section.content) for name, section in sections]
     body = b"".join(name + struct.pack("<I", len(content)) + content for name, content in parts)
-    return MAGIC + struct.pack("<III", VERSION, 16 + len(body), zlib.crc32(body)) + body
+    version = VERSION if any(name == OWN_VISEMES.encode() for name, _ in parts) else 1
+    return MAGIC + struct.pack("<III", version, 16 + len(body), zlib.crc32(body)) + body
 
 
 def is_ear_file(content: bytes) -> bool:
@@ -103,8 +106,8 @@ def is_ear_file(content: bytes) -> bool:
 SIDES = ("Right", "Left")
 
 
-def mouth_section(name: str, table: MouthTable) -> tuple[str, SectionWriter]:
-    """Return the section of a table that an ear knows by a name."""
+def mouth_section(name: str, table: MouthTable, visemes: VisemeSet = STANDARD_VISEMES) -> tuple[str, SectionWriter]:
+    """Return the section of a table that an ear knows by a name; the visemes are those that the ear names."""
     section = SectionWriter()
     shapes = list(table.shapes)
     section.text(name)
@@ -119,8 +122,8 @@ def mouth_section(name: str, table: MouthTable) -> tuple[str, SectionWriter]:
     section.floats(table.shape_weights())
     section.whole(*_looseness(table))
     for phoneme in Phoneme:
-        for look in (*Viseme, None):
-            _entry(section, table, shapes, phoneme, VISEME_PHONES.get(look, "") if look is not None else "")
+        for look in (*visemes.names, None):
+            _entry(section, table, shapes, phoneme, visemes.phones.get(look, "") if look else "")
     return "MOUT", section
 
 
@@ -192,13 +195,28 @@ def recogniser_sections(preset: Preset) -> Iterator[Section]:
         )
 
 
+def viseme_set_of(preset: Preset) -> VisemeSet:
+    """Return the visemes that an ear of a preset tells apart."""
+    model = preset.config.model if Tuning.MODEL in spec_of(preset.recogniser).tuned_by else None
+    return STANDARD_VISEMES if model is None else model.viseme_set
+
+
+def viseme_sections(visemes: VisemeSet) -> Iterator[Section]:
+    """Give the section of visemes that are not the fifteen: names, which ones each phoneme allows, and the usual."""
+    if visemes == STANDARD_VISEMES:
+        return
+    section = SectionWriter()
+    section.whole(len(visemes.names))
+    for name in visemes.names:
+        section.text(name)
+    section.whole(*(sum(1 << k for k in np.flatnonzero(row).tolist()) for row in visemes.allowed))
+    section.whole(*visemes.usual_visemes(np.arange(len(Phoneme), dtype=np.uint8)).tolist())
+    yield OWN_VISEMES, section
+
+
 def _live_model(model: Model) -> Model:
     if model.centred:
         raise PresetError("the preset's model hears files alone, and an ear listens live; choose another preset")
-    if model.viseme_set != STANDARD_VISEMES:
-        raise PresetError(
-            "the preset's model has visemes of its own, and an ear knows the fifteen alone; choose another preset"
-        )
     return model.rounded()
 
 

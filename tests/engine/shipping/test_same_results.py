@@ -14,7 +14,8 @@ from hypothesis import strategies as st
 from phonemeengine import Analyser, AnalysisSettings, Ear, Filter, Phoneme, Preset, SoundReader, Variable, load_preset
 from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.features.variables import Kind, Spectrum
-from phonemeengine.labels.visemes import Viseme
+from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme, VisemeSet
+from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, OutputHead
@@ -143,6 +144,43 @@ def random_model(
     heads = [[OutputHead(drawn(widths[-1], n), drawn(n)) for _ in range(3)] for n in (len(Phoneme), len(Viseme))]
     model = Model(tuple(layers), tuple(heads[0]), warps, viseme_heads=tuple(heads[1]) if visemes else ())
     return model.rounded()
+
+
+def test_visemes_of_a_models_own_are_named_and_shown_the_same(library: EarLibrary) -> None:
+    model = load_preset("learned").model
+    assert model is not None
+    own = VisemeSet(
+        names=("shut", "teeth", "tongue", "open", "wide"),
+        phonemes={
+            **dict.fromkeys(Phoneme, ("open", "wide")),
+            Phoneme.SILENCE: ("shut",),
+            Phoneme.UNIDENTIFIED: ("teeth", "tongue"),
+        },
+        usual={Phoneme.SILENCE: "shut"},
+        phones={"teeth": "f", "tongue": "θ"},
+    )
+    columns = [Viseme.SIL, Viseme.FF, Viseme.NN, Viseme.AA, Viseme.IH]
+    heads = tuple(OutputHead(head.weights[:, columns], head.bias[columns]) for head in model.viseme_heads)
+    preset = replace(load_preset("learned"), model=replace(model, viseme_heads=heads, viseme_set=own))
+    analysis = heard_by_engine(preset, speech())
+    assert len({*analysis.visemes.tolist()}) > 3
+    check_same(heard_in_c(library, preset, speech()), analysis)
+    content, table = format_ear(preset, ("oculus",)), load_table("oculus")
+    opened = CModel(library, content)
+    assert library.visemes(opened) == own.names
+    for phoneme in (Phoneme.UNIDENTIFIED, Phoneme.A):
+        for code, name in enumerate((*own.names, "")):
+            shape = library.c.ear_table_shape(opened.handle, 0, int(phoneme), code)
+            shown = library.c.ear_table_shape_name(opened.handle, 0, shape).decode()
+            assert shown == table.shape_of(phoneme, own.phones.get(name, "")), (phoneme, name)
+
+
+def test_only_a_file_with_visemes_of_its_own_is_of_the_second_version() -> None:
+    own = replace(STANDARD_VISEMES, usual={})
+    plain = load_preset("learned")
+    assert plain.model is not None
+    told = [format_ear(preset)[4] for preset in (plain, replace(plain, model=replace(plain.model, viseme_set=own)))]
+    assert told == [1, 2]
 
 
 def test_an_answer_belongs_to_the_frame_at_which_the_tone_began(library: EarLibrary) -> None:

@@ -37,7 +37,7 @@ enum {
     CEPSTRA = 12,
     TAPS = 3,
     TILE = 32, /* outputs of a layer whose weights lie side by side */
-    HEADS = EAR_PHONEMES + EAR_VISEMES,
+    MOST_VISEMES = TILE,
     MOST_LAYERS = 32,
     MOST_CHANNELS = 1024,
     MOST_DILATION = 256,
@@ -95,37 +95,40 @@ const char *ear_phoneme_name(int phoneme)
     return phoneme >= 0 && phoneme < EAR_PHONEMES ? NAMES[phoneme] : "";
 }
 
+/* The visemes that a network tells apart, and how they go with phonemes. */
+typedef struct {
+    size_t n;
+    const char *const *names;
+    uint32_t allowed[EAR_PHONEMES]; /* by which a phoneme may be shown: a bit for each viseme */
+    uint32_t usual[EAR_PHONEMES];   /* of which no more is known */
+} viseme_set;
+
+static const char *const VISEME_NAMES[EAR_VISEMES] = {
+    "sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou",
+};
+
+#define BIT(viseme) (1u << (viseme))
+
+/* Those of every file that brings none of its own; phonemes in the order of ear_phoneme_name. */
+static const viseme_set STANDARD_VISEMES = {
+    EAR_VISEMES,
+    VISEME_NAMES,
+    {
+        BIT(EAR_VISEME_SIL),
+        BIT(EAR_VISEME_FF) | BIT(EAR_VISEME_TH) | BIT(EAR_VISEME_DD) | BIT(EAR_VISEME_KK) | BIT(EAR_VISEME_NN)
+            | BIT(EAR_VISEME_RR),
+        BIT(EAR_VISEME_SS), BIT(EAR_VISEME_CH), BIT(EAR_VISEME_PP), BIT(EAR_VISEME_PP), BIT(EAR_VISEME_IH),
+        BIT(EAR_VISEME_AA), BIT(EAR_VISEME_E), BIT(EAR_VISEME_OU), BIT(EAR_VISEME_OH),
+    },
+    {
+        EAR_VISEME_SIL, EAR_NO_VISEME, EAR_VISEME_SS, EAR_VISEME_CH, EAR_VISEME_PP, EAR_VISEME_PP, EAR_VISEME_IH,
+        EAR_VISEME_AA, EAR_VISEME_E, EAR_VISEME_OU, EAR_VISEME_OH,
+    },
+};
+
 const char *ear_viseme_name(int viseme)
 {
-    static const char *const NAMES[EAR_VISEMES] = {
-        "sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou",
-    };
-    return viseme >= 0 && viseme < EAR_VISEMES ? NAMES[viseme] : "";
-}
-
-/* The phoneme that a viseme shows; every other viseme belongs to an unidentified sound. */
-static int phoneme_of_viseme(int viseme)
-{
-    static const unsigned char SHOWN[EAR_VISEMES] = {
-        EAR_SILENCE, EAR_M, EAR_UNIDENTIFIED, EAR_UNIDENTIFIED, EAR_UNIDENTIFIED, EAR_UNIDENTIFIED, EAR_SCH, EAR_SZ,
-        EAR_UNIDENTIFIED, EAR_UNIDENTIFIED, EAR_A, EAR_E, EAR_I, EAR_O, EAR_U,
-    };
-    return SHOWN[viseme];
-}
-
-static int is_allowed(int phoneme, int viseme)
-{
-    return phoneme_of_viseme(viseme) == (phoneme == EAR_P ? EAR_M : phoneme);
-}
-
-/* The viseme of a phoneme of which no more is known. */
-static int usual_viseme(int phoneme)
-{
-    int viseme;
-    for (viseme = 0; viseme < EAR_VISEMES && phoneme != EAR_UNIDENTIFIED; viseme++)
-        if (is_allowed(phoneme, viseme))
-            return viseme;
-    return EAR_NO_VISEME;
+    return viseme >= 0 && viseme < EAR_VISEMES ? VISEME_NAMES[viseme] : "";
 }
 
 /* ------------------------------------------------------------------------------------------------------------------
@@ -183,7 +186,7 @@ static int begin_arena(arena *memory, void *block, size_t size, size_t needed, v
  *     sections   each 4 letters, its bytes as uint32, and those
  * ---------------------------------------------------------------------------------------------------------------- */
 
-enum { VERSION = 1, HEADER = 16 };
+enum { VERSION = 2, HEADER = 16 };
 
 typedef struct {
     const unsigned char *at, *end;
@@ -688,7 +691,7 @@ typedef struct {
     size_t n_layers, width_heads;
     layer layers[MOST_LAYERS];
     product heads; /* phonemes in the first tile, visemes in the next */
-    int knows_visemes;
+    size_t n_visemes; /* 0 where it tells none apart */
 } network;
 
 enum { ZERO_CROSSINGS, VOLUME, NOTHING, BAND, KINDS_OF_VARIABLES };
@@ -742,8 +745,6 @@ typedef struct {
     int closes;
 } mouth_entry;
 
-enum { LOOKS = EAR_VISEMES + 1 }; /* the last one where no viseme is known */
-
 typedef struct {
     const char *name;
     size_t n_movestates, n_shapes, n_rows;
@@ -751,7 +752,8 @@ typedef struct {
     const uint32_t *left_of; /* for each movestate of the right side that of the left; itself for all others */
     const float *rows;
     const uint32_t *is_loose;
-    mouth_entry entries[EAR_PHONEMES * LOOKS];
+    size_t n_looks; /* of the visemes, and one more where none is known */
+    const mouth_entry *entries; /* [phoneme][look] */
     double loudness, minimum_opening, randomness;
 } mouth_table;
 
@@ -770,6 +772,7 @@ struct ear_model {
     size_t n_points;
     const float *curve_scores, *curve_shares;
     log_mels mels;
+    viseme_set visemes;
     network net;
     front_end front;
     rules rules;
@@ -874,13 +877,13 @@ static void read_layer(reader *in, arena *memory, layer *made, size_t n_in, size
     read_bias(in, bias, made->n_out);
 }
 
-static void read_heads(reader *in, arena *memory, network *net, size_t n_in)
+static void read_heads(reader *in, arena *memory, network *net, size_t n_in, size_t n_visemes)
 {
     float *weights, *bias;
-    net->knows_visemes = (int)read_within(in, 0, 1);
+    net->n_visemes = read_within(in, 0, 1) ? n_visemes : 0;
     net->heads.n_taps = 1;
     net->heads.n_in = n_in;
-    net->heads.n_tiles = net->knows_visemes ? 2 : 1;
+    net->heads.n_tiles = net->n_visemes ? 2 : 1;
     net->width_heads = net->heads.n_tiles * TILE;
     if (!has(in, n_in * EAR_PHONEMES, 2))
         return;
@@ -888,9 +891,9 @@ static void read_heads(reader *in, arena *memory, network *net, size_t n_in)
     net->heads.bias = bias = take_zeros(memory, net->width_heads);
     read_tiles(in, weights, n_in, EAR_PHONEMES, 0);
     read_bias(in, bias, EAR_PHONEMES);
-    if (net->knows_visemes) {
-        read_tiles(in, weights, n_in, EAR_VISEMES, TILE);
-        read_bias(in, bias ? bias + TILE : NULL, EAR_VISEMES);
+    if (net->n_visemes) {
+        read_tiles(in, weights, n_in, net->n_visemes, TILE);
+        read_bias(in, bias ? bias + TILE : NULL, net->n_visemes);
     }
 }
 
@@ -908,7 +911,7 @@ static void read_network(reader *in, arena *memory, ear_model *model)
         width_in = made->width_out;
     }
     if (!in->failed)
-        read_heads(in, memory, net, n_in);
+        read_heads(in, memory, net, n_in, model->visemes.n);
 }
 
 static void read_variables(reader *in, arena *memory, front_end *front)
@@ -1045,17 +1048,21 @@ static void read_templates(reader *in, arena *memory, ear_model *model)
     read->cosines = read_floats(in, memory, CEPSTRA * BANDS);
 }
 
-static void read_entries(reader *in, mouth_table *table)
+static void read_entries(reader *in, arena *memory, mouth_table *table)
 {
-    size_t k;
-    for (k = 0; k < COUNT_OF(table->entries); k++) {
-        mouth_entry *entry = &table->entries[k];
-        entry->shape = read_within(in, 0, (uint32_t)table->n_shapes - 1);
-        entry->row = read_within(in, 0, (uint32_t)table->n_rows - 1);
-        entry->to_shape = read_f64_within(in, 0, 1000);
-        entry->to_rest = read_f64_within(in, 0, 1000);
-        entry->closes = (int)read_within(in, 0, 1);
+    size_t k, n = EAR_PHONEMES * table->n_looks;
+    mouth_entry *entries = take(memory, n, sizeof *entries);
+    for (k = 0; k < n; k++) {
+        mouth_entry read;
+        read.shape = read_within(in, 0, (uint32_t)table->n_shapes - 1);
+        read.row = read_within(in, 0, (uint32_t)table->n_rows - 1);
+        read.to_shape = read_f64_within(in, 0, 1000);
+        read.to_rest = read_f64_within(in, 0, 1000);
+        read.closes = (int)read_within(in, 0, 1);
+        if (entries)
+            entries[k] = read;
     }
+    table->entries = entries;
 }
 
 static void read_mouth_table(reader *in, arena *memory, ear_model *model)
@@ -1078,10 +1085,31 @@ static void read_mouth_table(reader *in, arena *memory, ear_model *model)
     counted.shapes = read_texts(in, memory, counted.n_shapes);
     counted.rows = read_floats(in, memory, counted.n_rows * counted.n_movestates);
     counted.is_loose = read_numbers(in, memory, counted.n_rows, 1);
-    read_entries(in, &counted);
+    counted.n_looks = model->visemes.n + 1;
+    read_entries(in, memory, &counted);
     if (table)
         *table = counted;
     model->tables[model->n_tables++] = table;
+}
+
+/* Visemes of the file's own, which stand before all that counts them. */
+static void read_visemes(reader *in, arena *memory, ear_model *model)
+{
+    viseme_set *set = &model->visemes;
+    uint32_t every;
+    int k;
+    set->n = read_within(in, 1, MOST_VISEMES);
+    set->names = read_texts(in, memory, set->n);
+    every = (uint32_t)((1ull << set->n) - 1);
+    for (k = 0; k < EAR_PHONEMES; k++)
+        set->allowed[k] = read_within(in, 1, every);
+    for (k = 0; k < EAR_PHONEMES; k++) {
+        set->usual[k] = read_within(in, 0, EAR_NO_VISEME);
+        if (set->usual[k] >= set->n && set->usual[k] != EAR_NO_VISEME)
+            in->failed = 1;
+    }
+    if (model->net.n_layers || model->n_tables)
+        in->failed = 1;
 }
 
 #define TAG(a, b, c, d) ((uint32_t)(a) | (uint32_t)(b) << 8 | (uint32_t)(c) << 16 | (uint32_t)(d) << 24)
@@ -1091,13 +1119,16 @@ typedef struct {
     void (*read)(reader *in, arena *memory, ear_model *model);
 } section;
 
-enum { PRESET_SECTION, MELS_SECTION, NETWORK_SECTION, FRONT_SECTION, RULES_SECTION, TEMPLATES_SECTION, MOUTH_SECTION };
+enum {
+    PRESET_SECTION, MELS_SECTION, NETWORK_SECTION, FRONT_SECTION, RULES_SECTION, TEMPLATES_SECTION, MOUTH_SECTION,
+    VISEMES_SECTION
+};
 
 static const section SECTIONS[] = {
     {TAG('P', 'R', 'S', 'T'), read_preset},      {TAG('M', 'E', 'L', 'S'), read_log_mels},
     {TAG('N', 'E', 'T', 'W'), read_network},     {TAG('F', 'R', 'N', 'T'), read_front_end},
     {TAG('R', 'U', 'L', 'E'), read_rules},       {TAG('T', 'M', 'P', 'L'), read_templates},
-    {TAG('M', 'O', 'U', 'T'), read_mouth_table},
+    {TAG('M', 'O', 'U', 'T'), read_mouth_table}, {TAG('V', 'I', 'S', 'M'), read_visemes},
 };
 
 /* Return which sections a recogniser needs, a bit for each. */
@@ -1135,11 +1166,14 @@ static int read_model(const unsigned char *bytes, size_t n_bytes, arena *memory,
     reader in = {NULL, NULL, 0};
     unsigned seen = 0;
     memset(model, 0, sizeof *model);
+    model->visemes = STANDARD_VISEMES;
     take(memory, 1, sizeof *model);
     if (n_bytes < HEADER || memcmp(bytes, "EAR\x1a", 4) != 0)
         return EAR_NO_EAR_FILE;
-    if (u32_at(bytes + 4) != VERSION)
-        return u32_at(bytes + 4) > VERSION ? EAR_NEWER_FILE : EAR_DAMAGED_FILE;
+    if (u32_at(bytes + 4) > VERSION)
+        return EAR_NEWER_FILE;
+    if (u32_at(bytes + 4) < 1)
+        return EAR_DAMAGED_FILE;
     if (u32_at(bytes + 8) != n_bytes || u32_at(bytes + 12) != crc_of(bytes + HEADER, n_bytes - HEADER))
         return EAR_DAMAGED_FILE;
     in.at = bytes + HEADER;
@@ -1207,6 +1241,16 @@ const char *ear_model_name(const ear_model *model)
 int ear_model_look_ahead(const ear_model *model)
 {
     return (int)model->look_ahead;
+}
+
+int ear_model_visemes(const ear_model *model)
+{
+    return (int)model->visemes.n;
+}
+
+const char *ear_model_viseme(const ear_model *model, int viseme)
+{
+    return viseme >= 0 && (size_t)viseme < model->visemes.n ? model->visemes.names[viseme] : "";
 }
 
 /* ------------------------------------------------------------------------------------------------------------------
@@ -1663,14 +1707,14 @@ static int ask_network(ear *of, const float *window, float *scores, float *visem
     );
     for (k = 0; k < lanes; k++) {
         soften(of->answers + k * width, EAR_PHONEMES);
-        if (net->knows_visemes)
-            soften(of->answers + k * width + TILE, EAR_VISEMES);
+        if (net->n_visemes)
+            soften(of->answers + k * width + TILE, net->n_visemes);
     }
     if (lanes > 1)
         weigh_tracts(of, of->answers, width, weights);
     mix(of->answers, width, lanes, weights, scores, EAR_PHONEMES);
-    if (net->knows_visemes)
-        mix(of->answers + TILE, width, lanes, weights, visemes, EAR_VISEMES);
+    if (net->n_visemes)
+        mix(of->answers + TILE, width, lanes, weights, visemes, net->n_visemes);
     return 1;
 }
 
@@ -2014,11 +2058,12 @@ static const float VISEME_MARGIN = 0.2f;
 
 static int32_t followed_viseme(ear *of, int phoneme, const float *visemes)
 {
+    const viseme_set *set = &of->model->visemes;
     int best = -1, k;
-    if (of->model->recogniser != BY_NETWORK || !of->model->net.knows_visemes)
-        return usual_viseme(phoneme);
-    for (k = 0; k < EAR_VISEMES; k++)
-        if (is_allowed(phoneme, k) && (best < 0 || visemes[k] > visemes[best]))
+    if (of->model->recogniser != BY_NETWORK || !of->model->net.n_visemes)
+        return (int32_t)set->usual[phoneme];
+    for (k = 0; (size_t)k < set->n; k++)
+        if (set->allowed[phoneme] & BIT(k) && (best < 0 || visemes[k] > visemes[best]))
             best = k;
     if (phoneme != of->viseme_phoneme || visemes[best] > visemes[of->viseme] + VISEME_MARGIN) {
         of->viseme_phoneme = phoneme;
@@ -2055,7 +2100,7 @@ static float intensity_of(const ear_model *model, float level, int phoneme)
 static int hear_window(ear *of, const float *window, ear_frame *frame)
 {
     const ear_model *model = of->model;
-    float visemes[EAR_VISEMES] = {0}, level = peak_of(window);
+    float visemes[MOST_VISEMES] = {0}, level = peak_of(window);
     uint32_t raw;
     memset(frame, 0, sizeof *frame);
     of->levels[of->level_at] = level;
@@ -2240,8 +2285,8 @@ static const mouth_table *table_of(const ear_model *model, int table)
 static const mouth_entry *entry_of(const mouth_table *table, int phoneme, int viseme)
 {
     size_t sound = phoneme >= 0 && phoneme < EAR_PHONEMES ? (size_t)phoneme : EAR_UNIDENTIFIED;
-    size_t look = viseme >= 0 && viseme < EAR_VISEMES ? (size_t)viseme : EAR_VISEMES;
-    return &table->entries[sound * LOOKS + look];
+    size_t none = table->n_looks - 1, look = viseme >= 0 && (size_t)viseme < none ? (size_t)viseme : none;
+    return &table->entries[sound * table->n_looks + look];
 }
 
 int ear_table_count(const ear_model *model)

@@ -44,7 +44,7 @@ enum {
     EAR_SILENCE, EAR_UNIDENTIFIED, EAR_SZ, EAR_SCH, EAR_M, EAR_P, EAR_I, EAR_A, EAR_E, EAR_U, EAR_O
 };
 
-/* What lips and tongue show: the visemes of Oculus Lipsync, in ear_frame.viseme. */
+/* What lips and tongue show: the visemes of Oculus Lipsync, in ear_frame.viseme; or those of ear_model_viseme. */
 enum {
     EAR_VISEME_SIL, EAR_VISEME_PP, EAR_VISEME_FF, EAR_VISEME_TH, EAR_VISEME_DD, EAR_VISEME_KK, EAR_VISEME_CH,
     EAR_VISEME_SS, EAR_VISEME_NN, EAR_VISEME_RR, EAR_VISEME_AA, EAR_VISEME_E, EAR_VISEME_IH, EAR_VISEME_OH,
@@ -72,7 +72,7 @@ enum { EAR_LOWEST_RATE = 1000, EAR_HIGHEST_RATE = 768000 };
 typedef struct {
     uint32_t number;            /* it lasts from number x 10 ms of the sound to 10 ms later */
     int32_t phoneme;            /* EAR_SILENCE to EAR_O, calmed as the preset says */
-    int32_t viseme;             /* EAR_VISEME_SIL to EAR_VISEME_OU, or EAR_NO_VISEME */
+    int32_t viseme;             /* EAR_VISEME_SIL to EAR_VISEME_OU or one of the model's own, or EAR_NO_VISEME */
     float intensity;            /* how loud, 0..1; 0 in silence */
     float confidence;           /* the share of such answers that are right, 0..1; NaN where nobody knows */
     float scores[EAR_PHONEMES]; /* how likely each phoneme is, before calming; all 0 with rules, which name one only */
@@ -102,6 +102,9 @@ EAR_API void ear_model_close(ear_model *model);
 EAR_API const char *ear_model_name(const ear_model *model);
 /* For how many frames of 10 ms after a frame it waits before it says what that is. */
 EAR_API int ear_model_look_ahead(const ear_model *model);
+/* The visemes that it tells apart, and their names, in the order of ear_frame.viseme: EAR_VISEMES, or its own. */
+EAR_API int ear_model_visemes(const ear_model *model);
+EAR_API const char *ear_model_viseme(const ear_model *model, int viseme);
 
 /* -- An ear: follows one sound, mono, float, full scale +-1, at any rate of 1..768 kHz. -- */
 

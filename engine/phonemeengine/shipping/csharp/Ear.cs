@@ -90,6 +90,15 @@ namespace PhonemeEar
             return number;
         }
 
+        /// <summary>The names of the visemes that the preset tells apart: those of Viseme, or its own.</summary>
+        public IReadOnlyList<string> Visemes()
+        {
+            var names = new string[Native.ear_model_visemes(Handle)];
+            for (var k = 0; k < names.Length; k++)
+                names[k] = Native.Text(Native.ear_model_viseme(Handle, k));
+            return names;
+        }
+
         /// <summary>The blend shapes that a table moves, in the order of all weights.</summary>
         public IReadOnlyList<string> Movestates(int table)
         {
@@ -253,6 +262,8 @@ namespace PhonemeEar
         [DllImport(Library)] internal static extern void ear_model_close(IntPtr model);
         [DllImport(Library)] internal static extern IntPtr ear_model_name(IntPtr model);
         [DllImport(Library)] internal static extern int ear_model_look_ahead(IntPtr model);
+        [DllImport(Library)] internal static extern int ear_model_visemes(IntPtr model);
+        [DllImport(Library)] internal static extern IntPtr ear_model_viseme(IntPtr model, int viseme);
         [DllImport(Library)]
         internal static extern int ear_open(IntPtr model, uint rate, IntPtr memory, UIntPtr size, out IntPtr listener);
         [DllImport(Library)] internal static extern void ear_close(IntPtr listener);

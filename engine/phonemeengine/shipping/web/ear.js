@@ -12,7 +12,6 @@ const FRAME_BYTES = 64;
 const MOST_SAMPLES = 4096; // that are handed to the module at once
 const LAST_FRAMES = 32; // that a sound's end gives at most
 const PHONEMES = 11;
-const VISEMES = 15;
 const WORKLET = ""; // the text of ear-worklet.js: `phonemeanalyser ship` puts it in, so that bundles need no other file
 
 /** What a frame's viseme is where nobody knows it. */
@@ -71,7 +70,8 @@ export class EarModel {
     this.name = this.#text(this.#c.ear_model_name(this.#model));
     this.lookAhead = this.#c.ear_model_look_ahead(this.#model) / 100;
     this.phonemes = this.#list(PHONEMES, (k) => this.#c.ear_phoneme_name(k));
-    this.visemes = this.#list(VISEMES, (k) => this.#c.ear_viseme_name(k));
+    const n = this.#c.ear_model_visemes(this.#model);
+    this.visemes = this.#list(n, (k) => this.#c.ear_model_viseme(this.#model, k));
     this.tables = this.#list(this.#c.ear_table_count(this.#model), (k) => this.#c.ear_table_name(this.#model, k));
   }
 
