@@ -318,7 +318,7 @@ def _follow(session: Session, file: Path, at: float | None, channel: Channel) ->
         session.set_channel(channel)
     if failures:
         raise EngineError(failures[0])
-    session.analyse_until(session.duration if at is None else at)
+    session.analyse_until(session.source.duration if at is None else at)
 
 
 def _pass_message(_kind: QtMsgType, _context: QMessageLogContext, message: str) -> None:

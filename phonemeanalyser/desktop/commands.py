@@ -51,28 +51,31 @@ def file_commands(dialogs: Dialogs) -> Commands:
 
 def play_commands(session: Session) -> Commands:
     """Return what moves the sound in hand."""
+    playback = session.playback
     return (
         Command(tr_noop("Play or Pause"), "Space", session.toggle),
         Command(tr_noop("Stop"), "Escape", session.stop),
-        Command(tr_noop("Loop"), "L", session.set_loop, checkable=True),
-        Command(tr_noop("Back 1 s"), "Ctrl+Left", lambda: session.seek(session.position - 1), repeats=True),
-        Command(tr_noop("Forward 1 s"), "Ctrl+Right", lambda: session.seek(session.position + 1), repeats=True),
+        Command(tr_noop("Loop"), "L", playback.set_loop, checkable=True),
+        Command(tr_noop("Back 1 s"), "Ctrl+Left", lambda: session.seek(session.source.position - 1), repeats=True),
+        Command(
+            tr_noop("Forward 1 s"), "Ctrl+Right", lambda: session.seek(session.source.position + 1), repeats=True
+        ),
         Command(tr_noop("To the Beginning"), "Home", lambda: session.seek(0)),
-        Command(tr_noop("To the End"), "End", lambda: session.seek(session.duration)),
-        Command(tr_noop("Louder"), "Ctrl+Up", lambda: session.set_volume(session.volume + 3), repeats=True),
+        Command(tr_noop("To the End"), "End", lambda: session.seek(session.source.duration)),
+        Command(tr_noop("Louder"), "Ctrl+Up", lambda: playback.set_volume(playback.volume + 3), repeats=True),
         Command(
             tr_noop("Slower"),
             "Ctrl+Shift+Left",
-            lambda: session.set_speed(next_speed(session.speed, SPEEDS)),
+            lambda: playback.set_speed(next_speed(playback.speed, SPEEDS)),
             repeats=True,
         ),
         Command(
             tr_noop("Faster"),
             "Ctrl+Shift+Right",
-            lambda: session.set_speed(next_speed(session.speed, SPEEDS[::-1])),
+            lambda: playback.set_speed(next_speed(playback.speed, SPEEDS[::-1])),
             repeats=True,
         ),
-        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: session.set_volume(session.volume - 3), repeats=True),
+        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: playback.set_volume(playback.volume - 3), repeats=True),
     )
 
 

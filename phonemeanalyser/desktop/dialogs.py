@@ -16,7 +16,8 @@ from phonemeanalyser.desktop.analyse.recognition.variable_dialog import Variable
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel, preset_filter
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeanalyser.desktop.settings import keep, read, read_paths
 from phonemeanalyser.desktop.talk.model import TalkModel
@@ -107,8 +108,8 @@ class Dialogs(QObject):
         self.rejected.emit("")  # before: labels beside the sound may be refused
         if not self._session.open(path):
             return False
-        if self._session.cut_off:
-            self.info.emit(tr_engine(self._session.cut_off))
+        if self._session.file is not None and self._session.file.cut_off:
+            self.info.emit(tr_engine(f"{path.name}: {self._session.file.cut_off}"))
         self._remember_recent("recent", path)
         self.sound_opened.emit()
         return True
@@ -160,15 +161,15 @@ class Dialogs(QObject):
 
     def ask_save_phonemes(self) -> None:
         """Let the user choose a file to save the phonemes of a whole sound to; its ending says in which format."""
-        session = self._session
-        if session.source.live or not session.duration:
+        source = self._session.source
+        if source.reopen is None or not source.duration:
             self.rejected.emit(tr("There is no sound file in hand; open the one whose phonemes are to be saved."))
             return
-        sound = (session.path if session.source is SoundSource.FILE else None) or Path.home() / session.name
+        sound = source.path or Path.home() / source.name
         suggested = self._files.folder_of("phonemes", sound.parent) / f"{sound.stem}.TextGrid"
         filters = ";;".join(map(tr, LABEL_FILTERS))
         if path := self._files.ask_target(tr("Save the phonemes"), suggested, filters, "phonemes"):
-            session.write_phonemes(path)
+            self._session.writer.write(source.name, source.reopen, self._preset.in_force, path)
 
     def show_export(self, sounds: Sequence[Path] = ()) -> None:
         """Show what sounds can be turned into; begins with the sound in hand, unless others are named."""
@@ -191,7 +192,7 @@ class Dialogs(QObject):
 
     def measure_latency(self) -> None:
         """Play clicks, with the microphone and the loudspeaker free for that."""
-        self._session.set_source(SoundSource.MICROPHONE)
+        self._session.set_source(SourceKind.MICROPHONE)
         self.info.emit(tr("Listening for clicks from the loudspeaker, for three seconds …"))
         self._session.microphone.measure()
 
@@ -416,8 +417,8 @@ class Dialogs(QObject):
     def record(self) -> None:
         """Begin or end a recording; a file in hand is left only when that is wanted."""
         session = self._session
-        leaves = session.source is SoundSource.FILE and session.path is not None and not session.microphone.recording
-        if not leaves or self._may_record_instead_of(session.name):
+        leaves = session.source.path is not None and not session.microphone.recording
+        if not leaves or self._may_record_instead_of(session.source.name):
             session.toggle_recording()
 
     def _may_record_instead_of(self, name: str) -> bool:

@@ -9,7 +9,8 @@ from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.recognition.look_ahead_slider import LookAheadSlider
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport.transport import Transport
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.head.heads import Heads
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack
 
@@ -60,8 +61,8 @@ class RedrawLoop(QObject):
         self._heads.move(frozen=self.frozen)
         self.n_ticks += 1
         slow = self.n_ticks % SLOW == 0
-        self.dirty |= self._session.input_silent != self._analysis.phoneme.input_silent
-        if slow and (self._session.playing or self._session.microphone.recording):
+        self.dirty |= self._session.microphone.silent != self._analysis.phoneme.input_silent
+        if slow and (self._session.source.playing or self._session.microphone.recording):
             self._transport.refresh()
             self.refresh_status()
         if self._pages.currentWidget() is self._analysis:
@@ -87,5 +88,5 @@ class RedrawLoop(QObject):
         if slow:
             self._analysis.refresh_slow()
             self.dirty = False
-        if known_at is not None and self._session.source is SoundSource.MICROPHONE:
+        if known_at is not None and self._session.source.kind is SourceKind.MICROPHONE:
             QTimer.singleShot(0, lambda: self._status.note_display(time.monotonic() - known_at))

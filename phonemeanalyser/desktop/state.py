@@ -110,9 +110,9 @@ class WindowState:
         return (
             *(Kept(name, switch.isChecked, switch.setChecked) for name, switch in self._switches.items()),
             *(_kept_choice(name, box) for name, box in self._choices.items()),
-            Kept("volume", lambda: round(session.volume), session.set_volume),
-            Kept("output", lambda: session.loudspeaker.label, session.loudspeaker.choose),
-            Kept("loop", lambda: session.loop, session.set_loop),
+            Kept("volume", lambda: round(session.playback.volume), session.playback.set_volume),
+            Kept("output", lambda: session.playback.device, session.playback.choose_device),
+            Kept("loop", lambda: session.playback.loop, session.playback.set_loop),
             Kept("channel", lambda: session.wanted_channel, session.set_channel),
             _kept_attribute("recordings", microphone, "folder"),
             Kept("recording_kind", lambda: microphone.suffix, partial(_set_kind, microphone)),

@@ -25,7 +25,8 @@ from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
@@ -230,7 +231,7 @@ class MainWindow(QMainWindow):
 
     def _use_as_take(self, phoneme: Phoneme) -> None:
         """Make what is selected a take of a phoneme."""
-        span, seen = self.selection.span, self._session.seen_sound
+        span, seen = self.selection.span, self._session.seen.sound
         if span is not None and seen is not None:
             self._ask_calibration().takes.add_from_file(*seen, *span, phoneme)
 
@@ -276,7 +277,7 @@ class MainWindow(QMainWindow):
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
         session.rewritten.connect(self._draw_rewritten)
-        for signal in (session.transport_changed, session.looked_back, preset.changed, session.second.changed):
+        for signal in (session.transport_changed, session.seen.looked_back, preset.changed, session.second.changed):
             signal.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
         self._connect_cards()
@@ -352,13 +353,13 @@ class MainWindow(QMainWindow):
     def _show_names(self) -> None:
         session, preset = self._session, self._preset
         self.analysis.invite()
-        self.setWindowTitle(f"{session.name} - {preset.preset.name}[*] - PhonemeAnalyser")
+        self.setWindowTitle(f"{session.source.name} - {preset.preset.name}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
         self.redraw.refresh_status()
 
     def _show_state(self) -> None:
-        self.menus.show_checked("Loop", self._session.loop)
-        self.menus.show_checked("Look Back", self._session.looks_back)
+        self.menus.show_checked("Loop", self._session.playback.loop)
+        self.menus.show_checked("Look Back", self._session.seen.looks_back)
         self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
         self.menus.show_checked("Hear with the Second", self._session.second.is_in_force)
         self.redraw.dirty = True
@@ -389,7 +390,7 @@ class MainWindow(QMainWindow):
 
     def _listen(self) -> None:
         self.show_page(ANALYSE)
-        self._session.set_source(SoundSource.MICROPHONE)
+        self._session.set_source(SourceKind.MICROPHONE)
 
     # -- files --------------------------------------------------------------------------------------------
 

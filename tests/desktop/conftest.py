@@ -120,18 +120,18 @@ def play(session: Session, outputs: Outputs, qtbot: QtBot) -> Callable[[float], 
     """Plays from where the session stands for some seconds, at most to the end."""
 
     def play(seconds: float) -> None:
-        until = session.position + seconds
+        until = session.source.position + seconds
         session.play()
-        while session.playing and session.position < until - 1e-9:
+        while session.source.playing and session.source.position < until - 1e-9:
             qtbot.waitUntil(lambda: outputs.last.n_written - outputs.last.heard >= AHEAD or ended(session))
-            outputs.last.move(min(STEP, (until - session.position) * SAMPLE_RATE))
+            outputs.last.move(min(STEP, (until - session.source.position) * SAMPLE_RATE))
             session.poll()
 
     return play
 
 
 def ended(session: Session) -> bool:
-    return session._player is not None and session._player._at_end
+    return session.source.player is not None and session.source.player._at_end
 
 
 def begin(app: QApplication, settings: QSettings, microphone: Microphone) -> Desktop:

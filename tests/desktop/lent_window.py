@@ -25,7 +25,7 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.analyse.spectra.waveform_view import SOFTEST
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
 from phonemeanalyser.desktop.window import ANALYSE, MainWindow
 from phonemeengine.audio.tone.settings import Tone
@@ -121,14 +121,12 @@ def _show(window: MainWindow) -> None:
 def _leave_sound(session: Session) -> None:
     """Have no sound in hand, as before the first one."""
     session.second.take(None)
-    session._detach()
-    session._file, session._left_at, session._told, session._speak_again = None, 0.0, "", None
-    session.source, session.wanted_channel, session.tone = SoundSource.FILE, Channel.MIX, Tone()
     session.view.follows = True
-    session.set_speed(1.0)
-    session.labels.follow(None, 0.0)
+    session.leave_sound()
+    session.set_channel(Channel.MIX)
+    session.playback.set_tone(Tone())
+    session.playback.set_speed(1.0)
     session.clear()
-    session.opened.emit()
 
 
 def _forget_edits(desktop: Desktop) -> None:
@@ -179,7 +177,8 @@ def _looks(desktop: Desktop) -> Counter[object]:
             x = np.round(item.viewRange()[0] if isinstance(item, pg.ViewBox) else region, 3).tolist()
             found[type(item).__name__, item.isVisible(), repr(x)] += 1
     found[preset.bypassed, preset.has_unsaved_changes, preset.undo_stack.count(), str(preset.path)] += 1
-    found[session.loop, session.volume, session.speed, session.channel, session.source, session.tone] += 1
+    playback, kind = session.playback, session.source.kind
+    found[playback.loop, playback.volume, playback.speed, session.channel, kind, playback.tone] += 1
     found[session.history.n, session.averages.n_frames, session.view.seen, session.labels.state] += 1
     found[type(window.focusWidget()).__name__, window.size().toTuple(), window.theme] += 1
     return found

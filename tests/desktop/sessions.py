@@ -19,6 +19,6 @@ def frames(session: Session) -> list[int]:
 
 def settled(session: Session, qtbot: QtBot) -> None:
     """Wait until a seek has arrived."""
-    player = session._player
+    player = session.source.player
     assert player is not None
     qtbot.waitUntil(lambda: player._target is None and not player._commands)

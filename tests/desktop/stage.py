@@ -54,7 +54,7 @@ class Stage:
         """Play on for some seconds, at most to the end, and watch after each step."""
         until = self.now + seconds
         self.session.play()
-        while self.session.playing and self.now < until - 1e-9:
+        while self.session.source.playing and self.now < until - 1e-9:
             self.qtbot.waitUntil(
                 lambda: self.outputs.last.n_written - self.outputs.last.heard >= AHEAD or ended(self.session)
             )

@@ -16,7 +16,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
@@ -167,7 +167,7 @@ class Booth:
     def record(self) -> None:
         """Press R in the view, and leave the file in hand for the microphone."""
         self.go_to_view()
-        if self.desktop.session.source is SoundSource.FILE:
+        if self.desktop.session.source.kind is SourceKind.FILE:
             answer("Record")
         press(self.window, Qt.Key.Key_R)
 

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QDialog, QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import DARK, LIGHT, PHONEME_COLOURS, Theme
 from tests.desktop.accessible import controls_of, spoken_name
 from tests.desktop.hands import CARDS, shown
@@ -20,7 +20,7 @@ TEXT, LARGE = 4.5, 3.0
 
 def test_every_control_of_every_page_has_a_name_for_screen_readers_whatever_is_heard(desktop, qtbot):
     window = shown(desktop, qtbot)
-    for source, page in product(SoundSource, range(3)):
+    for source, page in product(SourceKind, range(3)):
         desktop.session.set_source(source)
         window.show_page(page)
         nameless = [w for w in controls_of(window) if not any(letter.isalnum() for letter in spoken_name(w))]

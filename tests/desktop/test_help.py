@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWhatsThis, QWidget
 
 from phonemeanalyser.desktop.manual import PAGES, ManualDialog, docs_folder, page_text, passage, slug_of, title_of
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.what_is_this import PASSAGES, explanation_of, passage_for
 from tests.conftest import ROOT
 from tests.desktop.accessible import controls_of
@@ -86,7 +86,7 @@ def test_the_cards_come_once_and_lead_to_demo_microphone_and_calibration(desktop
     assert all(card.isVisible() for card in window.welcome.cards)
     QTest.mouseClick(window.welcome.cards[1], LEFT)
     assert not window.welcome.isVisible()
-    assert desktop.session.source is SoundSource.MICROPHONE
+    assert desktop.session.source.kind is SourceKind.MICROPHONE
     window.greet()
     assert not window.welcome.isVisible()
     window.menus.actions["First Steps…"].trigger()
@@ -94,7 +94,7 @@ def test_the_cards_come_once_and_lead_to_demo_microphone_and_calibration(desktop
     desktop.demo = CARDS
     QTest.mouseClick(window.welcome.cards[0], LEFT)
     assert desktop.session.path == CARDS
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     desktop.session.stop()
     window.welcome.show_cards()
     QTest.mouseClick(window.welcome.cards[2], LEFT)

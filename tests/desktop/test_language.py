@@ -19,7 +19,7 @@ from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDi
 from phonemeanalyser.desktop.engine_words import SPOKEN, tr_engine
 from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.text_panel import _short
 from phonemeanalyser.desktop.talk.words.voice_model import installed
 from phonemeengine.audio.output import ClockOutput
@@ -88,7 +88,7 @@ def texts_in(desktop: Desktop, sound: Path, qtbot: QtBot) -> set[str]:
         window.show_page(page)
         window.redraw.refresh_all()
         found |= texts_of(window)
-    for source in SoundSource:
+    for source in SourceKind:
         session.set_source(source)
         window.redraw.refresh_all()
         found |= texts_of(window)

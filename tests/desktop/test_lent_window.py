@@ -18,7 +18,7 @@ def test_a_window_is_lent_again_as_it_was_at_first(lender: WindowLender, desktop
     desktop.preset.set_filter(Filter.DENOISE, on=True)
     assert desktop.preset.undo_stack.canUndo()
     again = lender.lend()
-    assert (again.session.path, again.session.loop, again.session.history.n) == (None, False, 0)
+    assert (again.session.path, again.session.playback.loop, again.session.history.n) == (None, False, 0)
     assert not again.window.analysis.spectrum.decibels.isChecked()
     assert again.window.analysis.waveform.scale.value() == 0
     assert not again.preset.undo_stack.canUndo()

@@ -60,7 +60,7 @@ def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     window, session, errors = shown(desktop, qtbot, sound), desktop.session, []
     session.error.connect(errors.append)
     qtbot.waitUntil(lambda: not session.busy)
-    known, duration = session.whole.tracks.phonemes.copy(), session.duration
+    known, duration = session.whole.tracks.phonemes.copy(), session.source.duration
     change(sound)
     session.view.show(TimeSpan(0.7, 0.8))  # finer than what is measured of the sonagram
     window.analysis.file.view.show_over("formants", on=True)
@@ -77,7 +77,7 @@ def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     assert all(error.count("\n") == 0 and "sound.wav" in error for error in errors)
     assert len(set(errors)) <= 6
     assert errors or change is made_longer
-    assert session.duration == duration
+    assert session.source.duration == duration
     assert len(session.whole.tracks.phonemes) == len(known)
     window.dialogs.open_sound(CARDS)  # and another one is as good as ever
     qtbot.waitUntil(lambda: not session.busy)
@@ -92,11 +92,11 @@ def test_a_chip_says_that_another_program_changed_the_file_and_opens_it_again(de
     qtbot.waitUntil(lambda: chips.words() == "changed on disk")
     assert "sound.wav" in chips.changed.toolTip()
     QTest.mouseClick(chips.changed, LEFT)
-    assert desktop.session.duration == 9.0
+    assert desktop.session.source.duration == 9.0
     assert chips.words() == ""
     sound.unlink()
     qtbot.waitUntil(lambda: chips.words() == "gone from disk")
-    assert desktop.session.duration == 9.0
+    assert desktop.session.source.duration == 9.0
 
 
 def labels_until(end: float) -> tuple[Tier, ...]:
@@ -109,7 +109,7 @@ def test_labels_longer_than_the_sound_are_one_sentence_and_stay_in_their_file(de
     write_tiers(labels_until(60.0), grid, duration=60.0)
     window, session = shown(desktop, qtbot, sound), desktop.session
     assert "sound.TextGrid" in window.banner.label.text()
-    assert session.duration == SECONDS
+    assert session.source.duration == SECONDS
     assert session.labels.tiers == ()
     assert read_tiers(grid)[0].raw_labels[-1].end == 60.0
 
@@ -117,7 +117,7 @@ def test_labels_longer_than_the_sound_are_one_sentence_and_stay_in_their_file(de
 def test_labels_that_overlap_are_one_sentence_and_the_sound_is_opened_without_them(desktop, qtbot, sound):
     sound.with_suffix(".txt").write_text("0.0\t0.8\ta\n0.5\t1.0\ts\n")
     window = shown(desktop, qtbot, sound)
-    assert desktop.session.duration == SECONDS
+    assert desktop.session.source.duration == SECONDS
     assert desktop.session.labels.tiers == ()
     assert "must not overlap" in window.banner.label.text()
 

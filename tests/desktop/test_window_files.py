@@ -60,7 +60,7 @@ def test_a_dropped_sound_is_opened(desktop, window):
     assert drop(window, DEMO)
     assert desktop.session.path == DEMO
     assert window.windowTitle().startswith("demo.flac - ")
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
 
 
 def test_a_face_of_ones_own_is_shown_where_it_speaks(desktop, window, tmp_path, qtbot):
@@ -207,24 +207,24 @@ def is_one_sentence(window) -> bool:
 
 def test_a_bad_sound_gives_one_sentence_and_leaves_everything(desktop, qtbot, tmp_path):
     window = followed(desktop, qtbot, seconds=1.0)
-    before = window.windowTitle(), desktop.session.history.n, desktop.session.position, recent(window)
+    before = window.windowTitle(), desktop.session.history.n, desktop.session.source.position, recent(window)
     for name in BAD_FILES.keys() - DAMAGED.keys():
         window.dialogs.open_any(BAD_FILES[name](tmp_path))
         assert is_one_sentence(window), name
         assert desktop.session.path == CARDS, name
-        after = window.windowTitle(), desktop.session.history.n, desktop.session.position, recent(window)
+        after = window.windowTitle(), desktop.session.history.n, desktop.session.source.position, recent(window)
         assert after == before, name
         window.banner.show_error("")
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 @pytest.mark.parametrize("name", DAMAGED)
 def test_damage_met_while_playing_stops_with_one_sentence(desktop, window, qtbot, tmp_path, name):
     window.dialogs.open_sound(DAMAGED[name](tmp_path))
-    desktop.session.seek(max(0.0, min(1.6, desktop.session.duration - 0.5)))
+    desktop.session.seek(max(0.0, min(1.6, desktop.session.source.duration - 0.5)))
     click(window.transport.play)
-    qtbot.waitUntil(lambda: not desktop.session.playing)
+    qtbot.waitUntil(lambda: not desktop.session.source.playing)
     assert is_one_sentence(window)
     window.dialogs.open_sound(CARDS)
     assert not window.banner.isVisible()

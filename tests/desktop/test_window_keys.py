@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox, QListView
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.calibrate.calibrating import Calibrator
@@ -37,7 +37,7 @@ def test_letters_typed_into_a_list_that_was_closed_search_in_it_and_record_nothi
     QTest.keyClicks(box, "Ger")
     assert box.currentText() == "German"
     assert not session.microphone.recording
-    assert session.source is SoundSource.FILE
+    assert session.source.kind is SourceKind.FILE
 
 
 @pytest.mark.parametrize("page", [1, 2])
@@ -46,14 +46,14 @@ def test_single_letters_of_the_menus_do_nothing_on_other_pages(desktop, qtbot, p
     window.show_page(page)
     for key in (Qt.Key.Key_R, Qt.Key.Key_N, Qt.Key.Key_L, Qt.Key.Key_B, Qt.Key.Key_C, Qt.Key.Key_F, Qt.Key.Key_D):
         press(window, key)
-    assert session.source is SoundSource.FILE
-    assert not session.loop
+    assert session.source.kind is SourceKind.FILE
+    assert not session.playback.loop
     assert not preset.bypassed
     assert not window.redraw.frozen
     window.show_page(0)
     press(window, Qt.Key.Key_L)
     press(window, Qt.Key.Key_B)
-    assert session.loop
+    assert session.playback.loop
     assert preset.bypassed
 
 
@@ -67,13 +67,13 @@ def test_a_list_a_number_and_a_text_keep_what_is_typed_into_them(desktop, qtbot)
         assert QApplication.focusWidget() is control
         QTest.keyClicks(control, "lbrn")
         press(window, Qt.Key.Key_Delete)
-    assert not session.loop
+    assert not session.playback.loop
     assert not desktop.preset.bypassed
     assert not session.microphone.recording
     type_number(scroll.low, "-50")
     assert scroll.low.value() == -50
     press(window, Qt.Key.Key_Space)  # which writes no number
-    assert session.playing
+    assert session.source.playing
 
 
 def test_record_asks_before_it_leaves_the_file_in_hand(desktop, qtbot):
@@ -81,10 +81,10 @@ def test_record_asks_before_it_leaves_the_file_in_hand(desktop, qtbot):
     asked = answer("Cancel")
     press(window, Qt.Key.Key_R)
     assert asked == ["Leave cards.flac, and record the microphone?"]
-    assert session.source is SoundSource.FILE
+    assert session.source.kind is SourceKind.FILE
     answer("Record")
     window.menus.actions["Record"].trigger()  # without a window manager, the window has the keyboard no more
-    assert session.source is SoundSource.MICROPHONE
+    assert session.source.kind is SourceKind.MICROPHONE
 
 
 def test_space_plays_after_a_control_that_had_the_focus_was_disabled(desktop, qtbot, tmp_path):
@@ -96,7 +96,7 @@ def test_space_plays_after_a_control_that_had_the_focus_was_disabled(desktop, qt
     assert not window.transport.channel.isEnabled()
     assert QApplication.focusWidget() is window.analysis.file.view
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 @pops_up
@@ -116,12 +116,12 @@ def test_space_plays_after_a_choice_with_the_mouse_and_after_one_was_hidden(desk
     qtbot.waitUntil(lambda: QApplication.focusWidget() is window.analysis.file.view)
     window.transport.channel.setEnabled(True)
     window.transport.channel.setFocus()
-    desktop.session.set_source(SoundSource.TONE)  # which has no channels to choose from
+    desktop.session.set_source(SourceKind.TONE)  # which has no channels to choose from
     assert window.transport.channel.isHidden()
     assert QApplication.focusWidget() is window.analysis
     desktop.session.pause()
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 def test_a_button_reached_with_tab_keeps_space_and_one_that_was_clicked_does_not_get_the_focus(desktop, qtbot):
@@ -134,7 +134,7 @@ def test_a_button_reached_with_tab_keeps_space_and_one_that_was_clicked_does_not
     wireframe.setFocus(Qt.FocusReason.TabFocusReason)
     press(window, Qt.Key.Key_Space)
     assert not wireframe.isChecked()
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
 
 
 def test_the_list_of_keys_is_whole_on_every_page_and_says_where_letters_act(desktop, qtbot):

@@ -89,7 +89,7 @@ def test_errors_are_gone_through_by_key(desktop, window):
     assert errors
     press(window, Qt.Key.Key_N)
     assert desktop.session.view.selection == TimeSpan(errors[0].start, errors[0].end)
-    assert desktop.session.position == pytest.approx(errors[0].seen_at, abs=1e-3)
+    assert desktop.session.source.position == pytest.approx(errors[0].seen_at, abs=1e-3)
     assert f"{errors[0].recognised.label} was recognised" in window.banner.label.text()
     newest = desktop.session.results.history.newest  # the frame that the decision is about
     assert newest.times[-1] > errors[0].start

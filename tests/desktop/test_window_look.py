@@ -73,11 +73,11 @@ def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
 
 def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
     window = shown(desktop, qtbot)
-    desktop.session.set_loop(True)  # however long the window takes, the sound goes on
+    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.n > 10)
     desktop.set_theme("dark")
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     n = desktop.session.history.n
     qtbot.waitUntil(lambda: desktop.session.history.n > n + 20)
     assert desktop.window.analysis.phoneme.meters
@@ -233,8 +233,8 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert new.analysis.spectra.sizes() == pytest.approx(sizes[1], abs=25)
     assert not new.findChild(QDockWidget, "Filters").isVisible()
     assert new.findChild(QDockWidget, "Thresholds").isVisible()
-    assert new.transport.volume.value() == again.session.volume == -20
-    assert again.session.loop
+    assert new.transport.volume.value() == again.session.playback.volume == -20
+    assert again.session.playback.loop
     assert new.transport.loop.isChecked()
     assert again.session.channel is Channel.LEFT
     assert new.transport.channel.currentText() == "left"
@@ -289,6 +289,6 @@ def test_settings_of_nonsense_do_not_keep_the_window_from_opening(qapp, settings
     desktop.window.show()
     qtbot.waitExposed(desktop.window)
     assert desktop.session.channel is Channel.MIX
-    assert desktop.session.volume == 0
+    assert desktop.session.playback.volume == 0
     desktop.session.close()
     desktop.window.close_without_asking()

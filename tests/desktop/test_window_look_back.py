@@ -15,7 +15,7 @@ def test_what_was_heard_is_seen_like_a_file_and_live_goes_on(booth: Booth, mic: 
     window, session = booth.window, booth.desktop.session
     booth.hear(mic, noise(2.0))
     QTest.mouseClick(window.analysis.scroll_view.back, LEFT)
-    booth.until(lambda: session.looks_back and not session.busy)
+    booth.until(lambda: session.seen.looks_back and not session.busy)
     assert window.analysis.over_time.currentWidget() is window.analysis.file
     assert session.view.duration == pytest.approx(2.0, abs=0.2)
     assert session.whole.tracks.n_frames == pytest.approx(session.view.duration / FRAME_PERIOD, abs=3)
@@ -31,15 +31,15 @@ def test_what_was_heard_is_seen_like_a_file_and_live_goes_on(booth: Booth, mic: 
     booth.until(lambda: booth.banner.startswith("Save what was heard as a sound"))
     QTest.mouseClick(window.analysis.file.live, LEFT)
     assert window.analysis.over_time.currentWidget() is window.analysis.scroll_view
-    assert not session.looks_back
+    assert not session.seen.looks_back
 
 
 def test_clear_forgets_it_and_nothing_heard_is_said(booth: Booth, mic: HandDrivenMicrophone):
     session = booth.desktop.session
     booth.hear(mic, noise(0.5))
     session.look_back(True)
-    assert session.looks_back
+    assert session.seen.looks_back
     session.clear()
-    assert not session.looks_back
+    assert not session.seen.looks_back
     session.look_back(True)
     booth.until(lambda: booth.banner == "The microphone heard nothing yet; listen to it, then look back.")

@@ -126,7 +126,7 @@ def test_closing_without_changes_asks_nothing(desktop, window, asked):
 def test_closing_while_it_plays_silences_it(desktop, window):
     click(window.transport.play)
     assert window.close()
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
 
 
 def test_cancel_keeps_the_window_and_the_changes(desktop, window, asked):
@@ -136,7 +136,7 @@ def test_cancel_keeps_the_window_and_the_changes(desktop, window, asked):
     assert asked.times == 1
     assert window.isVisible()
     assert window.isWindowModified()
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     assert window.redraw.timer.isActive()
 
 

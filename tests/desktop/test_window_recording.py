@@ -14,7 +14,7 @@ from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QColor, QDropEvent
 from PySide6.QtTest import QTest
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.settings import HOP
 from tests.desktop.hands import CARDS, DEMO, FileAnswers, click, press
 from tests.desktop.session.test_microphone import CUT_OFF
@@ -76,10 +76,10 @@ def test_r_makes_room_for_the_microphone_whatever_was_in_use(open_booth: Open, m
     press(booth.window, Qt.Key.Key_Space)
     booth.record()
     booth.hear(mic, known(0, 40))
-    assert booth.desktop.session.source is SoundSource.MICROPHONE
+    assert booth.desktop.session.source.kind is SourceKind.MICROPHONE
     booth.record()
     booth.until(lambda: booth.banner.startswith("Recorded 0.4 s"))
-    assert booth.desktop.session.playing  # it goes on listening
+    assert booth.desktop.session.source.playing  # it goes on listening
 
 
 def test_flac_and_phonemes_are_chosen_in_the_menu(booth: Booth, mic: HandDrivenMicrophone):
@@ -124,8 +124,8 @@ def test_the_offer_opens_the_recording(booth: Booth, mic: HandDrivenMicrophone):
     assert (action.text(), action.isVisible()) == ("Open It", True)
     click(action)
     assert booth.desktop.session.path == take
-    assert booth.desktop.session.source is SoundSource.FILE
-    assert booth.desktop.session.duration == pytest.approx(0.5)
+    assert booth.desktop.session.source.kind is SourceKind.FILE
+    assert booth.desktop.session.source.duration == pytest.approx(0.5)
     assert booth.banner == ""
     assert booth.window.dialogs.recent_sounds()[0] == take.resolve()
 
@@ -174,7 +174,7 @@ def test_a_dropped_file_ends_the_recording_and_its_offer_still_comes(booth: Boot
     mime.setUrls([QUrl.fromLocalFile(str(DEMO))])
     copy, left, no_key = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
     booth.window.dropEvent(QDropEvent(QPointF(300, 300), copy, mime, left, no_key))
-    assert (booth.desktop.session.path, booth.desktop.session.source) == (DEMO, SoundSource.FILE)
+    assert (booth.desktop.session.path, booth.desktop.session.source.kind) == (DEMO, SourceKind.FILE)
     booth.until(lambda: booth.banner.startswith("Recorded 0.5 s into "))
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 50))
     assert not booth.window.transport.record.isChecked()
@@ -246,7 +246,7 @@ def test_an_unfinished_recording_is_offered_and_opened(cut_off: tuple[Booth, Pat
     assert str(take) in booth.banner
     click(booth.window.banner.action)
     assert booth.desktop.session.path == take
-    assert booth.desktop.session.duration == pytest.approx(1.0, abs=0.2)
+    assert booth.desktop.session.source.duration == pytest.approx(1.0, abs=0.2)
     assert booth.banner == ""
 
 

@@ -45,7 +45,7 @@ def test_the_selection_becomes_a_take(desktop, qtbot, tmp_path):
     takes = desktop.calibration.takes
     qtbot.waitUntil(lambda: len(takes.now.takes) == 1)
     (take,) = takes.now.takes
-    assert (take.phoneme.label, take.device) == ("a", desktop.session.name)
+    assert (take.phoneme.label, take.device) == ("a", desktop.session.source.name)
 
 
 def test_frames_are_copied(desktop, qtbot):

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import Tone, ToneKind
 from tests.desktop.hands import click, followed, shown
@@ -112,9 +112,9 @@ def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot, pag
     for kind in (None, *ToneKind):
         window.resize(1280, 800)
         if kind is not None:
-            desktop.session.set_source(SoundSource.TONE)
-            desktop.session.set_tone(Tone(kind=kind))
-            bar.tone.show_tone(desktop.session.tone)
+            desktop.session.set_source(SourceKind.TONE)
+            desktop.session.playback.set_tone(Tone(kind=kind))
+            bar.tone.show_tone(desktop.session.playback.tone)
         window.show_page(page)
         qtbot.waitUntil(lambda: fits(window))
         window.resize(*SMALLEST)

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio import stream
 from phonemeengine.errors import EngineError
 from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
@@ -73,7 +73,7 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
     booth.until(lambda: booth.banner == "Opening the microphone.")
     booth.until(lambda: booth.window.redraw.n_ticks > ticks + 30)
     choose(booth.window.transport.source, "file")
-    assert booth.desktop.session.source is SoundSource.FILE
+    assert booth.desktop.session.source.kind is SourceKind.FILE
     press(booth.window, Qt.Key.Key_Space)
     booth.until(lambda: booth.desktop.session.history.n > 10)
     assert booth.window.close()
@@ -94,7 +94,7 @@ def test_a_recogniser_that_fails_while_it_listens_lets_the_microphone_go_with_a_
     monkeypatch.setattr(MicrophoneAnalyser, "analyse", refuse)
     booth.give(mic, noise(0.1))
     booth.until(lambda: booth.banner == "it cannot be recognised; choose another recogniser")
-    assert not booth.desktop.session.playing
+    assert not booth.desktop.session.source.playing
     booth.until(mic.closed.is_set)
 
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import QSettings
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
@@ -23,14 +23,14 @@ desktop = Desktop(app, settings, microphone=microphone)
 window = desktop.window
 
 
-def choose_source(source: SoundSource) -> None:
+def choose_source(source: SourceKind) -> None:
     """Choose what is listened to, as a user does."""
     window.transport.source.activated.emit(window.transport.source.findData(source))
 
 
 window.show()
 window.dialogs.open_sound(demo)
-choose_source(SoundSource.MICROPHONE)  # Record would ask whether to leave the file
+choose_source(SourceKind.MICROPHONE)  # Record would ask whether to leave the file
 window.menus.actions["Record"].trigger()
 
 
@@ -61,7 +61,7 @@ def live(seconds: float) -> None:
 while not ending:
     live(0.05)
     say()
-choose_source(SoundSource.FILE)
+choose_source(SourceKind.FILE)
 until = time.monotonic() + 60
 while not say().startswith("Recorded") and time.monotonic() < until:
     live(0.05)

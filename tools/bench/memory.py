@@ -56,7 +56,7 @@ def main() -> None:
         live_for(5)
         desktop.session.seek(3600)
         live_for(3)
-        assert desktop.session.position > 3602, "the file does not play after an hour"
+        assert desktop.session.source.position > 3602, "the file does not play after an hour"
         desktop.close()
     print(json.dumps({"empty": empty, "playing": highest.megabytes}))
 

@@ -102,16 +102,16 @@ def _measured(desktop: Desktop) -> Cost:
     session.play()
     live_for(WARM_UP)
     viewport.installEventFilter(painted)
-    n_frames, position = session.history.n, session.position
+    n_frames, position = session.history.n, session.source.position
     wall, processor = time.perf_counter(), time.process_time()
     live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
     session.poll()
-    heard = round((session.position - position) / FRAME_PERIOD)
+    heard = round((session.source.position - position) / FRAME_PERIOD)
     late = heard - (session.history.n - n_frames)
     viewport.removeEventFilter(painted)
     session.pause()
-    return Cost(processor / wall, painted.n / wall, session.n_dropped + max(0, late - UNDECIDED))
+    return Cost(processor / wall, painted.n / wall, session.source.player.n_dropped + max(0, late - UNDECIDED))
 
 
 if __name__ == "__main__":

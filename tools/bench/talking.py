@@ -89,17 +89,17 @@ def _measured(desktop: Desktop, head: HeadView) -> Cost:
     session.play()
     live_for(WARM_UP)
     assert head.surface is not None, head.trouble
-    n_frames, position, n_drawn = session.history.n, session.position, head.surface.n_drawn
+    n_frames, position, n_drawn = session.history.n, session.source.position, head.surface.n_drawn
     ticks.seconds.clear()
     wall, processor = time.perf_counter(), time.process_time()
     live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
     session.poll()
-    heard = round((session.position - position) / FRAME_PERIOD)
+    heard = round((session.source.position - position) / FRAME_PERIOD)
     late = heard - (session.history.n - n_frames)
     session.pause()
     pictures = (head.surface.n_drawn - n_drawn) / wall
-    missed = session.n_dropped + max(0, late - UNDECIDED)
+    missed = session.source.player.n_dropped + max(0, late - UNDECIDED)
     return Cost(processor / wall, pictures, missed, statistics.median(ticks.seconds))
 
 

@@ -39,7 +39,7 @@ def main(out: Path, theme: str, width: int, height: int, at: float, language: st
         texts.set_text(TEXT)
         texts.set_language(LANGUAGE)
         texts.say()
-        while desktop.session.position < at:
+        while desktop.session.source.position < at:
             live_for(0.01)
         desktop.session.pause()
         live_for(0.5)

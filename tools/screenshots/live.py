@@ -8,7 +8,8 @@ from PySide6.QtCore import QEventLoop, QSettings, QTimer
 
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from tools.bench.desktop import live_for
 
 PATIENCE_MS = 15_000
@@ -25,7 +26,7 @@ def main(out: Path, theme: str, width: int, height: int, seconds: float) -> None
         desktop.window.resize(width, height)
         desktop.window.show()
         microphone.refresh_devices()
-        desktop.session.set_source(SoundSource.MICROPHONE)
+        desktop.session.set_source(SourceKind.MICROPHONE)
         desktop.session.toggle_recording()
         _wait_until_recorded(desktop.session, seconds)
         desktop.window.grab().save(str(out), "PNG")

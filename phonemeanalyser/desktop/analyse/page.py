@@ -13,15 +13,16 @@ from phonemeanalyser.desktop.analyse.spectra.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.analyse.spectra.waveform_view import WaveformView
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
 
 NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
 HINTS = {
-    SoundSource.FILE: tr_noop("Press Space to play"),
-    SoundSource.MICROPHONE: tr_noop("Press Space to listen, R to record"),
-    SoundSource.TONE: tr_noop("Press Space to hear the tone"),
-    SoundSource.TEXT: tr_noop("Write a text on the page Talk, and press Ctrl+Return there"),
+    SourceKind.FILE: tr_noop("Press Space to play"),
+    SourceKind.MICROPHONE: tr_noop("Press Space to listen, R to record"),
+    SourceKind.TONE: tr_noop("Press Space to hear the tone"),
+    SourceKind.TEXT: tr_noop("Write a text on the page Talk, and press Ctrl+Return there"),
 }
 """What the user may do while the time view is empty."""
 
@@ -123,17 +124,17 @@ class AnalysisPage(QSplitter):
 
     def _show_source(self) -> None:
         """Show a file on its own time, and what is heard at once as it scrolls by."""
-        self.scroll_view.back.setVisible(self._session.source is SoundSource.MICROPHONE)
-        is_file = self._session.source is SoundSource.FILE and self._session.path is not None
-        self.over_time.setCurrentWidget(self.file if is_file or self._session.looks_back else self.scroll_view)
+        self.scroll_view.back.setVisible(self._session.source.kind is SourceKind.MICROPHONE)
+        is_file = self._session.source.path is not None
+        self.over_time.setCurrentWidget(self.file if is_file or self._session.seen.looks_back else self.scroll_view)
         if self.hasFocus():
             self.main_view.setFocus()
 
     def invite(self) -> None:
         """Say what the user may do with the source in use while nothing is seen over time."""
         source = self._session.source
-        nothing = source is SoundSource.FILE and not self._session.path
-        self.scroll_view.invite(tr(NOTHING if nothing else HINTS[source]))
+        nothing = source.kind is SourceKind.FILE and not self._session.path
+        self.scroll_view.invite(tr(NOTHING if nothing else HINTS[source.kind]))
 
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)
@@ -144,7 +145,7 @@ class AnalysisPage(QSplitter):
         for widget in (self.spectra, self.waveform, self.over_time):
             self.addWidget(widget)
         self._session.opened.connect(self._show_source)
-        self._session.looked_back.connect(self._show_source)
+        self._session.seen.looked_back.connect(self._show_source)
         self.scroll_view.back.clicked.connect(lambda _checked: self._session.look_back(True))
         self._show_source()
         self.setSizes([190, 130, 370])

@@ -6,7 +6,8 @@ from phonemeanalyser.desktop.analyse.state_chips import StateChips
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeengine.live.microphone_analyser import Latency
@@ -51,12 +52,14 @@ class StatusLine:
         session = self._session
         changed = f" ({tr('changed')})" if self._preset.has_unsaved_changes else ""
         preset = tr("preset {preset}{changed}").format(preset=self._preset.preset.name, changed=changed)
-        ear = tr("heard with: {ear}").format(ear=tr_engine(ear_in_words(session.heard_with)))
-        _write(self.left, f" {session.name}: {tr_engine(session.description)}   ·   {ear}   ·   {preset}")
+        ear = tr("heard with: {ear}").format(ear=tr_engine(ear_in_words(session.source.preset)))
+        _write(
+            self.left, f" {session.source.name}: {tr_engine(session.source.description)}   ·   {ear}   ·   {preset}"
+        )
         self.left.setToolTip(self.left.text().strip())
         self.chips.show_frozen(frozen)
-        self.chips.show_unseen(session.n_dropped)
-        listens = session.source is SoundSource.MICROPHONE
+        player, listens = session.source.player, session.source.kind is SourceKind.MICROPHONE
+        self.chips.show_unseen((player or session.microphone.listener).n_dropped)
         microphone = session.microphone
         self.chips.show_lost(microphone.listener.lost_seconds if listens and microphone.active else 0.0)
         self._show_latency(microphone.latency if listens else None)
@@ -64,7 +67,7 @@ class StatusLine:
             self.chips.show_late(
                 "…", self._theme.faint, tr("How late phonemes are on the screen: it is being measured")
             )
-        output = "" if listens else f"♪ {session.output_name}" if session.has_card else tr(session.output_name)
+        output = "" if player is None else f"♪ {player.output_name}" if player.has_card else tr(player.output_name)
         _write(self.right, f"{output} ")
 
     def _show_latency(self, latency: Latency | None) -> None:

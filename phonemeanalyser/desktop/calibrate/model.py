@@ -13,7 +13,8 @@ from phonemeanalyser.desktop.calibrate.workbench.workbench_model import Workbenc
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.phonemes import Phoneme
 
@@ -76,12 +77,13 @@ class CalibrationModel(QObject):
         session = self.session
         if self.phoneme is not None or self.guide.running or self.room.listening:
             return
-        if session.source is SoundSource.FILE and session.path is not None and (session.playing or self.selection):
-            if self.selection is not None and not session.playing:
-                self.takes.add_from_file(session.path, session.channel, *self.selection, phoneme)
+        path = session.source.path
+        if path is not None and (session.source.playing or self.selection):
+            if self.selection is not None and not session.source.playing:
+                self.takes.add_from_file(path, session.channel, *self.selection, phoneme)
                 self._forget_selection()
                 return
-            self._from = session.position
+            self._from = session.source.position
         else:
             self.listen()
             self.capture.begin()
@@ -97,7 +99,7 @@ class CalibrationModel(QObject):
         self.held.emit()
         path = self.session.path
         if start is not None and path is not None:
-            self.takes.add_from_file(path, self.session.channel, start, self.session.position, phoneme)
+            self.takes.add_from_file(path, self.session.channel, start, self.session.source.position, phoneme)
             return
         samples, rate = self.capture.end()
         if not len(samples) and not self.session.microphone.listening:
@@ -124,17 +126,17 @@ class CalibrationModel(QObject):
 
     def listen(self) -> None:
         """Have the microphone listen, whatever was in hand."""
-        self.session.set_source(SoundSource.MICROPHONE)
-        if not self.session.playing:
+        self.session.set_source(SourceKind.MICROPHONE)
+        if not self.session.source.playing:
             self.session.play()
 
     def mark(self, *, end: bool) -> None:
         """Mark where the stretch of the opened file begins, or ends: where the file stands."""
-        if self.session.source is not SoundSource.FILE or self.session.path is None:
+        if self.session.source.path is None:
             self.error.emit(tr("There is no file in hand; open one to mark a stretch of it."))
             return
-        start, stop = self.selection or (0.0, self.session.duration)
-        here = self.session.position
+        start, stop = self.selection or (0.0, self.session.source.duration)
+        here = self.session.source.position
         start, stop = (min(start, here), here) if end else (here, max(stop, here))
         self.selection = start, stop
         self.selection_changed.emit()
@@ -157,7 +159,7 @@ class CalibrationModel(QObject):
     def play(self, path: Path, start: float, end: float, *, around: float = AROUND) -> None:
         """Play a stretch of a file, in seconds; it stands at the stretch's beginning afterwards."""
         session = self.session
-        if (session.source is not SoundSource.FILE or session.path != path) and not session.open(path):
+        if session.source.path != path and not session.open(path):
             return
         session.play_stretch(TimeSpan(max(0.0, start - around), end + around))
 

@@ -171,6 +171,11 @@ class Microphone(QObject):
         return self.listener.status.listening
 
     @property
+    def silent(self) -> bool:
+        """Whether sound should come in, and none does: what was heard last is no news then."""
+        return self.active and not self.listening
+
+    @property
     def recording(self) -> bool:
         """Whether what comes is recorded."""
         return self._recorder is not None

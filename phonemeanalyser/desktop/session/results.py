@@ -56,8 +56,9 @@ class AnalysisResults(QObject):
         """Whether what was heard last is being analysed anew."""
         return self._work.busy
 
-    def clear(self) -> None:
-        """Forget sonagram and extremes."""
+    def clear(self, cause: str, sound: str) -> None:
+        """Forget everything, since another sound begins, or the user asked for it; see `AveragesModel.begin`."""
+        self.averages.begin(cause, sound)
         self._wanted = None
         self._work.cancel()
         self.history.clear()

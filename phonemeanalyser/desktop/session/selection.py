@@ -45,7 +45,7 @@ class Selection(QObject):
     def span(self) -> TimeSpan | None:
         """What is selected of the file in hand; None, after saying so, where that is nothing."""
         span = self._session.view.selection
-        if span is None or self._session.seen_sound is None:
+        if span is None or self._session.seen.sound is None:
             self.error.emit(tr(NOTHING_SELECTED))
             return None
         return span
@@ -72,7 +72,7 @@ class Selection(QObject):
 
     def measure(self) -> None:
         """Measure it."""
-        span, tracks, seen = self.span, self._session.whole.tracks, self._session.seen_sound
+        span, tracks, seen = self.span, self._session.whole.tracks, self._session.seen.sound
         if span is None or tracks is None or seen is None:
             return
         open_sound, ceiling = partial(SoundReader, *seen), self._session.formants.ceiling
@@ -84,7 +84,7 @@ class Selection(QObject):
 
     def save(self, target: Path) -> None:
         """Write it as a sound of its own."""
-        span, seen = self.span, self._session.seen_sound
+        span, seen = self.span, self._session.seen.sound
         if span is not None and seen is not None:
             path, channel = seen
             self._work.submit(
@@ -98,7 +98,7 @@ class Selection(QObject):
 
     def average(self) -> None:
         """Show its averaged spectrum as a curve beside the others."""
-        span, seen = self.span, self._session.seen_sound
+        span, seen = self.span, self._session.seen.sound
         preset = self._session.preset.in_force
         if span is None or seen is None:
             return

@@ -29,7 +29,6 @@ from phonemeengine.mouth.performer import (
     timed_frames,
 )
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
-from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.driver import FACE
 from phonemeengine.phonemes import Phoneme
@@ -89,7 +88,6 @@ class TalkModel(QObject):
         self.head = MovingHead(self.face, self.table, self.idle)
         self.beside = MovingHead(FaceModel(), self.table, self.idle)
         self.performer = self.head.performer
-        self._known: Transcript | None = None
         self._tracks: dict[Performer, MouthTrack] = {}
         self._heard: list[Analysis] = []
         self._last: Analysis | None = None
@@ -151,12 +149,6 @@ class TalkModel(QObject):
         self.idle = replace(self.idle, head=on)
         self._use(self.table)
 
-    def set_known(self, known: Transcript | None) -> None:
-        """Say what is known of the sound in hand, until another one is opened; of None, what is recognised in it."""
-        self._known = known
-        self._last = None  # what is known ahead is heard again
-        self._seek()
-
     # -- what is asked for --------------------------------------------------------------------------------
 
     def press(self, phoneme: Phoneme) -> None:
@@ -187,7 +179,7 @@ class TalkModel(QObject):
         """Take note of whether anybody looks."""
         if on and not self.watched:
             self.face.wake()
-            if not self.session.playing:
+            if not self.session.source.playing:
                 self._seek()
         self.watched = on
 
@@ -224,13 +216,13 @@ class TalkModel(QObject):
         """Have the performers hear the blocks that they do not know yet."""
         end = now - FRAME_PERIOD * sum(map(len, heard))
         known = [(end := end + FRAME_PERIOD * len(block), block) for block in heard]
-        if self.session.playing:
-            known += [(now + seconds + HALF_FRAME, block) for seconds, block in self.session.upcoming()]
+        if self.session.source.playing:
+            known += [(now + seconds + HALF_FRAME, block) for seconds, block in self.session.source.upcoming()]
         places = [k for k, (_, block) in enumerate(known) if block is self._last]
         new = known[places[-1] + 1 if places else 0 :]
         if new:
             self._last = new[-1][1]
-            frames = [frame for end, block in new for frame in timed_frames(block, end, self._known)]
+            frames = [frame for end, block in new for frame in timed_frames(block, end, self.text.known)]
             for performer in self._performers:
                 performer.hear(frames, now, live=self.session.source.live)
 
@@ -243,10 +235,10 @@ class TalkModel(QObject):
         """Have mouths and recorded expressions go with the sound, where anything is known of it."""
         session, original = self.session, self.text.original
         if self._tracks or self.expression.path is not None:
-            position = session.position
+            position = session.source.position
             self.expression.follow(now - position)
             for performer, track in self._tracks.items():
-                performer.play(track if session.playing or position else None, now - position)
+                performer.play(track if session.source.playing or position else None, now - position)
         if original.face is not None:
             self.performer.play(original.face, now - original.position)
 
@@ -285,8 +277,7 @@ class TalkModel(QObject):
         """Have the second head begin where the first one is, or leave it alone."""
         if self.comparing and self.beside.face.morph_mesh is not self.face.morph_mesh:
             self.beside.face.share(self.face)
-        self._last = None  # what is known ahead is heard again
-        self._seek()
+        self._hear_again()
 
     def _take_original(self) -> None:
         """Show a recording, or what is said again."""
@@ -295,19 +286,15 @@ class TalkModel(QObject):
         self._name_heads()
         self.changed.emit()
 
-    def _grow_known(self, known: Transcript) -> None:
-        """Go on with what is known by now of the same sound, none of which was heard yet."""
-        self._known = known
-
     def _connect(self) -> None:
         session = self.session
         session.heard.connect(self._take_blocks)
-        session.opened.connect(self._forget_sound)
+        session.opened.connect(self._close_mouth)
+        session.opened.connect(self.text.follow_sound)
         session.sought.connect(self._seek)
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
-        self.text.known_changed.connect(self.set_known)
-        self.text.known_grew.connect(self._grow_known)
+        self.text.known_changed.connect(self._hear_again)
         self.text.drivers.changed.connect(self._take_drivers)
         self.text.drivers.compared_changed.connect(self._take_compared)
         self.text.original.changed.connect(self._take_original)
@@ -320,17 +307,17 @@ class TalkModel(QObject):
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
         """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
-        if self.session.playing or self.session.position or self.session.source.live:
+        if self.session.source.playing or self.session.source.position or self.session.source.live:
             self._heard += blocks
 
     def _share_visemes(self) -> None:
         for performer in (self.osc.performer, self.beside.performer):
             performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
 
-    def _forget_sound(self) -> None:
-        self._known = None
-        self._close_mouth()
-        self.text.follow_sound()
+    def _hear_again(self) -> None:
+        """Have the performers hear again what is known before it is heard."""
+        self._last = None
+        self._seek()
 
     def _close_mouth(self) -> None:
         self._heard.clear()
@@ -341,19 +328,19 @@ class TalkModel(QObject):
     def _hold(self) -> None:
         """In a pause, keep the shape of what was heard last."""
         session, newest = self.session, self.session.history.newest
-        if not session.source.live and not session.playing and session.position and newest is not None:
+        if not session.source.live and not session.source.playing and session.source.position and newest is not None:
             self._last, now = None, self._now()
-            last = timed_frames(newest, now, self._known)[-1]
+            last = timed_frames(newest, now, self.text.known)[-1]
             for performer in self._performers:
                 performer.hold(now, last.phoneme, last.phone)
 
     def _seek(self, _column: int = 0) -> None:
         """While nothing plays, stand as somebody does who has just said what comes before that place."""
         session, now = self.session, self._now()
-        if session.playing:
+        if session.source.playing:
             for performer in self._performers:
                 performer.forget_coming(now)
-        elif session.position == 0 or session.history.n == 0:
+        elif session.source.position == 0 or session.history.n == 0:
             self._close_mouth()
         else:
             frames = self._newest_frames(now)
@@ -368,7 +355,7 @@ class TalkModel(QObject):
         rows = zip(history.phonemes[at].tolist(), history.intensities[at].tolist(), strict=True)
         start = now - len(at) * FRAME_PERIOD
         frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
-        return frames if self._known is None else known_frames(frames, first, self._known)
+        return frames if self.text.known is None else known_frames(frames, first, self.text.known)
 
     def _take_expression(self) -> None:
         self.idle = replace(self.idle, expression=self.expression.expression)

@@ -150,7 +150,7 @@ class TalkPage(QWidget):
 
     def _show_state(self) -> None:
         session = self._talking.session
-        self.play.setText(tr("Pause") if session.playing else tr("Play"))
+        self.play.setText(tr("Pause") if session.source.playing else tr("Play"))
         texts = self._talking.text
         compared = texts.drivers.compared
         for action in self.comparisons.actions():
@@ -159,8 +159,8 @@ class TalkPage(QWidget):
             action.setEnabled(not by_table or texts.drivers.performance.table is not None)
         self.save_words.setEnabled(texts.editable and texts.utterance is not None)
         self.save_speech.setEnabled(bool(texts.text.strip()))
-        self.said.setText(session.name)
-        self.said.setToolTip(f"{session.name}: {tr_engine(session.description)}")
+        self.said.setText(session.source.name)
+        self.said.setToolTip(f"{session.source.name}: {tr_engine(session.source.description)}")
 
     def _lay_out(self) -> None:
         looks = (self.compare, self.wireframe, self.light_left, self.light_right, self.home)

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE_HEIGHT, LEFT
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
@@ -51,9 +51,9 @@ def drag(view: FileView, begin: float, end: float, modifiers=Qt.KeyboardModifier
 def test_an_opened_file_is_seen_at_once_and_a_microphone_scrolls_by(desktop, panel):
     page = desktop.window.analysis
     assert page.over_time.currentWidget() is panel
-    desktop.session.set_source(SoundSource.TONE)
+    desktop.session.set_source(SourceKind.TONE)
     assert page.over_time.currentWidget() is page.scroll_view
-    desktop.session.set_source(SoundSource.FILE)
+    desktop.session.set_source(SourceKind.FILE)
     assert page.over_time.currentWidget() is panel
 
 
@@ -98,10 +98,10 @@ def test_a_drag_scrolls_and_a_click_goes_there(desktop, panel):
     time.show(TimeSpan(1.0, 2.0))
     drag(panel.view, LEFT + 200, LEFT + 100)
     assert time.seen.start == pytest.approx(1 + 100 / panel.view._layout.width, abs=0.02)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
     at = panel.view._layout.time_at(LEFT + 50)
     QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
-    assert desktop.session.position == pytest.approx(at, abs=0.02)
+    assert desktop.session.source.position == pytest.approx(at, abs=0.02)
 
 
 def test_shift_and_a_drag_select_and_the_button_shows_what_is_selected(desktop, panel):
@@ -113,7 +113,7 @@ def test_shift_and_a_drag_select_and_the_button_shows_what_is_selected(desktop, 
     click(panel.selection)
     assert time.seen == pytest.approx(expected)
     click(panel.whole)
-    assert time.seen == TimeSpan(0, desktop.session.duration)
+    assert time.seen == TimeSpan(0, desktop.session.source.duration)
     QTest.mouseClick(panel.view, Qt.MouseButton.LeftButton, pos=QPoint(LEFT + 50, 20))
     assert time.selection is None
 
@@ -156,9 +156,9 @@ def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel
 
 def test_home_and_end_go_to_the_ends(desktop, panel):
     press(desktop.window, Qt.Key.Key_End)
-    assert desktop.session.position == pytest.approx(desktop.session.duration, abs=0.02)
+    assert desktop.session.source.position == pytest.approx(desktop.session.source.duration, abs=0.02)
     press(desktop.window, Qt.Key.Key_Home)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
     assert desktop.session.view.seen.start == 0
 
 
@@ -197,7 +197,7 @@ def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
     view = window.analysis.file.view
     phones = (Phone(0.5, 1.0, "a", Phoneme.A), Phone(1.0, 1.5, "o", Phoneme.O))
     word = Word("hallo", (Syllable(phones),))
-    desktop.talking.text.words.put(KnownWords(Utterance((word,), desktop.session.duration)))
+    desktop.talking.text.words.put(KnownWords(Utterance((word,), desktop.session.source.duration)))
     lanes = {lane.name: (row, lane) for row, lane in view._layout.spoken_rows()}
     assert list(lanes) == ["words", "syllables", "phones"]
     row, lane = lanes["words"]

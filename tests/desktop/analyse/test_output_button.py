@@ -23,38 +23,38 @@ def entry(window, text):
 def test_slower_and_faster_by_keys_and_menu(desktop, window):
     session = desktop.session
     window.menus.actions["Slower"].trigger()
-    assert session.speed == 0.85
+    assert session.playback.speed == 0.85
     assert window.transport.output.text() == "♪ 0 dB, 85 %"
     entry(window, "Speed 25 %").trigger()
-    assert session.speed == session._player.speed == 0.25
+    assert session.playback.speed == session.source.player.speed == 0.25
     window.menus.actions["Slower"].trigger()
-    assert session.speed == 0.25
+    assert session.playback.speed == 0.25
     window.menus.actions["Faster"].trigger()
-    assert session.speed == 0.35
+    assert session.playback.speed == 0.35
     assert entry(window, "Speed 35 %").isChecked()
 
 
 def test_a_slow_sound_is_heard_to_its_end_and_recognised_as_a_fast_one(desktop, window, qtbot):
     session = desktop.session
-    session.set_speed(0.5)
-    session.seek(session.duration - 0.3)
+    session.playback.set_speed(0.5)
+    session.seek(session.source.duration - 0.3)
     seen = []
     session.heard.connect(lambda blocks: seen.extend(p for b in blocks for p in b.phonemes.tolist()))
     session.play()
-    qtbot.waitUntil(lambda: not session.playing, timeout=20_000)
+    qtbot.waitUntil(lambda: not session.source.playing, timeout=20_000)
     assert len(seen) >= 29
 
 
 def test_another_device_is_opened_and_kept_for_the_next_start(desktop, window, qtbot):
     session, opened = desktop.session, []
-    usual = session.loudspeaker._open_device
-    session.loudspeaker._open_device = lambda n, label="": (opened.append(label), usual(n))[1]
-    session.loudspeaker._outputs._show([PHONES])
+    usual = session.playback.open_device
+    session.playback.open_device = lambda n, label="": (opened.append(label), usual(n))[1]
+    session.playback.outputs._show([PHONES])
     entry(window, "Phones · ALSA").trigger()
     qtbot.waitUntil(lambda: opened == ["Phones · ALSA"])
     window.save_state()
     assert window._settings.value("output") == "Phones · ALSA"
-    session.loudspeaker._outputs._show([])
+    session.playback.outputs._show([])
     assert entry(window, "Phones · ALSA (not there)").isChecked()
 
 

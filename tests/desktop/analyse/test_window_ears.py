@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtWidgets import QComboBox
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.analyser import analyse_file, concatenate_analyses
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.files import read_labels
@@ -100,19 +100,19 @@ def test_a_preset_whose_model_for_files_is_missing_is_loaded_and_that_is_told(de
     window = shown(desktop, qtbot)
     window.dialogs.load_preset(tmp_path / "both.toml")
     assert "both.files.npz: the model cannot be read" in window.banner.label.text()
-    assert (desktop.preset.preset.name, desktop.session.heard_with.ear) == ("both", Ear.LIVE)
+    assert (desktop.preset.preset.name, desktop.session.source.preset.ear) == ("both", Ear.LIVE)
 
 
 def test_what_nobody_knows_beforehand_is_heard_live(window, desktop):
-    desktop.session.set_source(SoundSource.TONE)
-    assert desktop.session.heard_with.ear is Ear.LIVE
-    desktop.session.set_source(SoundSource.FILE)
-    assert desktop.session.heard_with.ear is Ear.TWIN
+    desktop.session.set_source(SourceKind.TONE)
+    assert desktop.session.source.preset.ear is Ear.LIVE
+    desktop.session.set_source(SourceKind.FILE)
+    assert desktop.session.source.preset.ear is Ear.TWIN
 
 
 def test_saved_phonemes_are_those_of_the_file(window, desktop, qtbot, tmp_path):
-    target = tmp_path / "saved.csv"
-    desktop.session.write_phonemes(target)
+    target, source = tmp_path / "saved.csv", desktop.session.source
+    desktop.session.writer.write(source.name, source.reopen, desktop.preset.in_force, target)
     qtbot.waitUntil(lambda: not desktop.session.writer.busy)
     runs = transcribe(CARDS, PRESET).runs
     assert [label.phoneme for label in read_labels(target)] == [run.phoneme for run in runs]

@@ -230,7 +230,7 @@ def test_bypass_turns_all_filters_off_and_b_turns_them_back_on(desktop, window, 
 
 def test_a_switch_acts_on_what_is_played_next(desktop, qtbot):
     window = shown(desktop, qtbot)
-    desktop.session.set_loop(True)  # however long the window takes, the sound goes on
+    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.n > 30)
     assert desktop.session.history.newest.spectra.max() == 1
@@ -238,7 +238,7 @@ def test_a_switch_acts_on_what_is_played_next(desktop, qtbot):
     qtbot.waitUntil(lambda: 0 < desktop.session.history.newest.spectra.max() < 1)
     click(window.filters.bypass)
     qtbot.waitUntil(lambda: desktop.session.history.newest.spectra.shape[1] == 1024)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 def test_space_ticks_a_switch_that_was_reached_with_tab_and_plays_after_a_click(desktop, qtbot):
@@ -248,18 +248,18 @@ def test_space_ticks_a_switch_that_was_reached_with_tab_and_plays_after_a_click(
     assert QApplication.focusWidget() is window.filters.switches[Filter.QUANTISE]
     press(window, Qt.Key.Key_Space)
     assert not desktop.preset.preset.settings.has(Filter.QUANTISE)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
     window.setFocus()
     click(window.filters.switches[Filter.QUANTISE])
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 def test_after_typing_a_number_the_keys_are_shortcuts_again(desktop, qtbot):
     window = shown(desktop, qtbot)
     type_number(window.filters.fields["time_smooth"], "0.5")
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     press(window, Qt.Key.Key_B)
     assert desktop.preset.bypassed
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)

@@ -9,7 +9,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 
 from phonemeanalyser.desktop.session import phoneme_writer
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.labels.files import read_labels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
@@ -130,7 +130,7 @@ def test_without_a_file_it_says_what_to_do(desktop, qtbot):
 
 
 def test_at_another_source_it_says_what_to_do(desktop, window, qtbot):
-    desktop.session.set_source(SoundSource.TONE)
+    desktop.session.set_source(SourceKind.TONE)
     save(window, qtbot)
     assert said(window).startswith("There is no sound file in hand")
 
@@ -171,7 +171,7 @@ def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, w
     assert said(window) == "The phonemes of speech.wav are looked for, and then saved in speech.TextGrid …"
     window.dialogs.open_sound(CARDS)
     press(window, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: desktop.session.position > 0.1)
+    qtbot.waitUntil(lambda: desktop.session.source.position > 0.1)
     assert desktop.session.writer.busy
     desktop.set_theme("dark")
     held.set()

@@ -276,7 +276,7 @@ def test_a_recogniser_that_fails_while_playing_is_one_sentence_and_another_goes_
         session.poll()
     assert len(sentences) == 1
     assert sentences[0].startswith("the recogniser 'own' of the package own-package cannot")
-    assert not session.playing
+    assert not session.source.playing
     model.set_recogniser("thesis")
     session.play()
     qtbot.waitUntil(lambda: outputs.last.n_written - outputs.last.heard > 20_000)

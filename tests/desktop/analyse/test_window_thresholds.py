@@ -160,7 +160,7 @@ def test_the_marks_are_the_live_values(desktop, qtbot):
 
 def test_the_marks_move_with_the_sound(desktop, qtbot):
     window = shown(desktop, qtbot)
-    desktop.session.set_loop(True)  # however long the window takes, the sound goes on
+    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
     seen = set()
     click(window.transport.play)
 
@@ -195,7 +195,7 @@ def test_a_mark_is_green_where_the_comparison_holds_and_red_where_it_fails(windo
 
 def test_an_edit_while_it_plays_acts_on_later_blocks(desktop, qtbot):
     window = shown(desktop, qtbot)
-    desktop.session.set_loop(True)  # however long the window takes, the sound goes on
+    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
     history = desktop.session.history
     click(window.transport.play)
     qtbot.waitUntil(lambda: history.n > 50)
@@ -211,7 +211,7 @@ def test_an_edit_while_it_plays_acts_on_later_blocks(desktop, qtbot):
     qtbot.waitUntil(is_silent)
     assert np.array_equal(history.phonemes[: len(heard)], heard)
     assert np.any(history.phonemes[: edited + 40] != Phoneme.SILENCE)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 def test_the_trace_follows_an_edit_at_once_even_while_it_stands_still(desktop, qtbot):

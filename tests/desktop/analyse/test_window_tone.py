@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, ToneKind
 from phonemeengine.phonemes import Phoneme
@@ -48,8 +48,8 @@ def settled(desktop, window, qtbot, frequency: float) -> None:
 
 def test_choosing_the_tone_plays_a_sine_that_is_seen_at_its_frequency(desktop, window, heard, qtbot):
     heard()
-    assert desktop.session.playing
-    assert desktop.session.source is SoundSource.TONE
+    assert desktop.session.source.playing
+    assert desktop.session.source.kind is SourceKind.TONE
     assert peak(window) == pytest.approx(1000, abs=BIN_WIDTH)
     assert TimeEyes(window).brightest(-0.1) == pytest.approx(1000, abs=2 * BIN_WIDTH)
     assert window.windowTitle().startswith("tone - ")
@@ -65,9 +65,9 @@ def test_a_tone_that_is_chosen_is_heard_at_once_also_after_a_stop(desktop, windo
     )
     for act in choices:
         press(window, Qt.Key.Key_Escape)
-        assert not desktop.session.playing
+        assert not desktop.session.source.playing
         act()
-        assert desktop.session.playing
+        assert desktop.session.source.playing
 
 
 def test_slider_and_number_move_what_is_seen(desktop, window, heard, qtbot):
@@ -79,7 +79,7 @@ def test_slider_and_number_move_what_is_seen(desktop, window, heard, qtbot):
     settled(desktop, window, qtbot, window.transport.tone.tone.frequency)
     type_number(window.transport.tone.numbers["frequency"], "440")
     settled(desktop, window, qtbot, 440)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 def test_every_kind_is_heard_when_it_is_chosen_and_shows_its_own_numbers(desktop, window, heard):
@@ -87,10 +87,10 @@ def test_every_kind_is_heard_when_it_is_chosen_and_shows_its_own_numbers(desktop
     for kind in [*ToneKind, ToneKind.SINE]:
         choose(bar.kind, kind.value.replace("_", " "))
         heard()
-        assert desktop.session.tone.kind is kind
+        assert desktop.session.playback.tone.kind is kind
         assert bar.slider.isVisible() == (kind is ToneKind.SINE)
         assert bar.vowel.isVisible() == bar.unit.isVisible() == (kind is ToneKind.VOWEL)
-        assert desktop.session.playing
+        assert desktop.session.source.playing
         newest = desktop.session.history.newest
         assert newest.features.frame(len(newest) - 1)["volume"] > 0.02
 
@@ -120,7 +120,7 @@ def test_a_vowel_has_its_harmonics_and_is_recognised(desktop, window, heard):
 def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, heard):
     choose(window.transport.tone.kind, "vowel")
     choose(window.transport.tone.vowel, "u")
-    assert desktop.session.tone.formants == VOWEL_FORMANTS["u"]
+    assert desktop.session.playback.tone.formants == VOWEL_FORMANTS["u"]
     heard()
     x, y = window.analysis.spectrum.item.curves[0].getData()
     below, above = y[(x > 200) & (x < 900)].max(), y[(x > 1100) & (x < 1500)].max()
@@ -144,7 +144,7 @@ def test_the_level_is_what_is_measured_and_the_volume_only_what_is_heard(desktop
     assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
     press(window, Qt.Key.Key_Down, CONTROL)
     heard()
-    assert desktop.session.volume == -3
+    assert desktop.session.playback.volume == -3
     assert float(window.analysis.phoneme.meters["vol"]) == pytest.approx(0.1, abs=0.005)
 
 
@@ -152,7 +152,7 @@ def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
     heard()
     window.analysis.spectrum.setFocus()
     press(window, Qt.Key.Key_Space)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
 
     def stands_still() -> bool:  # what was heard until then is still taken
         n = desktop.session.history.n
@@ -162,7 +162,7 @@ def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
     qtbot.waitUntil(stands_still)
     click(window.transport.play)
     heard()
-    assert desktop.session.playing
+    assert desktop.session.source.playing
 
 
 def test_a_file_has_what_a_tone_has_not(desktop, window):
@@ -172,30 +172,30 @@ def test_a_file_has_what_a_tone_has_not(desktop, window):
     assert transport.tone.isVisible()
     assert " / " not in transport.time.text()
     press(window, Qt.Key.Key_Right, CONTROL)
-    assert desktop.session.position < 1
+    assert desktop.session.source.position < 1
 
 
 def test_the_file_is_not_lost_by_a_tone(desktop, qtbot):
     window = shown(desktop, qtbot)
     desktop.session.seek(1.25)
     choose(window.transport.source, "tone")
-    qtbot.waitUntil(lambda: desktop.session.position > 0.2)
+    qtbot.waitUntil(lambda: desktop.session.source.position > 0.2)
     assert desktop.session.path == CARDS
     choose(window.transport.source, "file")
     assert desktop.session.path == CARDS
-    assert desktop.session.position == pytest.approx(1.25, abs=0.01)
+    assert desktop.session.source.position == pytest.approx(1.25, abs=0.01)
     assert window.transport.time.text().startswith("0:01.2")
     press(window, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: desktop.session.position > 1.4)
+    qtbot.waitUntil(lambda: desktop.session.source.position > 1.4)
 
 
 def test_another_theme_keeps_the_tone(desktop, window, heard, qtbot):
     choose(window.transport.tone.kind, "vowel")
     choose(window.transport.tone.vowel, "o")
     desktop.set_theme("dark" if window.theme.name == "light" else "light")
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     bar = desktop.window.transport.tone
     assert (bar.kind.currentText(), bar.vowel.currentText()) == ("vowel", "o")
     assert bar.isVisible()
     assert bar.vowel.isVisible()
-    assert bar.tone == desktop.session.tone
+    assert bar.tone == desktop.session.playback.tone

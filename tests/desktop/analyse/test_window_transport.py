@@ -26,10 +26,10 @@ def icon_of(button) -> QImage:
 def test_a_click_on_play_plays_and_another_one_pauses(desktop, window):
     before = icon_of(window.transport.play)
     click(window.transport.play)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     assert icon_of(window.transport.play) != before
     click(window.transport.play)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
     assert icon_of(window.transport.play) == before
 
 
@@ -39,99 +39,99 @@ def test_playing_moves_the_views_on(desktop, window, qtbot):
     x, _ = window.analysis.spectrum.item.curves[0].getData()
     assert len(x) == 256
     assert window.transport.time.text() != "0:00.0 / 0:03.5"
-    assert desktop.session.position > 0.3
-    assert desktop.session.n_dropped == 0
+    assert desktop.session.source.position > 0.3
+    assert desktop.session.source.player.n_dropped == 0
 
 
 def test_stop_goes_to_the_beginning(desktop, window, qtbot):
     click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.position > 0.1)
+    qtbot.waitUntil(lambda: desktop.session.source.position > 0.1)
     click(window.transport.stop)
-    assert not desktop.session.playing
-    assert desktop.session.position == 0
+    assert not desktop.session.source.playing
+    assert desktop.session.source.position == 0
     assert window.transport.time.text().startswith("0:00.0 /")
 
 
 def test_space_plays_and_escape_stops(desktop, window, qtbot):
     press(window, Qt.Key.Key_Space)
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     press(window, Qt.Key.Key_Space)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
     desktop.session.seek(2)
     press(window, Qt.Key.Key_Escape)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
 
 
 def test_keys_go_back_forth_and_home(desktop, window):
     press(window, Qt.Key.Key_Right, CONTROL)
-    assert desktop.session.position == pytest.approx(1, abs=0.02)
+    assert desktop.session.source.position == pytest.approx(1, abs=0.02)
     press(window, Qt.Key.Key_Right, CONTROL)
     press(window, Qt.Key.Key_Left, CONTROL)
-    assert desktop.session.position == pytest.approx(1, abs=0.03)
+    assert desktop.session.source.position == pytest.approx(1, abs=0.03)
     press(window, Qt.Key.Key_Home)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
     press(window, Qt.Key.Key_Left, CONTROL)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
 
 
 def test_l_loops_and_the_button_shows_it(desktop, window):
     press(window, Qt.Key.Key_L)
-    assert desktop.session.loop
+    assert desktop.session.playback.loop
     assert window.transport.loop.isChecked()
     click(window.transport.loop)
-    assert not desktop.session.loop
+    assert not desktop.session.playback.loop
     assert not window.menus.actions["Loop"].isChecked()
 
 
 def test_a_loop_begins_again_at_the_end(desktop, window, qtbot):
     click(window.transport.loop)
-    desktop.session.seek(desktop.session.duration - 0.1)
+    desktop.session.seek(desktop.session.source.duration - 0.1)
     click(window.transport.play)
-    qtbot.waitUntil(lambda: 0.1 < desktop.session.position < 1)
-    assert desktop.session.playing
+    qtbot.waitUntil(lambda: 0.1 < desktop.session.source.position < 1)
+    assert desktop.session.source.playing
 
 
 def test_a_sound_that_ends_stops_at_the_beginning(desktop, window, qtbot):
-    desktop.session.seek(desktop.session.duration - 0.1)
+    desktop.session.seek(desktop.session.source.duration - 0.1)
     click(window.transport.play)
-    qtbot.waitUntil(lambda: not desktop.session.playing)
-    assert desktop.session.position == 0
+    qtbot.waitUntil(lambda: not desktop.session.source.playing)
+    assert desktop.session.source.position == 0
 
 
 @pytest.mark.parametrize("share", [0.25, 0.5, 0.9])
 def test_a_click_on_the_time_line_goes_there(desktop, window, share):
     line = window.transport.position_slider
     click(line, 6 + share * (line.width() - 12))
-    assert desktop.session.position == pytest.approx(share * desktop.session.duration, abs=0.02)
+    assert desktop.session.source.position == pytest.approx(share * desktop.session.source.duration, abs=0.02)
 
 
 def test_a_drag_along_the_time_line_ends_where_the_mouse_is(desktop, window):
     line = window.transport.position_slider
     drag(line, 30, line.width() * 3)
-    assert desktop.session.position == pytest.approx(desktop.session.duration, abs=0.011)
+    assert desktop.session.source.position == pytest.approx(desktop.session.source.duration, abs=0.011)
     drag(line, 300, -50)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
 
 
 def test_arrow_keys_move_the_time_line_once_it_has_the_focus(desktop, window):
     click(window.transport.position_slider, 6)
     press(window, Qt.Key.Key_Right)
-    assert desktop.session.position == pytest.approx(1, abs=0.02)
+    assert desktop.session.source.position == pytest.approx(1, abs=0.02)
     press(window, Qt.Key.Key_Left)
-    assert desktop.session.position == pytest.approx(0, abs=0.02)
+    assert desktop.session.source.position == pytest.approx(0, abs=0.02)
 
 
 def test_the_volume_slider_goes_from_full_to_silent(desktop, window):
     volume = window.transport.volume
     drag(volume, volume.width() - 8, 2)
-    assert desktop.session.volume == -60
+    assert desktop.session.playback.volume == -60
     assert volume.toolTip() == "Silent"
     press(window, Qt.Key.Key_Up, CONTROL)
-    assert desktop.session.volume == -57
+    assert desktop.session.playback.volume == -57
     assert volume.value() == -57
     assert volume.toolTip() == "Volume -57 dB"
     press(window, Qt.Key.Key_Down, CONTROL)
-    assert desktop.session.volume == -60
+    assert desktop.session.playback.volume == -60
 
 
 def test_the_channel_box_chooses_what_is_analysed(desktop, qtbot, tmp_path):
@@ -153,10 +153,10 @@ def test_the_channel_changes_while_it_plays(desktop, qtbot, tmp_path):
     both = np.stack((tone(1000, 20.0, 0.5), silence(20.0)), axis=1)
     window = shown(desktop, qtbot, wav(tmp_path, both))
     click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.position > 0.3)
+    qtbot.waitUntil(lambda: desktop.session.source.position > 0.3)
     window.transport.channel.activated.emit(window.transport.channel.findText("right"))
-    assert desktop.session.playing
-    assert desktop.session.position > 0.25
+    assert desktop.session.source.playing
+    assert desktop.session.source.position > 0.25
     desktop.session.clear()
     qtbot.waitUntil(lambda: desktop.session.history.n > 5)
     assert desktop.session.history.extremes("volume")[0] == 0
@@ -174,7 +174,7 @@ def test_without_a_sound_nothing_can_be_played(desktop, qtbot):
         assert not widget.isEnabled()
     press(window, Qt.Key.Key_Space)
     press(window, Qt.Key.Key_Right, CONTROL)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
     assert window.transport.time.text() == "0:00.0 / 0:00.0"
 
 
@@ -184,7 +184,7 @@ def pictures(window) -> tuple[QImage, QImage]:
 
 
 def test_frozen_views_stand_still_while_the_sound_goes_on_and_catch_up_after(desktop, window, qtbot):
-    desktop.session.set_loop(True)  # however long the window takes, the sound goes on
+    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
     click(window.transport.play)
     qtbot.waitUntil(lambda: desktop.session.history.n > 20)
     press(window, Qt.Key.Key_F)

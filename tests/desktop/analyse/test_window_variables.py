@@ -179,9 +179,9 @@ def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, monkeypat
     assert not window.analysis.averaged.measure.isChecked()
     assert window.analysis.averaged.measure.text() == "variable"
     assert seen == []
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     press(window, Qt.Key.Key_Escape)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
     press(window, Qt.Key.Key_V)  # and the next one is asked for
     press(window, Qt.Key.Key_V)
     assert len(seen) == 1

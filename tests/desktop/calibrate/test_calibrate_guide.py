@@ -230,7 +230,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     for button, hears in ((view.hear_old, before), (view.hear_new, better)):
         click(button)
         assert session.path == guide.spoken.path
-        assert session.playing
+        assert session.source.playing
         assert preset.in_force == hears
         assert preset.preset == before  # hearing it changes nothing
         heard.clear()
@@ -324,7 +324,7 @@ def test_nothing_is_recorded_before_the_user_is_ready_and_the_countdown_is_over(
     guide, view = calibrator.model.guide, calibrator.page.guide
     press(calibrator.booth.window, Qt.Key.Key_G)
     calibrator.until(lambda: calibrator.booth.studio.model.listening, silently=False)
-    calibrator.until(lambda: calibrator.booth.desktop.session.position > 3.0, silently=False)
+    calibrator.until(lambda: calibrator.booth.desktop.session.source.position > 3.0, silently=False)
     assert guide.phase is Phase.READY
     calibrator.until(lambda: "Nothing is recorded before you press start" in view.hint.text())
     click(view.start)

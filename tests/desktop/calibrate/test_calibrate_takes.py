@@ -11,7 +11,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDockWidget
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import AROUND
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_corpus
@@ -117,9 +117,9 @@ def test_a_button_held_with_the_mouse_records_too(listening: Calibrator):
 
 
 def test_a_key_begins_to_listen_where_nobody_did(calibrator: Calibrator):
-    assert calibrator.booth.desktop.session.source is SoundSource.FILE
+    assert calibrator.booth.desktop.session.source.kind is SourceKind.FILE
     calibrator.say(Qt.Key.Key_A, A)
-    assert calibrator.booth.desktop.session.source is SoundSource.MICROPHONE
+    assert calibrator.booth.desktop.session.source.kind is SourceKind.MICROPHONE
     assert len(calibrator.takes) == 1
 
 
@@ -256,12 +256,12 @@ def test_a_key_held_while_the_file_plays_takes_what_was_played(calibrator: Calib
     session = calibrator.booth.desktop.session
     session.open(DEMO)
     press(calibrator.booth.window, Qt.Key.Key_Space)
-    calibrator.until(lambda: session.position > 0.2)
+    calibrator.until(lambda: session.source.position > 0.2)
     QTest.keyPress(calibrator.page.takes.list, Qt.Key.Key_E)
-    began = session.position
-    calibrator.until(lambda: session.position > began + 0.4)
+    began = session.source.position
+    calibrator.until(lambda: session.source.position > began + 0.4)
     calibrator.let_go(Qt.Key.Key_E)
-    ended = session.position
+    ended = session.source.position
     calibrator.settle()
     (take,) = calibrator.takes
     assert take.duration == pytest.approx(ended - began + AROUND + min(began, AROUND), abs=0.1)
@@ -439,10 +439,10 @@ def test_return_plays_what_counts_of_a_take_and_stops_there(calibrator: Calibrat
     session.heard.connect(heard.extend)
     press(calibrator.booth.window, Qt.Key.Key_Return)
     assert session.path == calibrator.model.takes.path_of(take)
-    assert session.playing
-    calibrator.until(lambda: not session.playing)
+    assert session.source.playing
+    calibrator.until(lambda: not session.source.playing)
     assert (heard[-1].start + len(heard[-1])) * FRAME_PERIOD == pytest.approx(take.end, abs=0.02)
-    assert session.position == pytest.approx(take.start, abs=0.02)
+    assert session.source.position == pytest.approx(take.start, abs=0.02)
 
 
 # -- the project --------------------------------------------------------------------------------------

@@ -308,8 +308,8 @@ def test_a_cell_lists_its_stretches_and_a_click_plays_one_to_its_end(loaded: Cal
     session.heard.connect(heard.extend)
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     assert session.path == rows[0].path
-    assert session.playing
-    loaded.until(lambda: not session.playing)
+    assert session.source.playing
+    loaded.until(lambda: not session.source.playing)
     assert (heard[-1].start + len(heard[-1])) * FRAME_PERIOD == pytest.approx(rows[0].end + AROUND, abs=0.02)
 
 
@@ -322,7 +322,7 @@ def test_a_click_in_the_lanes_plays_what_was_said_there(loaded: Calibrator):
     x = 76 + (second + 50 - lanes.first) * lanes.scale
     QTest.mouseClick(bench.timeline, LEFT, pos=QPoint(round(x), 20))
     assert session.path == loaded.model.workbench.utterances[1].path
-    assert session.position == pytest.approx(0.15, abs=0.06)  # a begins at 0.3 s
+    assert session.source.position == pytest.approx(0.15, abs=0.06)  # a begins at 0.3 s
 
 
 # -- fit and comparison -------------------------------------------------------------------------------

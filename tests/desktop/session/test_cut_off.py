@@ -56,9 +56,9 @@ def test_the_window_says_it_and_plays_what_is_there(desktop, qtbot, cut, sound):
     window.dialogs.open_any(cut)
     assert window.banner.label.text() == f"truncated.wav: {SENTENCE}"
     assert window.banner.isVisible()
-    assert desktop.session.duration == pytest.approx(1.8, abs=0.001)
+    assert desktop.session.source.duration == pytest.approx(1.8, abs=0.001)
     desktop.session.analyse_until(1.8)
     assert desktop.session.history.n == 180
     window.dialogs.open_any(sound)
     assert not window.banner.isVisible()
-    assert desktop.session.duration == pytest.approx(soundfile.info(sound).duration)
+    assert desktop.session.source.duration == pytest.approx(soundfile.info(sound).duration)

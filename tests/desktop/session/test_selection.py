@@ -56,19 +56,19 @@ def test_it_is_played_once_and_stands_at_its_beginning_then(session, selection, 
     session.view.select(SPAN)
     selection.play()
     for _ in range(200):
-        if not session.playing:
+        if not session.source.playing:
             break
         outputs.last.move(4410)
         qtbot.wait(5)
         session.poll()
-    assert not session.playing
-    assert session.position == pytest.approx(0.5)
+    assert not session.source.playing
+    assert session.source.position == pytest.approx(0.5)
 
 
 def test_it_is_looped_on_demand(session, selection, outputs, qtbot):
     session.view.select(SPAN)
     selection.play(loop=True)
-    assert session.loop
+    assert session.playback.loop
     heard = []
     session.heard.connect(heard.extend)
     while sum(map(len, heard)) < 100:
@@ -89,12 +89,12 @@ def test_nothing_selected_is_one_sentence(session, selection, qtbot, act):
 
 def test_all_is_selected_and_seen(session, selection):
     selection.select_all()
-    assert session.view.selection == TimeSpan(0.0, session.duration)
+    assert session.view.selection == TimeSpan(0.0, session.source.duration)
     session.view.select(SPAN)
     selection.zoom()
     assert session.view.seen == SPAN
     selection.show_all()
-    assert session.view.seen == TimeSpan(0.0, session.duration)
+    assert session.view.seen == TimeSpan(0.0, session.source.duration)
 
 
 def test_a_file_that_has_gone_is_one_sentence(session, selection, qtbot, tmp_path):

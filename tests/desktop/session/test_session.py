@@ -25,9 +25,9 @@ def test_without_a_file_nothing_happens(session: Session, model: PresetModel, tm
     session.analyse_until(3)
     model.set_filter(Filter.MEL, True)
     assert not session.poll()
-    assert not session.playing
-    assert (session.path, session.duration, session.position, session.n_dropped) == (None, 0, 0, 0)
-    assert (session.description, session.output_name, session.has_card) == ("no sound", "", False)
+    assert not session.source.playing
+    assert (session.path, session.source.duration, session.source.position) == (None, 0, 0)
+    assert (session.source.name, session.source.description, session.source.player) == ("no sound", "no sound", None)
     assert session.results.explain() is None
 
 
@@ -35,10 +35,10 @@ def test_an_opened_file_stands_at_its_beginning(session: Session, sound: Path, q
     with qtbot.waitSignals([session.opened, session.transport_changed, session.cleared]):
         assert session.open(sound)
     assert session.path == sound
-    assert session.duration == pytest.approx(DURATION)
-    assert (session.position, session.playing, session.history.n) == (0, False, 0)
-    assert session.description == "44 100 Hz, mono"
-    assert session.output_name == "moved by hand"
+    assert session.source.duration == pytest.approx(DURATION)
+    assert (session.source.position, session.source.playing, session.history.n) == (0, False, 0)
+    assert session.source.description == "44 100 Hz, mono"
+    assert session.source.player.output_name == "moved by hand"
 
 
 def test_another_file_lets_the_first_one_go(
@@ -48,9 +48,9 @@ def test_another_file_lets_the_first_one_go(
     play(0.3)
     session.open(stereo)
     assert outputs.opened[0].closed
-    assert (session.path, session.position, session.playing) == (stereo, 0, False)
+    assert (session.path, session.source.position, session.source.playing) == (stereo, 0, False)
     assert (session.history.n, session.averages.n_frames) == (0, 0)
-    assert "stereo" in session.description
+    assert "stereo" in session.source.description
 
 
 @pytest.mark.parametrize("name", [n for n in BAD_FILES if n not in HOSTILE])
@@ -63,12 +63,12 @@ def test_a_bad_file_leaves_the_present_one_in_hand(
     session.error.connect(said.append)
     session.open(sound)
     play(0.2)
-    before = (session.position, session.history.n)
+    before = (session.source.position, session.history.n)
     if session.open(bad):  # what is wrong shows when it is played
         play(10)
-        assert (session.path, session.position, session.playing) == (bad, 0, False)
+        assert (session.path, session.source.position, session.source.playing) == (bad, 0, False)
     else:
-        assert (session.path, session.playing, session.history.n) == (sound, True, before[1])
+        assert (session.path, session.source.playing, session.history.n) == (sound, True, before[1])
         assert len(outputs.opened) == 1
         play(0.1)
         assert session.history.n > before[1]
@@ -85,7 +85,7 @@ def test_clearing_forgets_what_was_gathered_and_goes_on(
         session.clear()
     assert (session.history.n, session.averages.n_frames) == (0, 0)
     assert session.history.extremes("energy") is None
-    assert session.playing
+    assert session.source.playing
     play(10)
     assert frames(session)[0] in {29, 30}
     assert frames(session)[-1] == N_FRAMES - 1
@@ -137,7 +137,7 @@ def test_a_file_that_breaks_stops_and_says_so_once(
     session.error.connect(said.append)
     session.open(BAD_FILES["not_a_number"](tmp_path))
     play(10)
-    assert (session.playing, session.position) == (False, 0)
+    assert (session.source.playing, session.source.position) == (False, 0)
     for _ in range(5):
         session.poll()
     assert len(said) == 1
@@ -149,16 +149,16 @@ def test_a_lost_sound_card_is_replaced_by_the_clock(
 ) -> None:
     session.open(sound)
     play(0.2)
-    assert session.has_card
+    assert session.source.player.has_card
     outputs.alive = False  # else the player would find the card again on a slow machine
     outputs.last.lost = True
 
     def done() -> bool:
         session.poll()
-        return not session.playing
+        return not session.source.playing
 
     qtbot.waitUntil(done)
-    assert not session.has_card
+    assert not session.source.player.has_card
     assert sorted(set(frames(session))) == list(range(N_FRAMES))
 
 
@@ -238,6 +238,6 @@ def test_the_sound_card_is_let_go_before_the_next_file_takes_it(
     session.open(sound)
     first = outputs.last
     seen: list[bool] = []
-    session.loudspeaker._open_device = lambda n: (seen.append(first.closed), outputs(n))[1]
+    session.playback.open_device = lambda n: (seen.append(first.closed), outputs(n))[1]
     session.open(stereo)
     assert seen == [True]

@@ -25,8 +25,8 @@ def test_playing_gathers_every_frame_once_and_stops_at_the_end(
         play(10)
     assert frames(session) == list(range(N_FRAMES))
     assert session.averages.n_frames == N_FRAMES
-    assert not session.playing
-    assert session.position == 0
+    assert not session.source.playing
+    assert session.source.position == 0
 
 
 @pytest.mark.parametrize("seconds", [0.0, 0.1, 0.405, 0.6, DURATION])
@@ -47,7 +47,7 @@ def test_following_gives_what_playing_gives(
     np.testing.assert_array_equal(one.phonemes[both], two.phonemes[both])
     np.testing.assert_allclose(one.spectra[both], two.spectra[both], atol=2e-3)
     np.testing.assert_allclose(one.features(both).values, two.features(both).values, rtol=1e-3, atol=1e-4)
-    assert other.position == pytest.approx(seconds, abs=FRAME_PERIOD)
+    assert other.source.position == pytest.approx(seconds, abs=FRAME_PERIOD)
     assert other.averages.n_frames == n
     other.close()
 
@@ -65,12 +65,12 @@ def test_on_the_clock_it_plays_in_real_time(model: PresetModel, sound: Path, qtb
 
     def done() -> bool:
         session.poll()
-        return not session.playing
+        return not session.source.playing
 
     qtbot.waitUntil(done)
     assert frames(session) == list(range(N_FRAMES))
-    assert "no sound card" in session.output_name
-    assert session.n_dropped == 0
+    assert "no sound card" in session.source.player.output_name
+    assert session.source.player.n_dropped == 0
     session.close()
 
 
@@ -80,14 +80,14 @@ def test_play_pause_and_toggle(session: Session, sound: Path, qtbot: QtBot) -> N
     for act, playing in zip(acts, (True, False, True, False), strict=True):
         with qtbot.waitSignal(session.transport_changed):
             act()
-        assert session.playing is playing
+        assert session.source.playing is playing
 
 
 def test_a_pause_keeps_the_place(session: Session, sound: Path, play: Callable[[float], None]) -> None:
     session.open(sound)
     play(0.3)
     session.pause()
-    assert session.position == pytest.approx(0.3, abs=0.001)
+    assert session.source.position == pytest.approx(0.3, abs=0.001)
     play(10)
     assert frames(session) == list(range(N_FRAMES))
 
@@ -100,9 +100,9 @@ def test_stopping_goes_to_the_beginning(
     n = session.history.n
     with qtbot.waitSignal(session.transport_changed):
         session.stop()
-    assert (session.playing, session.position) == (False, 0)
+    assert (session.source.playing, session.source.position) == (False, 0)
     settled(session, qtbot)
-    assert session.position == 0
+    assert session.source.position == 0
     assert session.history.n == n  # what was seen stays to be looked at
     play(0.1)
     assert frames(session)[n] == 0
@@ -130,24 +130,24 @@ def test_the_average_begins_anew_with_the_sound_and_goes_on_after_a_pause(
 
 def test_a_loop_goes_round(session: Session, sound: Path, play: Callable[[float], None], outputs: Outputs) -> None:
     session.open(sound)
-    session.set_loop(True)
+    session.playback.set_loop(True)
     outputs.last.ahead = SAMPLE_RATE // 4
     session.play()
     while session.history.n < N_FRAMES + GAP + 40:
         outputs.last.move(400)
         session.poll()
     assert frames(session)[: N_FRAMES + 40] == [*range(N_FRAMES), *range(40)]
-    assert session.position < DURATION
-    assert session.playing
+    assert session.source.position < DURATION
+    assert session.source.playing
 
 
 def test_the_loop_is_kept_for_the_next_file(session: Session, sound: Path, stereo: Path) -> None:
-    session.set_loop(True)
+    session.playback.set_loop(True)
     session.open(sound)
     session.open(stereo)
-    assert session.loop
-    assert session._player is not None
-    assert session._player.loop
+    assert session.playback.loop
+    assert session.source.player is not None
+    assert session.source.player.loop
 
 
 @pytest.mark.parametrize(("seconds", "position"), [(0.4, 0.4), (-1.0, 0.0), (1e9, DURATION)])
@@ -157,9 +157,9 @@ def test_a_seek_goes_there_at_once(
     session.open(sound)
     with qtbot.waitSignal(session.transport_changed):
         session.seek(seconds)
-    assert session.position == pytest.approx(position, abs=FRAME_PERIOD)
+    assert session.source.position == pytest.approx(position, abs=FRAME_PERIOD)
     settled(session, qtbot)
-    assert session.position == pytest.approx(position, abs=FRAME_PERIOD)
+    assert session.source.position == pytest.approx(position, abs=FRAME_PERIOD)
 
 
 def test_after_a_seek_the_frames_are_those_from_there(
@@ -183,8 +183,8 @@ def test_the_volume_stays_within_its_limits(
 ) -> None:
     session.open(sound)
     with qtbot.waitSignal(session.transport_changed):
-        session.set_volume(asked)
-    assert session.volume == kept
+        session.playback.set_volume(asked)
+    assert session.playback.volume == kept
     assert outputs.last.gain == pytest.approx(gain, abs=1e-4)
     session.open(sound)
     assert outputs.last.gain == pytest.approx(gain, abs=1e-4)
@@ -196,8 +196,8 @@ def test_another_channel_is_analysed_from_the_same_place(
     session.open(stereo)
     play(0.3)
     session.set_channel(Channel.RIGHT)
-    assert session.playing
-    assert session.position == pytest.approx(0.3, abs=2 * FRAME_PERIOD)
+    assert session.source.playing
+    assert session.source.position == pytest.approx(0.3, abs=2 * FRAME_PERIOD)
     settled(session, qtbot)
     play(0.2)
     assert set(session.history.phonemes[session.history.indices(0, 100)].tolist()) == {Phoneme.SILENCE}
@@ -210,8 +210,8 @@ def test_a_paused_sound_stays_paused_when_its_channel_changes(session: Session, 
     session.seek(0.4)
     settled(session, qtbot)
     session.set_channel(Channel.LEFT)
-    assert not session.playing
-    assert session.position == pytest.approx(0.4)
+    assert not session.source.playing
+    assert session.source.position == pytest.approx(0.4)
 
 
 def test_if_the_file_has_gone_the_channel_stays_as_it_was(session: Session, stereo: Path, qtbot: QtBot) -> None:

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.analyse.transport.position_slider import (
     main_phonemes,
     overview_pixels,
 )
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.analyser import analyse_file, concatenate_analyses
 from phonemeengine.audio.files import SoundReader
@@ -68,9 +68,9 @@ def test_another_file_and_another_channel_are_known_instead(desktop, qtbot, tmp_
 def test_with_another_source_nothing_is_known(desktop, qtbot):
     shown(desktop, qtbot)
     settled(desktop, qtbot)
-    desktop.session.set_source(SoundSource.TONE)
+    desktop.session.set_source(SourceKind.TONE)
     assert desktop.session.whole.tracks is None
-    desktop.session.set_source(SoundSource.FILE)
+    desktop.session.set_source(SourceKind.FILE)
     assert settled(desktop, qtbot).n_frames > 0
 
 

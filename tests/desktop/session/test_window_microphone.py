@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.widgets.level_meter import words_of
 from phonemeengine.audio.devices import Device
 from phonemeengine.phonemes import Phoneme
@@ -35,13 +35,13 @@ def entries(box: QComboBox) -> list[str]:
 def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth: Open, mic: HandDrivenMicrophone):
     booth = open_booth(mic)
     press(booth.window, Qt.Key.Key_Space)
-    player = booth.desktop.session._player
+    player = booth.desktop.session.source.player
     booth.listen()
     assert player is not None
     assert not player._thread.is_alive()
-    assert booth.desktop.session._player is None
+    assert booth.desktop.session.source.player is None
     booth.hear(mic, HEARD)
-    assert booth.desktop.session.source is SoundSource.MICROPHONE
+    assert booth.desktop.session.source.kind is SourceKind.MICROPHONE
     assert booth.window.windowTitle().startswith("microphone - ")
     booth.until(lambda: booth.status.strip().startswith("microphone: Desk · ALSA, 44 100 Hz"), mic)
     transport = booth.window.transport
@@ -104,7 +104,7 @@ def test_space_lets_the_microphone_go_and_takes_it_again(open_booth: Open, mic: 
     booth.listen()
     booth.hear(mic, A)
     press(booth.window, Qt.Key.Key_Space)
-    assert not booth.desktop.session.playing
+    assert not booth.desktop.session.source.playing
     booth.until(mic.closed.is_set)
     booth.until(lambda: "microphone: not listening" in booth.status)
     click(booth.window.transport.play)
@@ -122,8 +122,8 @@ def test_back_at_the_file_it_stands_where_it_was_left(booth: Booth, mic: HandDri
     choose(booth.window.transport.source, "file")
     session = booth.desktop.session
     assert session.path == CARDS
-    assert session.position == pytest.approx(1.5, abs=0.01)
-    assert not session.playing
+    assert session.source.position == pytest.approx(1.5, abs=0.01)
+    assert not session.source.playing
     booth.until(mic.closed.is_set)
     assert booth.window.transport.position_slider.isVisible()
     assert booth.window.transport.time.text().startswith("0:01.5 / ")
@@ -133,7 +133,7 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(booth: Booth, mi
     booth.hear(mic, A)
     booth.window.files.show = FileAnswers(DEMO)
     press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
-    assert booth.desktop.session.source is SoundSource.FILE
+    assert booth.desktop.session.source.kind is SourceKind.FILE
     assert booth.window.transport.source.currentText() == "file"
     booth.until(mic.closed.is_set)
     assert booth.desktop.session.path == DEMO
@@ -246,7 +246,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     again.window.show()
     qtbot.wait(100)
     assert studio.openers.asked == []
-    assert again.session.source is SoundSource.FILE
+    assert again.session.source.kind is SourceKind.FILE
     assert studio.model.choice == booth.studio.model.choice
     assert studio.model.choice.latency == 0.2
     assert (studio.model.suffix, studio.model.with_phonemes, studio.model.fill_gaps) == (".flac", True, True)

@@ -124,7 +124,7 @@ def test_a_recorded_face_goes_with_the_sound(stage: Stage, panel: ExpressionPane
     opened(stage, recorded_brow(tmp_path))
     assert panel.recorded.text() == "brow.csv"
     seen = []
-    stage.play(0.5, lambda: seen.append((stage.session.position, shown(stage, BROW))))
+    stage.play(0.5, lambda: seen.append((stage.session.source.position, shown(stage, BROW))))
     assert all(brow == pytest.approx(50 * position, abs=2) for position, brow in seen[5:])
     stage.session.pause()
     before = shown(stage, BROW)

@@ -85,9 +85,9 @@ def test_the_window_shows_what_commands_and_the_engine_show(desk: Desk, table: P
         mouth, expected, seen = track.mouth(), [], []
 
         def look() -> None:
-            if desk.session.playing:
+            if desk.session.source.playing:
                 seen.append(shown(desk))
-                expected.append(mouth.weights(desk.session.position))
+                expected.append(mouth.weights(desk.session.source.position))
 
         desk.stage.play(1.5, look)
         assert format_units(desk.texts.drivers.performance.units) == format_units(track.units())
@@ -265,7 +265,7 @@ def test_a_unit_is_heard_and_seen_as_it_was_recorded(desk: Desk, corpus: Path, t
     original, talking = desk.texts.original, desk.stage.talking
     desk.texts.play_original(unit, whole=True)
     desk.qtbot.waitUntil(lambda: original.face is not None)
-    assert not desk.session.playing
+    assert not desk.session.source.playing
     assert talking.head.caption == "mami, as recorded: mia"
     output = desk.stage.outputs.last
     desk.qtbot.waitUntil(lambda: output.n_written > 22050)

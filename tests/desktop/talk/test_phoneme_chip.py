@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.head.phoneme_chip import PhonemeChip
 from phonemeanalyser.desktop.theme import DARK
 from phonemeengine.audio.tone.settings import Tone, ToneKind
@@ -45,7 +45,7 @@ def test_after_a_file_that_ends_in_the_middle_of_an_a_none_is_shown(
     seen: set[Phoneme] = set()
     stage.play(2.0, lambda: seen.add(shown(chip)))
     assert Phoneme.A in seen
-    assert not stage.session.playing
+    assert not stage.session.source.playing
     assert (shown(chip), chip.intensity) == (Phoneme.SILENCE, 0.0)
 
 
@@ -66,8 +66,8 @@ def test_a_place_shows_what_is_said_there(stage: Stage, chip: PhonemeChip, qtbot
 
 
 def test_a_live_sound_that_is_stopped_shows_none(stage: Stage, chip: PhonemeChip) -> None:
-    stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
-    stage.session.set_source(SoundSource.TONE)
+    stage.session.playback.set_tone(Tone(kind=ToneKind.VOWEL))
+    stage.session.set_source(SourceKind.TONE)
     stage.play(0.6)
     assert shown(chip) is Phoneme.A
     stage.session.pause()

@@ -7,7 +7,8 @@ import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.files import SoundReader
@@ -58,7 +59,7 @@ def receiver() -> Iterator[Receiver]:
 
 def test_the_mouth_opens_for_an_a_and_silence_closes_it(stage: Stage) -> None:
     opened: dict[float, float] = {}
-    stage.play(10, lambda: opened.update({stage.session.position: stage.jaw}))
+    stage.play(10, lambda: opened.update({stage.session.source.position: stage.jaw}))
     stage.wait(0.5)
     assert max(jaw for at, jaw in opened.items() if 0 < at < BEGINS - 0.15) < 1
     assert max(jaw for at, jaw in opened.items() if BEGINS + 0.15 < at < ENDS) > 20
@@ -73,8 +74,8 @@ def test_a_vowel_of_a_file_moves_the_mouth_before_it_is_heard(stage: Stage) -> N
 
 
 def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
-    stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
-    stage.session.set_source(SoundSource.TONE)
+    stage.session.playback.set_tone(Tone(kind=ToneKind.VOWEL))
+    stage.session.set_source(SourceKind.TONE)
     before: list[float] = []
     stage.play(0.6, lambda: before.append(stage.jaw) if not stage.said_an_a else None)
     assert stage.said_an_a
@@ -83,8 +84,8 @@ def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
 
 
 def test_the_mouth_closes_when_nothing_live_comes_any_more(stage: Stage) -> None:
-    stage.session.set_tone(Tone(kind=ToneKind.VOWEL))
-    stage.session.set_source(SoundSource.TONE)
+    stage.session.playback.set_tone(Tone(kind=ToneKind.VOWEL))
+    stage.session.set_source(SourceKind.TONE)
     stage.play(0.6)
     stage.session.pause()
     stage.wait(1.0)
@@ -106,7 +107,7 @@ def test_the_mouth_closes_after_a_file_that_ends_in_the_middle_of_an_a(stage: St
     stage.open(tmp_path, np.concatenate((silence(0.3), vowel((700, 1200, 2500), 0.5))))
     opened: list[float] = []
     stage.play(2.0, lambda: opened.append(stage.jaw))
-    assert not stage.session.playing
+    assert not stage.session.source.playing
     assert max(opened) > 15
     stage.wait(0.6)
     assert stage.jaw < 1
@@ -127,9 +128,12 @@ def test_what_is_known_of_a_file_moves_the_mouth_instead_of_what_is_recognised(s
     phones = Phone(BEGINS, 0.85, "f", Phoneme.UNIDENTIFIED), Phone(0.85, ENDS, "m", Phoneme.M)
     said = Utterance((Word("fm", (Syllable(phones),)),), 1.7)
     frames = np.full(170, 0.5, np.float32)
-    stage.talking.set_known(transcript_of_utterance(said, frames, 0 * frames, "said.wav"))
+    stage.talking.text.known = transcript_of_utterance(said, frames, 0 * frames, "said.wav")
+    stage.talking.text.known_changed.emit()
     rolled: dict[float, float] = {}
-    stage.play(0.75, lambda: rolled.update({stage.session.position: stage.talking.percentages["mouthRollLower"]}))
+    stage.play(
+        0.75, lambda: rolled.update({stage.session.source.position: stage.talking.percentages["mouthRollLower"]})
+    )
     stage.session.pause()
     stage.wait(1.0)
     assert max(rolled.values()) > 75
@@ -163,7 +167,7 @@ def test_a_sound_that_goes_on_elsewhere_is_followed_there(stage: Stage, qtbot: Q
 
 
 def test_a_loop_is_followed_around(stage: Stage) -> None:
-    stage.session.set_loop(True)
+    stage.session.playback.set_loop(True)
     opened: list[float] = []
     stage.play(1.7)
     stage.play(1.0, lambda: opened.append(stage.jaw))
@@ -531,7 +535,7 @@ def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qt
     shown, sent = [], []
 
     def look() -> None:
-        if session.playing:
+        if session.source.playing:
             now = stage.now - START
             qtbot.waitUntil(lambda: receiver.weights_at(now) is not None)  # older mouths may still be on their way
             weights = receiver.weights_at(now) or {}

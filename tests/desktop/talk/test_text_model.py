@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import soundfile
 
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.scripts import words_beside
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.words.text_model import POOR, TextTools, fits_badly
@@ -132,9 +132,9 @@ def test_another_sound_has_other_words(desk, tmp_path):
 def test_words_stay_while_another_source_is_heard_for_a_while(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.session.set_source(SoundSource.TONE)
+    desk.session.set_source(SourceKind.TONE)
     assert desk.words() == []
-    desk.session.set_source(SoundSource.FILE)
+    desk.session.set_source(SourceKind.FILE)
     assert desk.words() == ["so", "oh"]
 
 
@@ -355,7 +355,7 @@ def test_a_text_that_is_spoken_meanwhile_leaves_moved_boundaries_as_they_are(des
     desk.say("Hello.")
     desk.say("You there.")
     assert desk.texts.words.has_unsaved_changes
-    desk.session.set_source(SoundSource.FILE)
+    desk.session.set_source(SourceKind.FILE)
     assert desk.texts.utterance is moved
 
 
@@ -386,11 +386,11 @@ def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
     heard: list[Analysis] = []
     desk.session.heard.connect(heard.extend)
     desk.texts.play(0.6, 0.9)
-    assert desk.session.playing
+    assert desk.session.source.playing
     desk.stage.play(2.0)
-    assert not desk.session.playing
+    assert not desk.session.source.playing
     assert (heard[0].start, heard[-1].start + len(heard[-1])) == (60, 90)
-    assert desk.session.position == 0.6
+    assert desk.session.source.position == 0.6
 
 
 # -- a voice ------------------------------------------------------------------------------------------
@@ -398,12 +398,12 @@ def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
 
 def test_a_voice_is_a_source_like_a_file(desk):
     desk.say("Hello. You there.")
-    assert desk.session.source is SoundSource.TEXT
-    assert desk.session.playing
+    assert desk.session.source.kind is SourceKind.TEXT
+    assert desk.session.source.playing
     assert desk.voice.asked == [("Hello. You there.", "en-us")]
     desk.stage.play(10)
     assert desk.stage.said_an_a
-    assert desk.session.duration == pytest.approx(2 * SENTENCE)
+    assert desk.session.source.duration == pytest.approx(2 * SENTENCE)
 
 
 def test_what_a_voice_says_is_known_with_its_times(desk):
@@ -429,25 +429,25 @@ def test_a_spoken_text_can_be_gone_through(desk):
     desk.session.pause()
     desk.session.seek(0.2)
     settled(desk.session, desk.qtbot)
-    assert desk.session.position == pytest.approx(0.2)
+    assert desk.session.source.position == pytest.approx(0.2)
     desk.session.stop()
     settled(desk.session, desk.qtbot)
-    assert desk.session.position == 0
+    assert desk.session.source.position == 0
 
 
 def test_a_language_that_no_voice_speaks_is_refused_and_the_sound_in_hand_stays(desk, tmp_path):
     desk.open(tmp_path)
     desk.say("Hello.", "xx")
     assert "xx" in desk.failed[0]
-    assert desk.session.source is SoundSource.FILE
+    assert desk.session.source.kind is SourceKind.FILE
 
 
 def test_choosing_the_text_as_source_has_it_said(desk, tmp_path):
     desk.open(tmp_path)
     desk.texts.set_text("Hello.")
     desk.texts.set_language("en-us")
-    desk.session.set_source(SoundSource.TEXT)
-    desk.qtbot.waitUntil(lambda: desk.session.playing)
+    desk.session.set_source(SourceKind.TEXT)
+    desk.qtbot.waitUntil(lambda: desk.session.source.playing)
     assert desk.voice.asked == [("Hello.", "en-us")]
 
 
@@ -456,9 +456,9 @@ def test_a_file_goes_on_from_where_it_was_left_before_a_text_was_spoken(desk, tm
     desk.session.seek(0.5)
     settled(desk.session, desk.qtbot)
     desk.say("Hello.")
-    desk.session.set_source(SoundSource.FILE)
+    desk.session.set_source(SourceKind.FILE)
     settled(desk.session, desk.qtbot)
-    assert desk.session.position == pytest.approx(0.5)
+    assert desk.session.source.position == pytest.approx(0.5)
 
 
 def test_chinese_characters_tell_their_language(desk):
@@ -504,7 +504,7 @@ def test_a_spoken_text_is_saved_as_a_sound_with_its_words_and_opened_again(desk,
     assert saved == [str(tmp_path / "spoken.wav")]
     assert desk.session.open(tmp_path / "spoken.wav")
     desk.wait()
-    assert desk.session.duration == pytest.approx(2 * SENTENCE)
+    assert desk.session.source.duration == pytest.approx(2 * SENTENCE)
     assert desk.words() == ["Hello", "You there"]
     assert spans_of(desk.texts.utterance, LabelUnit.WORD)[1] == pytest.approx((0.6, 0.9), abs=1e-6)
     assert desk.texts.editable
@@ -542,7 +542,8 @@ def test_a_text_that_cannot_be_saved_leaves_nothing_behind(desk, tmp_path, langu
 
 def test_phonemes_of_a_spoken_text_are_saved_as_those_of_a_file_are(desk, tmp_path):
     desk.say("Hello. You there.")
-    desk.session.write_phonemes(tmp_path / "spoken.csv")
+    spoken = desk.session.source
+    desk.session.writer.write(spoken.name, spoken.reopen, desk.session.preset.in_force, tmp_path / "spoken.csv")
     desk.qtbot.waitUntil(lambda: not desk.session.writer.busy)
     labels = read_labels(tmp_path / "spoken.csv")
     assert labels[-1].end == pytest.approx(2 * SENTENCE)
@@ -584,7 +585,7 @@ def test_a_program_that_fails_is_told_in_a_sentence_and_the_sound_in_hand_stays(
     desk.texts.voice.choose(program=own_program(tmp_path, body), by_program=True)
     desk.say("so oh")
     assert reason in desk.failed[0]
-    assert desk.session.source is SoundSource.FILE
+    assert desk.session.source.kind is SourceKind.FILE
 
 
 def test_the_program_ends_though_a_program_of_ones_own_speaks_for_ever(session, outputs, qtbot, tmp_path):

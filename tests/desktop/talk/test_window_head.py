@@ -167,7 +167,7 @@ def test_frozen_views_hold_the_head_still(window, desktop, qtbot):
     window.set_frozen(True)  # as the menu does: its letter acts on the page Analyse only
     revision = desktop.talking.head.revision
     press(window, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: desktop.session.position > 0.3)
+    qtbot.waitUntil(lambda: desktop.session.source.position > 0.3)
     assert desktop.talking.head.revision == revision
 
 
@@ -278,7 +278,7 @@ def test_stop_closes_the_mouth(window, desktop, qtbot):
     open_mouth(desktop, qtbot)
     click(window.talk.stop)
     closed_mouth(desktop, qtbot)
-    assert desktop.session.position == 0
+    assert desktop.session.source.position == 0
 
 
 def test_the_page_names_the_phoneme_that_is_heard(window, desktop, qtbot):
@@ -359,7 +359,7 @@ def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop,
     click(window.talk.open)
     assert desktop.session.path == other
     assert window.talk.said.text() == "other.wav"
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     open_mouth(desktop, qtbot)
 
 
@@ -369,7 +369,7 @@ def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, tmp_path, ch
     window.files.show = FileAnswers(*(tmp_path / name for name in (chosen,) if name))
     click(window.talk.open)
     assert desktop.session.path == before
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
 
 
 def test_a_button_loads_phoneme_data(window, desktop):

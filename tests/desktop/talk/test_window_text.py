@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE, TextPanel
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
@@ -94,7 +94,7 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
     choose(window, "German")
     panel(window).field.setFocus()
     press(window, Qt.Key.Key_Return, CONTROL)
-    qtbot.waitUntil(lambda: window.transport.source.currentData() == SoundSource.TEXT)
+    qtbot.waitUntil(lambda: window.transport.source.currentData() == SourceKind.TEXT)
     assert voice.asked == [("hello", "de")]
     qtbot.waitUntil(panel(window).lanes.isVisible)
     assert not panel(window).align.isEnabled()
@@ -108,15 +108,15 @@ def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qt
     choose(window, "German")
     panel(window).field.setFocus()
     press(window, Qt.Key.Key_Return, CONTROL)
-    qtbot.waitUntil(lambda: desktop.session.playing)
+    qtbot.waitUntil(lambda: desktop.session.source.playing)
     press(window, Qt.Key.Key_Escape)
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
 
 
 def test_letters_and_space_that_are_typed_hold_no_mouth_shape_and_play_nothing(window, desktop):
     write(window, "a house")
     assert panel(window).field.toPlainText() == "a house"
-    assert not desktop.session.playing
+    assert not desktop.session.source.playing
     assert not desktop.talking.visemes.phonemes
 
 
@@ -139,13 +139,13 @@ def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(wind
 def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
     aligned(window, qtbot)
     QTest.mouseClick(panel(window).lanes, LEFT, pos=place(window, 0, 0.8))
-    assert desktop.session.playing
+    assert desktop.session.source.playing
     heard: list[Analysis] = []
     desktop.session.heard.connect(heard.extend)
-    qtbot.waitUntil(lambda: not desktop.session.playing)
+    qtbot.waitUntil(lambda: not desktop.session.source.playing)
     assert heard[0].start == 60
     assert heard[-1].start + len(heard[-1]) == 110
-    assert desktop.session.position == 0.6
+    assert desktop.session.source.position == 0.6
 
 
 def drag_boundary(window: MainWindow) -> None:

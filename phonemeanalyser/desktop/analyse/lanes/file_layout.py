@@ -72,11 +72,11 @@ class FileLayout:
     def tiers_shown(self) -> tuple[int, ...]:
         """Return the tiers that are shown, as many as leave the sonagram room; what a microphone heard has none."""
         most = max(1, int(MOST_LANES * self._widget.height()) // (LABEL_HEIGHT + 1))
-        return () if self._session.looks_back else self._session.labels.state.shown[:most]
+        return () if self._session.seen.looks_back else self._session.labels.state.shown[:most]
 
     def spoken_shown(self) -> list[Lane]:
         """Return the lanes of what is said that no tier shows already."""
-        if self._session.looks_back or "words" not in self.shows:
+        if self._session.seen.looks_back or "words" not in self.shows:
             return []
         tiers = {self._session.labels.state.tiers[tier].name for tier in self.tiers_shown()}
         return [lane for lane in self.spoken if lane.name not in tiers]

@@ -93,7 +93,7 @@ class FilePainter:
         tracks = self._session.whole.tracks
         if tracks is not None:
             self._paint_lane(painter, rows[LANE], tracks)
-            if not self._session.looks_back:
+            if not self._session.seen.looks_back:
                 self._paint_errors(painter, rows[LANE], tracks)
             self._paint_second(painter, rows[LANE])
             self._paint_wave(painter, rows[2], tracks)
@@ -105,8 +105,8 @@ class FilePainter:
             self._paint_spoken(painter, row, lane)
         self._paint_times(painter, rows[3].bottom())
         self._paint_selection(painter, rows[3].bottom())
-        x = self._layout.x_of(self._session.position)
-        if LEFT <= x <= LEFT + self._layout.width and not self._session.looks_back:
+        x = self._layout.x_of(self._session.source.position)
+        if LEFT <= x <= LEFT + self._layout.width and not self._session.seen.looks_back:
             painter.fillRect(QRectF(x - 0.5, 0, 1.5, rows[3].bottom()), QColor(self._theme.accent))
         self._paint_reading(painter, rows[0], reading)
 

@@ -77,8 +77,8 @@ class FilePanel(QWidget):
 
     def refresh(self) -> None:
         """Go along with what is heard."""
-        if self._session.playing and not self._session.looks_back:
-            self._session.view.follow(self._session.position)
+        if self._session.source.playing and not self._session.seen.looks_back:
+            self._session.view.follow(self._session.source.position)
             self.view.update()
 
     def _lay_out(self) -> None:
@@ -100,14 +100,14 @@ class FilePanel(QWidget):
     def _connect(self) -> None:
         view, sonagram = self._session.view, self._session.sonagram
         self.follow.toggled.connect(partial(setattr, view, "follows"))
-        self.filtered.toggled.connect(self._session.show_filtered)
+        self.filtered.toggled.connect(self._session.seen.show_filtered)
         for name, action in self.overlays.items():
             action.setCheckable(True)
             action.toggled.connect(lambda on, name=name: self.view.show_over(name, on=on))
         self.overlays["words"].setChecked(True)
         self.whole.clicked.connect(lambda _checked: view.show_all())
         self.live.clicked.connect(lambda _checked: self._session.look_back(False))
-        self._session.looked_back.connect(self._show_state)
+        self._session.seen.looked_back.connect(self._show_state)
         self.selection.clicked.connect(lambda _checked: self._show_selection())
         self.axis.currentIndexChanged.connect(
             lambda k: sonagram.use(replace(sonagram.settings, axis=list(FrequencyAxis)[k]))
@@ -120,7 +120,7 @@ class FilePanel(QWidget):
         second = self._session.second
         for signal in (self._session.whole.changed, second.whole.changed, second.changed, view.moved):
             signal.connect(self._show_difference)
-        self._session.sought.connect(lambda: view.follow(self._session.position))
+        self._session.sought.connect(lambda: view.follow(self._session.source.position))
         self._session.sought.connect(self.view.update)
         self._show_colours()
 
@@ -154,8 +154,8 @@ class FilePanel(QWidget):
             self.variable.setCurrentText(chosen if chosen in names else "energy")
 
     def _show_state(self) -> None:
-        self.live.setVisible(self._session.looks_back)
-        self.follow.setVisible(not self._session.looks_back)
-        self.heading.setText(tr("<b>Heard</b>") if self._session.looks_back else tr("<b>File</b>"))
+        self.live.setVisible(self._session.seen.looks_back)
+        self.follow.setVisible(not self._session.seen.looks_back)
+        self.heading.setText(tr("<b>Heard</b>") if self._session.seen.looks_back else tr("<b>File</b>"))
         self.follow.setChecked(self._session.view.follows)
         self.selection.setEnabled(self._session.view.selection is not None)

@@ -43,7 +43,9 @@ class LabelDialogs(QObject):
             session.error.emit(tr("No labels say what is said; load some by Labels > Load Labels."))
             return
         selected = session.view.selection
-        found = self._labels.next_error(tracks, session.position if selected is None else selected.start, back=back)
+        found = self._labels.next_error(
+            tracks, session.source.position if selected is None else selected.start, back=back
+        )
         if found is None:
             before, after = tr("There is no error before this place."), tr("There is no error after this place.")
             session.labels.info.emit(before if back else after)
@@ -64,9 +66,9 @@ class LabelDialogs(QObject):
 
     def _has_file(self) -> bool:
         """Say whether there is something to label: what a microphone heard becomes a file first."""
-        if self._session.looks_back:
+        if self._session.seen.looks_back:
             self._session.error.emit(tr(WHAT_WAS_HEARD))
-        return not self._session.looks_back
+        return not self._session.seen.looks_back
 
     # -- labels -------------------------------------------------------------------------------------------
 

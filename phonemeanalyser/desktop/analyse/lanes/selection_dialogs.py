@@ -26,7 +26,7 @@ class SelectionDialogs(QObject):
     def show_measurement(self, measurement: StretchMeasurement) -> None:
         """Show what was measured, beside the window."""
         preset = self._session.preset.in_force.name
-        MeasurementDialog(measurement, self._session.name, preset, self._window).show()
+        MeasurementDialog(measurement, self._session.source.name, preset, self._window).show()
 
     def copy_frames(self) -> None:
         """Put the selected frames on the clipboard as a table."""

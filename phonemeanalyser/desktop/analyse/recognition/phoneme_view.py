@@ -72,7 +72,7 @@ class PhonemeView(QWidget):
 
     def refresh(self) -> None:
         """Show the newest frame."""
-        self.input_silent = self._session.input_silent
+        self.input_silent = self._session.microphone.silent
         newest = None if self.input_silent else self._session.history.newest
         if newest is None:
             self.phoneme = self.recognised = Phoneme.SILENCE

@@ -59,7 +59,7 @@ class PositionSlider(QWidget):
 
     def refresh(self) -> None:
         """Show where the sound is."""
-        shown = round(self._x_of(self._session.position))
+        shown = round(self._x_of(self._session.source.position))
         if shown != self._shown:
             self._shown = shown
             self.update()
@@ -78,7 +78,7 @@ class PositionSlider(QWidget):
         if tracks is not None and width > 0:
             painter.drawImage(MARGIN, 0, self._overview_of(tracks, width))
         painter.fillRect(QRectF(MARGIN, WAVE_HEIGHT, width, BAR_HEIGHT), QColor(self._theme.line))
-        x = self._x_of(self._session.position)
+        x = self._x_of(self._session.source.position)
         painter.fillRect(QRectF(MARGIN, WAVE_HEIGHT, x - MARGIN, BAR_HEIGHT), QColor(self._theme.accent))
         painter.fillRect(QRectF(x - 1, 0, 2, WAVE_HEIGHT + BAR_HEIGHT), QColor(self._theme.text))
         self._paint_marks(painter)
@@ -96,7 +96,7 @@ class PositionSlider(QWidget):
         """Go by a second."""
         steps = {Qt.Key.Key_Left: -1.0, Qt.Key.Key_Right: 1.0}
         if event.key() in steps:
-            self.sought.emit(max(0.0, self._session.position + steps[Qt.Key(event.key())]))
+            self.sought.emit(max(0.0, self._session.source.position + steps[Qt.Key(event.key())]))
         else:
             super().keyPressEvent(event)
 
@@ -110,7 +110,7 @@ class PositionSlider(QWidget):
         return self._overview[1]
 
     def _paint_marks(self, painter: QPainter) -> None:
-        duration = self._session.duration
+        duration = self._session.source.duration
         if duration <= 0:
             return
         set_size(painter, 9)
@@ -125,10 +125,10 @@ class PositionSlider(QWidget):
 
     def _seek(self, event: QMouseEvent) -> None:
         share = min(max((event.position().x() - MARGIN) / max(1, self.width() - 2 * MARGIN), 0.0), 1.0)
-        self.sought.emit(share * self._session.duration)
+        self.sought.emit(share * self._session.source.duration)
 
     def _x_of(self, seconds: float) -> float:
-        return MARGIN + seconds / max(self._session.duration, 1e-6) * (self.width() - 2 * MARGIN)
+        return MARGIN + seconds / max(self._session.source.duration, 1e-6) * (self.width() - 2 * MARGIN)
 
 
 def overview_pixels(tracks: SoundTracks, width: int, colours: UInt32Array, nothing: np.uint32) -> UInt32Array:

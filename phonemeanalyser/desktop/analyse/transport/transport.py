@@ -11,7 +11,9 @@ from phonemeanalyser.desktop.analyse.transport.record_button import RecordButton
 from phonemeanalyser.desktop.analyse.transport.tone_bar import ToneBar
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock
-from phonemeanalyser.desktop.session.session import QUIETEST_DB, Session, SoundSource
+from phonemeanalyser.desktop.session.playback import QUIETEST_DB
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, named, row, silent
 from phonemeanalyser.desktop.widgets.still_label import StillLabel
@@ -58,18 +60,18 @@ class Transport(QWidget):
         self.record = RecordButton(session, theme)
         self.loop = self._button(pixmap.SP_BrowserReload, tr("Begin again at the end (L)"))
         self.source = choice(
-            ((tr(source.value), source) for source in SoundSource), tr("source"), tr("Where the sound comes from")
+            ((tr(source.value), source) for source in SourceKind), tr("source"), tr("Where the sound comes from")
         )
         self.position_slider = PositionSlider(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
         self.tone = ToneBar(theme)
-        self.tone.show_tone(session.tone)
+        self.tone.show_tone(session.playback.tone)
         self.pages = Pages()
         self.time = StillLabel(LEAST_TIME_WIDTH)
-        self.output, self.channel_label = OutputButton(session), QLabel(tr("channel"))
+        self.output, self.channel_label = OutputButton(session.playback), QLabel(tr("channel"))
         self.volume = named(QSlider(Qt.Orientation.Horizontal), tr("volume"))
         self.channel = choice((), tr("channel of the file"), tr("Which channel of the file is analysed"))
-        self._wrapped_for: tuple[int, SoundSource] | None = None
+        self._wrapped_for: tuple[int, SourceKind] | None = None
         self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
         self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
         self._lay_out()
@@ -80,11 +82,11 @@ class Transport(QWidget):
         """Show where the sound is, and how loud the microphone."""
         session = self._session
         self.position_slider.refresh()
-        if session.source is SoundSource.MICROPHONE:
+        if session.source.kind is SourceKind.MICROPHONE:
             self.microphone.refresh()
-        text = format_clock(session.position, True)
+        text = format_clock(session.source.position, True)
         if not session.source.live:
-            text += f" / {format_clock(session.duration, True)}"
+            text += f" / {format_clock(session.source.duration, True)}"
         recording = session.microphone.recording
         if recording:
             sign = "●" if session.microphone.listening else tr("waiting")
@@ -131,7 +133,7 @@ class Transport(QWidget):
 
     def _wrap(self) -> None:
         """Choose one row or two; two stay until the window has another width or the sound another source."""
-        wrapped_for = self.window().width(), self._session.source
+        wrapped_for = self.window().width(), self._session.source.kind
         wrapped = self.width() < self._width_of(*self._first, self.pages, *self._last)
         wrapped |= self._wrapped_for == wrapped_for
         self._wrapped_for = wrapped_for if wrapped else None
@@ -155,37 +157,33 @@ class Transport(QWidget):
         self.stop.clicked.connect(session.stop)
         self.record.clicked.connect(session.toggle_recording)
         self.record.folder_asked.connect(self.folder_asked)
-        self.loop.toggled.connect(session.set_loop)
-        self.source.activated.connect(lambda k: session.set_source(SoundSource(self.source.itemData(k))))
+        self.loop.toggled.connect(session.playback.set_loop)
+        self.source.activated.connect(lambda k: session.set_source(SourceKind(self.source.itemData(k))))
         self.position_slider.sought.connect(session.seek)
-        self.tone.tone_changed.connect(session.set_tone)
-        self.volume.valueChanged.connect(session.set_volume)
+        self.tone.tone_changed.connect(session.playback.set_tone)
+        self.volume.valueChanged.connect(session.playback.set_volume)
         self.channel.activated.connect(lambda k: session.set_channel(Channel(str(k))))
         session.transport_changed.connect(self._show_state)
         session.opened.connect(self._show_state)
         session.microphone.changed.connect(self._show_state)
 
     def _show_state(self) -> None:
-        session = self._session
-        icon = QStyle.StandardPixmap.SP_MediaPause if session.playing else QStyle.StandardPixmap.SP_MediaPlay
+        source, playback = self._session.source, self._session.playback
+        icon = QStyle.StandardPixmap.SP_MediaPause if source.playing else QStyle.StandardPixmap.SP_MediaPlay
         self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
         key = QKeySequence("Space").toString(QKeySequence.SequenceFormat.NativeText)
-        tip = (
-            tr("Listen, or let the microphone go")
-            if session.source is SoundSource.MICROPHONE
-            else tr("Play or pause")
-        )
+        tip = tr("Listen, or let the microphone go") if source.kind is SourceKind.MICROPHONE else tr("Play or pause")
         self.play.setToolTip(f"{tip} ({key})")
         self.volume.setToolTip(
-            tr("Volume {volume:.0f} dB").format(volume=session.volume)
-            if session.volume > QUIETEST_DB
+            tr("Volume {volume:.0f} dB").format(volume=playback.volume)
+            if playback.volume > QUIETEST_DB
             else tr("Silent")
         )
         with silent(self.volume, self.loop):
-            self.volume.setValue(round(session.volume))
-            self.loop.setChecked(session.loop)
+            self.volume.setValue(round(playback.volume))
+            self.loop.setChecked(playback.loop)
         self._show_channels()
-        self.source.setCurrentIndex(self.source.findData(session.source))
+        self.source.setCurrentIndex(self.source.findData(source.kind))
         self.record.show_state()
         self._show_page()
         self.position_slider.update()
@@ -193,7 +191,8 @@ class Transport(QWidget):
 
     def _show_channels(self) -> None:
         """Offer the channels of the file, and the mix of them where there are several."""
-        n = self._session.n_channels
+        file = self._session.file
+        n = 2 if file is None else file.n_file_channels
         names = {1: [tr("mono")], 2: [tr("mix"), tr("left"), tr("right")]}
         texts = names.get(n) or [tr("mix"), *(str(number) for number in range(1, n + 1))]
         if texts != [self.channel.itemText(k) for k in range(self.channel.count())]:
@@ -204,23 +203,23 @@ class Transport(QWidget):
 
     def _show_page(self) -> None:
         """Show the controls of the source in use."""
-        source = self._session.source
-        pages: dict[SoundSource, QWidget] = {
-            SoundSource.FILE: self.position_slider,
-            SoundSource.MICROPHONE: self.microphone,
-            SoundSource.TONE: self.tone,
-            SoundSource.TEXT: self.position_slider,
+        kind = self._session.source.kind
+        pages: dict[SourceKind, QWidget] = {
+            SourceKind.FILE: self.position_slider,
+            SourceKind.MICROPHONE: self.microphone,
+            SourceKind.TONE: self.tone,
+            SourceKind.TEXT: self.position_slider,
         }
-        self.pages.setCurrentWidget(pages[source])
+        self.pages.setCurrentWidget(pages[kind])
         self.pages.updateGeometry()
         of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
-            widget.setVisible(source is SoundSource.FILE)
+            widget.setVisible(kind is SourceKind.FILE)
         for widget in (self.output, self.volume):
-            widget.setVisible(source is not SoundSource.MICROPHONE)
+            widget.setVisible(kind is not SourceKind.MICROPHONE)
         needing_a_file: tuple[QWidget, ...] = (self.play, self.stop, self.position_slider)
         for widget in needing_a_file:
-            widget.setEnabled(source is not SoundSource.FILE or self._session.path is not None)
+            widget.setEnabled(kind is not SourceKind.FILE or self._session.path is not None)
 
 
 def tinted_icon(style: QStyle, icon: QStyle.StandardPixmap, theme: Theme) -> QIcon:

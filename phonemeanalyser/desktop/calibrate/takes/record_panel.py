@@ -7,7 +7,6 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QToolButton, QWi
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on
-from phonemeanalyser.desktop.session.session import SoundSource
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import column, row, spoken_button
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
@@ -75,13 +74,13 @@ class RecordPanel(QWidget):
         """Show what holding a button does now."""
         session, selection = self._calibration.session, self._calibration.selection
         held = self._calibration.phoneme
-        of_file = session.source is SoundSource.FILE and session.path is not None
+        of_file = session.source.path is not None
         if held is not None:
             text = tr("<b>Taking {phoneme}</b>: let go when it is said").format(phoneme=held.label)
-        elif of_file and selection is not None and not session.playing:
+        elif of_file and selection is not None and not session.source.playing:
             start, end = (format_clock(seconds, True) for seconds in selection)
             text = tr("Marked <b>{start} – {end} s</b>: choose its sound").format(start=start, end=end)
-        elif of_file and session.playing:
+        elif of_file and session.source.playing:
             text = tr("Hold a key while its sound is heard")
         else:
             text = tr("Hold a key, or a button, and say the sound")

@@ -15,6 +15,7 @@ from phonemeengine.live.player import Player
 from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.original import RecordedFace, original_sound
 from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.presets.ears import while_played
 from phonemeengine.storage.files import printable
 
 AROUND = 0.3
@@ -111,13 +112,13 @@ class OriginalModel(QObject):
         self._session.pause()
         self.face, self._start, self._end, self._began = face, start, end, self._clock()
         if reader is not None:
-            self._player = self._session.player_of(reader)
+            self._player = self._session.playback.player_of(reader, while_played(self._session.preset.in_force))
             self._player.seek(start)
             self._player.play()
 
     def _give_way(self) -> None:
         """End it where the sound in hand goes on."""
-        if self._session.playing:
+        if self._session.source.playing:
             self.stop()
 
     def _let_go(self) -> None:

@@ -32,8 +32,8 @@ class PhonemeChip(QWidget):
     def refresh(self) -> None:
         """Show what is heard now."""
         session = self._talking.session
-        rests = not session.playing and (session.source.live or not session.position)
-        newest = None if rests or session.input_silent else session.history.newest
+        rests = not session.source.playing and (session.source.live or not session.source.position)
+        newest = None if rests or session.microphone.silent else session.history.newest
         heard = (Phoneme.SILENCE, 0.0)
         if newest is not None:
             heard = Phoneme(int(newest.phonemes[-1])), round(float(newest.intensities[-1]), 2)

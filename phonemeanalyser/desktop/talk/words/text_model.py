@@ -8,7 +8,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_count
-from phonemeanalyser.desktop.session.session import Session, SoundSource
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind, SpokenText
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.drivers.original_model import OriginalModel
@@ -73,8 +74,7 @@ class TextModel(QObject):
     Signals
     -------
     changed : the words, the text, the language, the lexicon, the voice, what moves the mouth, or what is going on.
-    known_changed : what is said in the sound in hand, as a `Transcript`, or None where that is not known.
-    known_grew : the same, where there is more of it than before.
+    known_changed : `known` is another one; while a voice speaks, it grows without that.
     speech_saved : the path of a sound file to which a text was spoken.
     error, info : a sentence for the user; an empty error takes the one before away.
 
@@ -85,6 +85,7 @@ class TextModel(QObject):
     drivers : by what the mouth moves.
     original : plays what a unit of a recorded face is from.
     words : of the sound file in hand.
+    known : what is said in the sound in hand; None where that is not known.
     text : the script of the sound in hand, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
@@ -95,8 +96,7 @@ class TextModel(QObject):
     """
 
     changed = Signal()
-    known_changed = Signal(object)
-    known_grew = Signal(object)
+    known_changed = Signal()
     speech_saved = Signal(str)
     error = Signal(str)
     info = Signal(str)
@@ -112,6 +112,7 @@ class TextModel(QObject):
         self.drivers = drivers or DriverModel()
         self.original = OriginalModel(session)
         self.words = SoundWords(session.preset.undo_stack)
+        self.known: Transcript | None = None
         self.text = self.language = ""
         self.lexicon_path: Path | None = None
         self.literal = False
@@ -133,17 +134,16 @@ class TextModel(QObject):
         self.original.error.connect(self.error)
         self.drivers.info.connect(self.info)
         self.words.changed.connect(self._take_words)
-        session.speech_asked.connect(self.say)
+        session.say = self.say
 
     # -- what is known ------------------------------------------------------------------------------------
 
     @property
     def utterance(self) -> Utterance | None:
         """What is said in the sound in hand; None where nothing is known of it."""
-        if self._session.source is SoundSource.FILE:
+        if self.editable:
             return self.words.utterance
-        spoken_now = self._speech if self._session.source is SoundSource.TEXT else None
-        return None if spoken_now is None else spoken_now.utterance
+        return None if self._speech is None else self._speech.utterance
 
     @property
     def editable(self) -> bool:
@@ -152,7 +152,7 @@ class TextModel(QObject):
         Those of a voice cannot: sound and times come from one call, so that moving one could only put the mouth out
         of step.
         """
-        return self._session.source is SoundSource.FILE
+        return self._session.source.kind is SourceKind.FILE
 
     @property
     def busy(self) -> bool:
@@ -209,8 +209,8 @@ class TextModel(QObject):
 
     def open_script(self, path: Path, speaker: str | None = None) -> None:
         """Take the text, or the words with their times, of a script for the sound in hand; in the background."""
-        sound, duration = self._session.path, self._session.duration
-        if self._session.source is not SoundSource.FILE or sound is None:
+        sound, duration = self._session.source.path, self._session.source.duration
+        if sound is None:
             self.error.emit(tr("There is no sound file in hand; open the recording of this script, then the script."))
             return
         self._looking.replace(
@@ -228,15 +228,15 @@ class TextModel(QObject):
 
     def align(self) -> None:
         """Find the words of the text in the sound in hand, in the background; or end that."""
-        session = self._session
+        session, sound = self._session, self._session.source.path
         if self.busy:
             self._work.cancel()
-        elif session.source is not SoundSource.FILE or session.path is None:
+        elif sound is None:
             self.error.emit(tr("There is no sound file in hand; open the recording of this text, then align."))
         elif self._may_read():
             self._align(
                 ScriptedSound(
-                    session.path, session.channel, session.preset.in_force, self.text, self.language, self._lexicon,
+                    sound, session.channel, session.preset.in_force, self.text, self.language, self._lexicon,
                     self.literal, timed=self._timed if self.text == self._timed_text else (),
                 )
             )  # fmt: skip
@@ -305,9 +305,9 @@ class TextModel(QObject):
     def follow_sound(self) -> None:
         """Look what is known of the sound in hand, since another one is in hand now."""
         session = self._session
-        if session.source is not SoundSource.TEXT:
+        if session.source.kind is not SourceKind.TEXT:
             self._speech = None
-        if session.source is SoundSource.FILE and not self.words.is_of(session.path, session.duration):
+        if self.editable and not self.words.is_of(session.path, session.source.duration):
             another = session.path != self.words.sound
             self.refused = None
             self.words.follow(session.path)
@@ -321,7 +321,7 @@ class TextModel(QObject):
         """Follow what is spoken and looked up."""
         self._follow_speech()
         if self.drivers.performance.face is not None:
-            self.drivers.performance.tick(self._session.position)
+            self.drivers.performance.tick(self._session.source.position)
         self.original.tick()
 
     def close(self) -> None:
@@ -359,7 +359,7 @@ class TextModel(QObject):
         return False
 
     def _look_beside(self, *, with_script: bool) -> None:
-        sound, duration = self._session.path, self._session.duration
+        sound, duration = self._session.path, self._session.source.duration
         if sound is not None:
             self._looking.replace(
                 lambda _progress: words_beside(sound, duration),
@@ -423,19 +423,24 @@ class TextModel(QObject):
         return (sentences, None) if face is None else (face.follow(sentences), face)
 
     def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
-        self._speech = speech
-        self._session.speak(speech.speech, lambda: SpooledSpeech(self.tools.speak(text, speech.language, voice)))
+        session, self._speech = self._session, speech
+
+        def speak_again() -> SpooledSpeech:
+            return SpooledSpeech(self.tools.speak(text, speech.language, voice))
+
+        session.take(lambda: SpokenText(session.preset.in_force, session.playback, speech.speech, speak_again))
+        session.play()
 
     def _follow_speech(self) -> None:
         """Take what is newly spoken."""
         speech = self._speech
-        if speech is not None and self._session.source is SoundSource.TEXT:
+        if speech is not None:
             before = speech.utterance
-            if speech.follow(self._session.position):
+            if speech.follow(self._session.source.position):
                 self._tell(grown=before is not None)
 
     def _take_words(self) -> None:
-        if self._session.source is SoundSource.FILE:
+        if self.editable:
             self._tell()
 
     def _take_lexicon(self, path: Path | None, lexicon: Lexicon | None) -> None:
@@ -448,7 +453,9 @@ class TextModel(QObject):
             self.drivers.follow(*self._known_of_file(utterance))
         else:
             self.drivers.follow(utterance, speech.text, spoken=speech.face)
-        (self.known_grew if grown else self.known_changed).emit(utterance and self._transcript_of(utterance))
+        self.known = None if utterance is None else self._transcript_of(utterance)
+        if not grown:
+            self.known_changed.emit()
         self.changed.emit()
 
     def _known_of_file(self, utterance: Utterance | None) -> tuple[Utterance | None, str, MeasuredSound | None]:
@@ -460,5 +467,5 @@ class TextModel(QObject):
         return replace(utterance, language=self._language_of_text or utterance.language), self.text, sound
 
     def _transcript_of(self, utterance: Utterance) -> Transcript:
-        path = self.words.sound if self._session.source is SoundSource.FILE else None
-        return transcript_of_utterance(utterance, NOTHING, NOTHING, self._session.name, path)
+        path = self.words.sound if self.editable else None
+        return transcript_of_utterance(utterance, NOTHING, NOTHING, self._session.source.name, path)

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.session import SoundSource
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words.words_view import WordsTimeline
@@ -118,7 +118,7 @@ class TextPanel(QWidget):
 
     def refresh(self) -> None:
         """Show where the sound is."""
-        self.lanes.show_position(self._talking.session.position)
+        self.lanes.show_position(self._talking.session.source.position)
 
     def _lay_out(self) -> None:
         column(
@@ -168,7 +168,7 @@ class TextPanel(QWidget):
         self._show_languages()
         self._show_lexicon()
         self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
-        self.align.setEnabled(self._talking.session.source is SoundSource.FILE)
+        self.align.setEnabled(self._talking.session.source.kind is SourceKind.FILE)
         for part in (self.anyway, self.refusal):
             part.setVisible(texts.refused is not None and not texts.busy)
         self.literal.setChecked(texts.literal)

@@ -1,0 +1,261 @@
+"""Where the sound in hand comes from: a file, a microphone, a tone, or a text that a voice speaks."""
+
+from collections.abc import Callable
+from enum import StrEnum
+from functools import partial
+from pathlib import Path
+
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.microphone import Microphone
+from phonemeanalyser.desktop.session.playback import Playback
+from phonemeengine.analyser import Analysis
+from phonemeengine.audio.files import SoundReader
+from phonemeengine.audio.source import Reader
+from phonemeengine.audio.tone.reader import ToneReader
+from phonemeengine.live.player import Player
+from phonemeengine.presets.ears import for_live_use, while_played
+from phonemeengine.presets.preset import Preset
+
+
+class SourceKind(StrEnum):
+    """What there is to choose from."""
+
+    FILE = tr_noop("file")
+    MICROPHONE = tr_noop("microphone")
+    TONE = tr_noop("tone")
+    TEXT = tr_noop("text")
+
+
+class Source:
+    """A source of sound, which is played; without a reader there is no sound.
+
+    Parameters
+    ----------
+    preset : recognises the sound.
+    playback : says how it is played.
+    reader : the sound; `close` closes it.
+
+    Attributes
+    ----------
+    kind : what the user chose.
+    title, words : what it is, in English, short and long.
+    live : whether nothing is known of the sound before it is heard.
+    path : the file that is played; None where it is none.
+    preset : recognises the sound.
+    player : plays and analyses it; None where that is not done.
+    reopen : gives the whole sound once more, from its beginning; None where that cannot be.
+    """
+
+    kind, live = SourceKind.FILE, False
+    title = words = tr_noop("no sound")
+    path: Path | None = None
+    reopen: Callable[[], Reader] | None = None
+
+    def __init__(self, preset: Preset, playback: Playback | None = None, reader: Reader | None = None) -> None:
+        self.preset = preset
+        self.player: Player | None = None
+        if playback is not None and reader is not None:
+            self.player, self._device = playback.player_of(reader, preset), playback.device
+            self.follow(playback)
+
+    @property
+    def name(self) -> str:
+        """What it is, in a word or two, such as the name of a file."""
+        return tr(self.title)
+
+    @property
+    def description(self) -> str:
+        """What it is, in more words, such as rate and channels of a file."""
+        return tr(self.words)
+
+    @property
+    def seekable(self) -> bool:
+        """Whether there are places in the sound to go to."""
+        return self.player is not None and not self.live
+
+    @property
+    def duration(self) -> float:
+        """Seconds of the sound, as far as they are known; 0 of a live one."""
+        return 0.0 if self.player is None or self.live else self.player.reader.duration
+
+    @property
+    def position(self) -> float:
+        """Seconds from the beginning to what is heard."""
+        return 0.0 if self.player is None else min(self.player.position, self.player.reader.duration)
+
+    @property
+    def playing(self) -> bool:
+        """Whether sound goes on, or is listened for."""
+        return self.player is not None and self.player.playing
+
+    def play(self) -> bool:
+        """Play, or listen; says whether there is anything to be heard."""
+        if self.player is not None:
+            self.player.play()
+        return self.player is not None
+
+    def pause(self) -> None:
+        """Hold still; a microphone is let go, and a recording ends."""
+        if self.player is not None:
+            self.player.pause()
+
+    def seek(self, seconds: float) -> None:
+        """Go to a place in the sound, where it is `seekable`."""
+        if self.player is not None and self.seekable:
+            self.player.seek(seconds)
+
+    def play_stretch(self, start: float, end: float) -> None:
+        """Play the sound from one time to another, seconds, where it is `seekable`."""
+        if self.player is not None and self.seekable:
+            self.player.play_stretch(start, end)
+
+    def take_analyses(self) -> list[Analysis]:
+        """Return what was heard since the last call; raises EngineError where that has ended the sound."""
+        return [] if self.player is None else self.player.take_analyses()
+
+    def upcoming(self) -> list[tuple[float, Analysis]]:
+        """Return what is known of the sound before it is heard, each block with the seconds until then."""
+        return [] if self.player is None or self.live else self.player.upcoming()
+
+    def set_preset(self, preset: Preset) -> None:
+        """Recognise with another preset from here on."""
+        self.preset = preset
+        if self.player is not None:
+            self.player.set_preset(preset)
+
+    def follow(self, playback: Playback) -> None:
+        """Play as is chosen now."""
+        if self.player is None:
+            return
+        self.player.loop = playback.loop
+        self.player.set_gain(playback.gain)
+        self.player.set_speed(playback.speed)
+        if playback.device != self._device:
+            self._device = playback.device
+            self.player.change_device(playback.open_output)
+
+    def close(self) -> None:
+        """Let device and sound go."""
+        if self.player is not None:
+            self.player.close()
+
+
+class FileSource(Source):
+    """Plays a file, recognised by what a preset has for files that are played."""
+
+    def __init__(self, preset: Preset, playback: Playback, file: SoundReader) -> None:
+        super().__init__(while_played(preset), playback, file)
+        self.path, self._file = file.path, file
+        self.reopen = partial(SoundReader, file.path, file.channel)
+
+    @property
+    def name(self) -> str:
+        """The file's name."""
+        return self._file.path.name
+
+    @property
+    def description(self) -> str:
+        """Rate and channels of the file, and what else is known of its sound."""
+        n = self._file.n_file_channels
+        channels = {1: "mono", 2: "stereo"}.get(n, tr("{n} channels").format(n=n))
+        return ", ".join([f"{self._file.file_rate:,} Hz".replace(",", " "), channels, *self._file.known_notes])
+
+    def set_preset(self, preset: Preset) -> None:
+        """Recognise with what another preset has for files that are played."""
+        super().set_preset(while_played(preset))
+
+
+class ToneSource(Source):
+    """Plays a tone that changes while it is heard."""
+
+    kind = title = SourceKind.TONE
+    live = True
+
+    def __init__(self, preset: Preset, playback: Playback) -> None:
+        self._reader = ToneReader(playback.tone)
+        super().__init__(preset, playback, self._reader)
+
+    @property
+    def description(self) -> str:
+        """The kind of tone."""
+        return tr(self._reader.tone.kind.replace("_", " "))
+
+    def follow(self, playback: Playback) -> None:
+        """Play as is chosen now; another tone is heard at once."""
+        super().follow(playback)
+        if playback.tone != self._reader.tone:
+            self._reader.set_tone(playback.tone)
+            self.play()
+
+
+class UnspokenText(Source):
+    """Stands for a text while there is nothing to be heard of it; `say` is asked for that."""
+
+    kind = title = SourceKind.TEXT
+    words = tr_noop("a text that a voice speaks")
+
+    def __init__(self, preset: Preset, say: Callable[[], None]) -> None:
+        super().__init__(preset)
+        self._say = say
+
+    def play(self) -> bool:
+        """Ask for the text to be spoken, which is another source."""
+        self._say()
+        return False
+
+
+class SpokenText(Source):
+    """Plays a text that a voice speaks, maybe while it is still speaking."""
+
+    kind, title, words = UnspokenText.kind, UnspokenText.title, UnspokenText.words
+
+    def __init__(self, preset: Preset, playback: Playback, speech: Reader, again: Callable[[], Reader]) -> None:
+        super().__init__(preset, playback, speech)
+        self.reopen = again
+
+
+class MicrophoneSource(Source):
+    """Listens to the microphone."""
+
+    kind = title = SourceKind.MICROPHONE
+    live = True
+
+    def __init__(self, preset: Preset, microphone: Microphone) -> None:
+        super().__init__(for_live_use(preset))
+        self._in_force, self._microphone = preset, microphone
+        microphone.refresh_devices()
+
+    @property
+    def description(self) -> str:
+        """What is going on."""
+        return self._microphone.words
+
+    @property
+    def position(self) -> float:
+        """Seconds for which it has been listened to."""
+        return self._microphone.listener.seconds
+
+    @property
+    def playing(self) -> bool:
+        """Whether it is listened to, or tried to."""
+        return self._microphone.active
+
+    def play(self) -> bool:
+        """Listen."""
+        self._microphone.listen(self._in_force)
+        return True
+
+    def take_analyses(self) -> list[Analysis]:
+        """Return what was heard since the last call."""
+        return self._microphone.listener.take_analyses()
+
+    def set_preset(self, preset: Preset) -> None:
+        """Recognise with another preset, which looks ahead as little as live sound allows."""
+        self.preset, self._in_force = for_live_use(preset), preset
+        self._microphone.set_preset(preset)
+
+    def pause(self) -> None:
+        """Let the microphone go, and end the recording."""
+        self._microphone.stop()
+
+    close = pause
