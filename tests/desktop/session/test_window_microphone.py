@@ -38,7 +38,7 @@ def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth
     player = booth.desktop.session.source.player
     booth.listen()
     assert player is not None
-    assert not player._thread.is_alive()
+    booth.until(lambda: not player._thread.is_alive())
     assert booth.desktop.session.source.player is None
     booth.hear(mic, HEARD)
     assert booth.desktop.session.source.kind is SourceKind.MICROPHONE
