@@ -269,7 +269,7 @@
             <translation>eine Tabelle aufgezeichneter Gesichter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>a text that a voice speaks</source>
             <translation>ein Text, den eine Stimme spricht</translation>
         </message>
@@ -1574,7 +1574,7 @@
             <translation>Zahlen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>file</source>
             <translation>Datei</translation>
         </message>
@@ -3270,7 +3270,7 @@
             <translation>Keine Aufzeichnung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>no sound</source>
             <translation>kein Klang</translation>
         </message>
@@ -5216,7 +5216,7 @@
             <translation>Tatarisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>text</source>
             <translation>Text</translation>
         </message>
@@ -5836,7 +5836,7 @@
             <translation>Zum Ende</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>tone</source>
             <translation>Ton</translation>
         </message>
@@ -6616,7 +6616,7 @@
             <translation>{n} von {speakers} Sprechern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/session.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>{n} channels</source>
             <translation>{n} Kanäle</translation>
         </message>
