@@ -2,6 +2,7 @@
 
 EngineError
 ├── SettingsError   a value that an analysis cannot work with
+├── OptionError     an option of a conversion that cannot be, or not beside the others
 ├── AudioError      a sound that cannot be read
 │   ├── DeviceError     a sound card that cannot be used
 │   └── RecordingError  a sound that cannot be written
@@ -37,6 +38,10 @@ class EngineError(Exception):
 
 class SettingsError(EngineError, ValueError):
     """A setting lies outside its range."""
+
+
+class OptionError(EngineError, ValueError):
+    """An option of a conversion cannot be what it is, or lacks another one that it goes with."""
 
 
 class AudioError(EngineError):

@@ -4,9 +4,8 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_map, add_overwrite, add_preset, add_script, file_place
+from phonemeanalyser.cli.arguments import SAID, add_map, add_options, file_place, given
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
-from phonemeanalyser.cli.scripts import spoken_texts
 from phonemeengine import (
     Channel,
     LabelledUtterance,
@@ -44,7 +43,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     words = "takes, or labelled recordings; with --line or --text, sounds of somebody who reads"
     parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help=words)
     parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PRESET", help="the new preset, .toml")
-    add_preset(parser, words="preset to begin with (default: learned)")
     parser.add_argument(
         "--held-back", type=Path, nargs="+", default=[], metavar="FILE",
         help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
@@ -56,10 +54,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--line", choices=[language.lower() for language in LANGUAGES],
         help="somebody reads the line that the window shows: " + sentences_in(LANGUAGES[0])[0].text + " (english)",
     )  # fmt: skip
-    add_script(parser)
+    add_options(parser, "preset", *SAID, "channel", "overwrite")
     add_map(parser)
-    add_channel(parser)
-    add_overwrite(parser)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -123,7 +119,7 @@ def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
     """Label the sounds of somebody who reads by what is read; none where the command line does not say it."""
     is_told = any(given is not None for given in (options.line, options.text, options.script))
     sounds = sounds_in(options.folders) if is_told else options.folders
-    texts = spoken_texts(options, sounds)
+    texts = SpokenTexts.of(given(options), sounds, say_note)
     if options.line is not None:
         if options.text is not None or options.script is not None:
             options.parser.error("--line goes without --text and --script: it is what is read")

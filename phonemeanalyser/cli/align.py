@@ -7,9 +7,8 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, add_script, add_sounds
-from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, work_through
-from phonemeanalyser.cli.scripts import spoken_texts
+from phonemeanalyser.cli.arguments import HEARD, SAID, add_options, add_sounds, given
+from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, say_note, work_through
 from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.alignment.align import ScoredTake, best_marked, scored_take
 from phonemeengine.analyser import analyse_file
@@ -28,11 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is aligned, and with which words."""
     parser.epilog = "Writes a CSV: file, text, score (0 is best), words that nobody says, stretches of others, best."
     add_sounds(parser)
-    add_script(parser)
-    add_preset(parser)
-    add_ear(parser)
-    add_channel(parser)
-    add_overwrite(parser)
+    add_options(parser, *SAID, *HEARD, "overwrite")
 
 
 def run(options: argparse.Namespace) -> int:
@@ -43,7 +38,7 @@ def run(options: argparse.Namespace) -> int:
     guard = Guard(begins_like(",".join(COLUMNS).encode() + b"\n"), options.overwrite)
     guard.check(options.out)
     jobs = jobs_of(options.inputs, Path(), "")
-    texts = spoken_texts(options, [job.source for job in jobs], with_labels=False)
+    texts = SpokenTexts.of(given(options), [job.source for job in jobs], say_note, with_labels=False)
     for labels in texts.labels.values():
         raise EngineError(f"{labels.name}: its words are aligned already; name a script of text")
     outcomes = work_through(jobs, AlignmentWork(preset, options.channel, texts))

@@ -6,21 +6,12 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import (
-    add_batch,
-    add_channel,
-    add_ear,
-    add_overwrite,
-    add_preset,
-    add_script,
-    add_sounds,
-)
-from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, share_paths
-from phonemeanalyser.cli.scripts import spoken_texts
+from phonemeanalyser.cli.arguments import HEARD, SAID, add_batch, add_options, add_sounds, given
+from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, say_note, share_paths
 from phonemeengine import Channel, EngineError, Preset, difference
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Say
-from phonemeengine.conversion.spoken_texts import NO_TEXTS, open_sound
+from phonemeengine.conversion.spoken_texts import open_sound
 from phonemeengine.conversion.work import ConversionWork
 from phonemeengine.execution import Progress
 from phonemeengine.inspection.analysis_tables import TABLES
@@ -32,15 +23,11 @@ from phonemeengine.storage.replacing import Guard, guarded_text
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is analysed, and how that is written."""
     add_sounds(parser)
-    add_script(parser)
-    add_preset(parser)
-    add_ear(parser)
+    add_options(parser, *SAID, *HEARD, "overwrite")
     parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
     words = "write where this preset hears something else, as start_s,end_s,first,second"
     parser.add_argument("--against", type=Path, metavar="B", help=words)
     parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
-    add_channel(parser)
-    add_overwrite(parser)
     add_batch(parser)
 
 
@@ -55,13 +42,12 @@ def run(options: argparse.Namespace) -> int:
             f"a file of labels ({TABLES[table].ending}) has no place for the variables of every frame; leave out "
             "--features, or write them with --format csv or json"
         )
-    preset = file_preset(options.preset, options.ear)
+    asked, kind = given(options), f"frames-{table}" if options.features else f"phonemes-{table}"
+    preset = file_preset(asked.preset, asked.ear)
     jobs = jobs_of(options.inputs, options.out, TABLES[table].ending)
-    texts = spoken_texts(options, [job.source for job in jobs])
-    if texts is not NO_TEXTS and options.features:
+    if options.features and (asked.text, asked.script) != (None, None):
         options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
-    kind = f"frames-{table}" if options.features else f"phonemes-{table}"
-    work = ConversionWork(kind, preset, None, options.channel, texts, overwrite=options.overwrite)
+    work = ConversionWork.of(asked, kind, preset, [job.source for job in jobs], say_note)
     return finish_jobs(jobs, work, options)
 
 

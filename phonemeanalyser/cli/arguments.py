@@ -3,19 +3,33 @@
 import argparse
 import math
 from collections.abc import Callable
+from dataclasses import fields
 from pathlib import Path
 from typing import Any, NoReturn
 
-from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, USUAL_CLIP_SIZE
-from phonemeengine import FORMATS, Channel, Detail, Ear
+from phonemeanalyser.rendering.clip_options import USUAL_CLIP_SIZE
+from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
-from phonemeengine.errors import meant_by, remedy
+from phonemeengine.conversion.options import OPTIONS, ConversionOptions, Number
+from phonemeengine.errors import OptionError, meant_by, remedy
 from phonemeengine.mouth.exports.formats import formats_for
-from phonemeengine.presets.ears import WITHOUT_ENCODER
-from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.settings import MOST_CHANNELS
 
-PRESET = "preset (.toml) or PhonemeData file"
+HEARD = ("preset", "ear", "channel")
+SAID = ("text", "script", "speaker", "language", "lexicon", "literal", "accept-text")
+MOVED = (
+    "anticipation",
+    "detail",
+    "attack",
+    "release",
+    "steady",
+    "no-blinks",
+    "no-head",
+    "seed",
+    "expression",
+    "priority",
+)
+DRIVEN = ("text-driver", "pinyin-table", "spring", "performance", "use", "choice", "without", "keywords", "units")
+"""Options of conversions that commands share: of what is heard, what is said, how a face moves, and by what."""
 MOST_JOBS = 1024
 SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
 """Pixels along an edge of its pictures."""
@@ -46,20 +60,41 @@ class CommandParser(argparse.ArgumentParser):
             raise argparse.ArgumentError(action, f"there is no {value!r}; {words}")
 
 
-def add_preset(
-    parser: argparse.ArgumentParser,
-    default: Path | None = DEFAULT_PRESET,
-    words: str = PRESET,
-    metavar: str = "PRESET",
-) -> None:
-    """Let the user choose what recognises."""
-    parser.add_argument("--preset", type=Path, default=default, metavar=metavar, help=words)
+def add_options(parser: argparse.ArgumentParser, *names: str, **defaults: Any) -> None:
+    """Let the user give options of conversions, as the engine declares them.
+
+    Parameters
+    ----------
+    names : of the options.
+    defaults : those that are others in this command.
+    """
+    for name in names:
+        option, key = OPTIONS[name], name.replace("-", "_")
+        words = option.words.replace("%", "%%")
+        if not option.value:
+            parser.add_argument(f"--{name}", action="store_true", help=words)
+            continue
+        default = defaults.get(key, option.default)
+        parser.add_argument(
+            f"--{name}", type=reading(option.read), default=None if option.several else default, metavar=option.value,
+            action="append" if option.several else "store", help=words,
+        )  # fmt: skip
 
 
-def add_ear(parser: argparse.ArgumentParser, default: Ear | None = None) -> None:
-    """Let the user choose what sounds are heard with, of what a preset has."""
-    words = f"heard with (default: {default or 'the best there is'}); {WITHOUT_ENCODER.replace('%', '%%')}"
-    parser.add_argument("--ear", choices=[ear.value for ear in Ear], default=default, help=words)
+def given(options: argparse.Namespace, **values: Any) -> ConversionOptions:
+    """Return the options of conversions that a command line gives.
+
+    Parameters
+    ----------
+    values : of those that it names otherwise.
+
+    Raises
+    ------
+    OptionError : one goes with another one that is not there.
+    """
+    found = {each.name: getattr(options, each.name) for each in fields(ConversionOptions) if each.name in options}
+    several = {name: tuple(found[name] or ()) for name, option in OPTIONS.items() if option.several and name in found}
+    return ConversionOptions(**found | several | values)
 
 
 def add_sounds(parser: argparse.ArgumentParser) -> None:
@@ -81,39 +116,11 @@ def add_map(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
 
 
-def add_script(parser: argparse.ArgumentParser) -> None:
-    """Let the user say what is said in the sounds."""
-    known = parser.add_mutually_exclusive_group()
-    known.add_argument("--text", metavar="TEXT", help="what is said in the sound: recognition becomes far more exact")
-    words = (
-        "file with it, table with a line FILE<TAB>TEXT for each sound, .TextGrid or .json with times of words, or "
-        "auto: x.TextGrid with words, or x.txt, beside x.wav"
-    )
-    known.add_argument("--script", type=Path, metavar="FILE", help=words)
-    parser.add_argument("--speaker", metavar="NAME", help="whose words, of a .TextGrid or .json of several speakers")
-    parser.add_argument("--language", metavar="L", help="the text's, such as en-us or de")
-    parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
-    add_literal(parser)
-    add_accept_text(parser)
-
-
-def add_literal(parser: argparse.ArgumentParser) -> None:
-    """Let the user have the notation of a script taken as words."""
-    notation = "speakers' names, [directions], *emphasis*, <tags> and &entities; of the text are words, too"
-    parser.add_argument("--literal", action="store_true", help=notation)
-
-
-def add_accept_text(parser: argparse.ArgumentParser) -> None:
-    """Let the user say that the text is right."""
-    parser.add_argument("--accept-text", action="store_true", help="align even where another text seems to be said")
-
-
 def add_clip(parser: argparse.ArgumentParser) -> None:
     """Let the user say what clip is made."""
     out = ".mp4, .gif or a folder for .png"
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="OUT", help=out)
-    usual = USUAL_CLIP_RATE
-    parser.add_argument("--fps", type=number, default=usual, metavar="N", help=f"frames per second ({usual:g})")
+    add_options(parser, "fps")
     size = size_in((SMALLEST_CLIP, SMALLEST_CLIP), (LARGEST_CLIP, LARGEST_CLIP))
     parser.add_argument("--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="pixels (640x640)")
     add_theme(parser)
@@ -124,32 +131,9 @@ def add_theme(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--theme", choices=["light", "dark"], default="light")
 
 
-def add_channel(parser: argparse.ArgumentParser, default: Channel | None = Channel.MIX) -> None:
-    """Let the user choose what is analysed of a sound that has several channels; None is the choice of last time."""
-    usual = "as last time" if default is None else default.value
-    words = f"of several channels: mix, left, right, or a number from 1 (default: {usual})"
-    parser.add_argument("--channel", type=_channel, default=default, metavar="C", help=words)
-
-
-def add_mouth(parser: argparse.ArgumentParser) -> None:
-    """Let the user choose how closely the mouth follows the speech, and what the face does besides."""
-    parser.add_argument("--anticipation", type=number, metavar="S", help="the mouth is ahead so much, 0..0.12 s")
-    parser.add_argument(
-        "--detail", choices=[d.value for d in Detail], default=Detail.PHONEMES.value, help="what the mouth follows"
-    )
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    parser.add_argument("--seed", type=int, metavar="N", help="another number makes another face, and varies pinyin")
-
-
 def add_log(parser: argparse.ArgumentParser) -> None:
     """Let the user keep what happens."""
     parser.add_argument("--log", type=Path, metavar="FILE", help="append what happens to a file, to send in")
-
-
-def add_overwrite(parser: argparse.ArgumentParser) -> None:
-    """Let the user have files replaced that were made in another way."""
-    parser.add_argument("--overwrite", action="store_true", help="replace files that were made in another way, too")
 
 
 def format_of(options: argparse.Namespace, out: Path | None) -> str:
@@ -178,38 +162,29 @@ def file_place(text: str) -> Path:
     return Path(text)
 
 
-def number(text: str) -> float:
-    """Read a finite number."""
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
-        raise argparse.ArgumentTypeError(f"must be a number, got {text!r}")
-    return value
+def reading(read: Callable[[str], Any]) -> Callable[[str], Any]:
+    """Return what reads an argument as an option of conversions is read."""
+
+    def typed(text: str) -> Any:
+        try:
+            return read(text)
+        except OptionError as error:
+            raise argparse.ArgumentTypeError(str(error)) from None
+
+    return typed
+
+
+number = reading(Number())
 
 
 def number_in(low: float, high: float, unit: str) -> Callable[[str], float]:
     """Return what reads a number within limits."""
-
-    def read(text: str) -> float:
-        value = number(text)
-        if not low <= value <= high:
-            raise argparse.ArgumentTypeError(f"must be a number {_limits(low, high, unit)}, got {text!r}")
-        return value
-
-    return read
+    return reading(Number(low, high, unit))
 
 
 def whole_in(low: int, high: float = math.inf, unit: str = "") -> Callable[[str], int]:
-    """Return what reads a whole number within limits, 0 or more."""
-
-    def read(text: str) -> int:
-        if not text.isdecimal() or not low <= int(text) <= high:
-            raise argparse.ArgumentTypeError(f"must be a whole number {_limits(low, high, unit)}, got {text!r}")
-        return int(text)
-
-    return read
+    """Return what reads a whole number within limits."""
+    return reading(Number(low, high, unit, whole=True))
 
 
 def size_in(least: tuple[int, int], most: tuple[int, int]) -> Callable[[str], tuple[int, int]]:
@@ -226,16 +201,3 @@ def size_in(least: tuple[int, int], most: tuple[int, int]) -> Callable[[str], tu
         return width, height
 
     return read
-
-
-def _limits(low: float, high: float, unit: str) -> str:
-    return f"of {low:g} {unit} or more" if high == math.inf else f"in {low:g}..{high:g} {unit}"
-
-
-def _channel(text: str) -> Channel:
-    try:
-        return Channel(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(
-            f"must be mix, left, right, or a number in 1..{MOST_CHANNELS}, got {text!r}"
-        ) from None

@@ -8,13 +8,13 @@ from contextlib import contextmanager
 from tqdm import tqdm
 
 from phonemeanalyser.colours import DARK, LIGHT
-from phonemeanalyser.rendering.clip_options import ClipOptions
+from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, ClipOptions
 from phonemeengine.execution import Progress
 
 
 def clip_options(options: argparse.Namespace) -> ClipOptions:
     """Return how the clip of a command line with the arguments of `add_clip` looks."""
-    return ClipOptions(options.size, options.fps, {"light": LIGHT, "dark": DARK}[options.theme])
+    return ClipOptions(options.size, options.fps or USUAL_CLIP_RATE, {"light": LIGHT, "dark": DARK}[options.theme])
 
 
 @contextmanager

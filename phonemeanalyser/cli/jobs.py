@@ -141,7 +141,7 @@ def n_failed(outcomes: Iterable[Outcome]) -> int:
     return sum(outcome.state is JobState.FAILED for outcome in outcomes)
 
 
-def file_preset(path: Path, ear: str | None) -> Preset:
+def file_preset(path: Path, ear: Ear | None) -> Preset:
     """Return the preset with which a command hears files; say what it lacks, and at a terminal what is heard with.
 
     Parameters
@@ -153,7 +153,7 @@ def file_preset(path: Path, ear: str | None) -> Preset:
     ------
     EngineError : it cannot be read or used.
     """
-    preset = for_files(load_preset(path), None if ear is None else Ear(ear))
+    preset = for_files(load_preset(path), ear)
     for warning in preset.warnings:
         say_note(printable(preset.name), warning)
     if sys.stderr.isatty():

@@ -14,8 +14,7 @@ from dataclasses import asdict, replace
 from pathlib import Path
 from types import FrameType
 
-from phonemeanalyser.cli.arguments import add_channel, add_preset, number_in, whole_in
-from phonemeanalyser.cli.expression import add_expression, expression_of
+from phonemeanalyser.cli.arguments import add_options, given, number_in, whole_in
 from phonemeengine import (
     FRAME_PERIOD,
     Analysis,
@@ -64,7 +63,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
     table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
-    add_expression(parser)
+    add_options(parser, "expression", "priority")
     heard = "show expressions that other programs send here (/expression NAME V, or VMC blend shapes)"
     parser.add_argument("--expression-osc", metavar="HOST:PORT", help=heard)
 
@@ -95,16 +94,15 @@ def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None
     streams = []
     if options.expression_osc is not None:
         streams.append(stack.enter_context(OscExpression(OscAddress.of(options.expression_osc))))
-    return OscSettings(OscAddress.of(options.osc), load_table(options.table), expression_of(options, *streams))
+    return OscSettings(OscAddress.of(options.osc), load_table(options.table), given(options).expressed(*streams))
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:
     """Let the user choose the microphone, and what recognises it for how long."""
     parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
-    add_channel(parser, Channel.LEFT)
+    add_options(parser, "preset", "channel", channel=Channel.LEFT)
     rate = whole_in(LOWEST_RATE, HIGHEST_RATE, "Hz")
     parser.add_argument("--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
-    add_preset(parser)
     parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="end after so long")
 
 

@@ -11,7 +11,7 @@ from phonemeanalyser.cli.arguments import CommandParser, add_log
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.logs import logged_to
 from phonemeengine import EngineError
-from phonemeengine.errors import meant_by
+from phonemeengine.errors import OptionError, meant_by
 
 COMMANDS = {
     "adapt": "Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone.",
@@ -53,6 +53,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         options = parser.parse_args(_with_each_table(rest))
         with logged_to(options.log):
             return int(module.run(options))
+    except OptionError as error:
+        parser.error(str(error))
     except EngineError as error:
         print(f"phonemeanalyser: {error}", file=sys.stderr)
         return 1

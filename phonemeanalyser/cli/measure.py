@@ -6,7 +6,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, add_ear, add_overwrite, add_preset, number
+from phonemeanalyser.cli.arguments import HEARD, add_options, number
 from phonemeanalyser.cli.jobs import file_preset
 from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
@@ -35,10 +35,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--ceiling", type=number, default=CEILING, metavar="HZ", help=f"formants lie below it ({CEILING:g})"
     )
-    add_preset(parser)
-    add_ear(parser)
-    add_channel(parser)
-    add_overwrite(parser)
+    add_options(parser, *HEARD, "overwrite")
 
 
 def run(options: argparse.Namespace) -> int:

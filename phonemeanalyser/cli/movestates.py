@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_overwrite, file_place, number_in
+from phonemeanalyser.cli.arguments import add_options, file_place, number_in
 from phonemeengine import (
     MeshError,
     MorphMesh,
@@ -40,7 +40,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
     export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
     export.add_argument("-o", "--out", type=file_place, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
-    add_overwrite(export)
+    add_options(export, "overwrite")
     export.set_defaults(act=_export)
     info = kinds.add_parser("info", help="say what a file holds")
     info.add_argument("file", type=Path, metavar="FILE")
@@ -51,7 +51,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
     distance = number_in(0, math.inf, "units of the mesh")
     convert.add_argument("--tolerance", type=distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
-    add_overwrite(convert)
+    add_options(convert, "overwrite")
     convert.set_defaults(act=_convert)
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_clip, add_overwrite, file_place, number, number_in, whole_in
+from phonemeanalyser.cli.arguments import add_clip, add_options, file_place, number, number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     build.add_argument("folder", type=Path, metavar="FOLDER")
     build.add_argument("-o", "--out", type=file_place, required=True, metavar="T.sqlite", help="the table")
     build.add_argument("--name", metavar="NAME", help="what the table is called (default: as the folder)")
-    add_overwrite(build)
+    add_options(build, "overwrite")
     build.set_defaults(act=_build)
     info = kinds.add_parser("info", help="say what a table holds")
     info.add_argument("table", type=Path, metavar="T.sqlite")
@@ -45,7 +45,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     show.add_argument("--from", dest="start", type=number, metavar="S", help="seconds (default: its beginning)")
     show.add_argument("--to", dest="end", type=number, metavar="S", help="seconds (default: its end)")
     add_clip(show)
-    add_overwrite(show)
+    add_options(show, "overwrite")
     show.set_defaults(act=_show)
     make = kinds.add_parser("make", help="have a synthetic performer read sentences, for demonstration and tests")
     make.add_argument("folder", type=Path, metavar="FOLDER", help="a new folder for its recordings")

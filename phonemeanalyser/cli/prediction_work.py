@@ -1,6 +1,7 @@
-"""Labelled recordings that are recognised to be scored, on all cores or a cluster."""
+"""Labelled recordings that are recognised to be scored, on all cores or a cluster, with their words or without."""
 
-from collections.abc import Iterator
+import argparse
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import partial
@@ -9,8 +10,19 @@ from typing import Any
 
 import numpy as np
 
-from phonemeanalyser.cli.scripts import WordsToScore
-from phonemeengine import AudioError, EngineError, LabelledUtterance, Preset
+from phonemeanalyser.cli.jobs import say_note
+from phonemeengine import (
+    AudioError,
+    EngineError,
+    LabelledUtterance,
+    Lexicon,
+    Preset,
+    ScriptWord,
+    TextError,
+    VoiceError,
+    load_lexicon,
+    words_of,
+)
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Act, Job, Made, Outcome, Say
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder
@@ -21,9 +33,82 @@ from phonemeengine.execution import Progress
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import atomic_write, printable_name, reason_of
 from phonemeengine.storage.npz import read_npz
+from phonemeengine.text.espeak import languages
+from phonemeengine.text.script import load_script
 
 LARGEST = 1 << 30
 """Bytes of the answers in one recording that are read."""
+
+
+@dataclass(frozen=True)
+class WordsToScore:
+    """The words of labelled recordings.
+
+    Attributes
+    ----------
+    texts : what is said, by the sound's file.
+    language : of the texts; None for the manifest's.
+    lexicon : goes before the language's voice.
+    tags : the languages that there are.
+    literal : whether the notation of scripts is words, too.
+    """
+
+    texts: Mapping[Path, str]
+    language: str | None
+    lexicon: Lexicon | None
+    tags: frozenset[str]
+    literal: bool = False
+
+    def __call__(self, utterance: LabelledUtterance) -> Sequence[ScriptWord] | None:
+        """Return the words of a recording, and say at once what cannot be used; None where they are not known."""
+        return self.of(utterance, say_note)
+
+    def of(self, utterance: LabelledUtterance, say: Say) -> Sequence[ScriptWord] | None:
+        """Return the words of a recording, and say what cannot be used; None where they are not known."""
+        if utterance.path not in self.texts:
+            return None
+        try:
+            text, language = self.texts[utterance.path], self._tag_of(utterance)
+            return words_of(text, language, self.lexicon, literal=self.literal)
+        except VoiceError:
+            raise
+        except TextError as error:
+            say(printable_name(utterance.path), f"recognised without its text: {error}")
+            return None
+
+    def known_of(self, utterance: LabelledUtterance) -> str:
+        """Return what tells whether something else is said in a recording than before."""
+        text = self.texts.get(utterance.path)
+        return fingerprint_of(text, self._tag_of(utterance), self.lexicon, self.literal)
+
+    def _tag_of(self, utterance: LabelledUtterance) -> str:
+        return self.language or _tag_of(utterance.language, self.tags)
+
+
+def words_to_score(options: argparse.Namespace, utterances: Sequence[LabelledUtterance]) -> WordsToScore | None:
+    """Return what gives the words of labelled recordings; None where the command line asks for none.
+
+    Raises
+    ------
+    EngineError : a script or the lexicon cannot be read, or says nothing about the sounds.
+    """
+    if not (options.texts or options.script):
+        return None
+    texts = {utterance.path: utterance.text for utterance in utterances if utterance.text}
+    if options.script is not None:
+        texts = dict(load_script(options.script).texts_of([utterance.path for utterance in utterances])[0])
+    if not texts:
+        raise EngineError("there is no text of what is said; add a column text to the manifest, or name a --script")
+    lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
+    tags = frozenset(language.tag for language in languages())
+    literal = options.literal or options.script is None  # a manifest tells what is said, and is no script
+    return WordsToScore(texts, options.language, lexicon, tags, literal)
+
+
+def _tag_of(language: str, known: Collection[str]) -> str:
+    """Return a manifest's language, such as de-DE, as a voice has it."""
+    whole = language.lower()
+    return next((tag for tag in (whole, whole.partition("-")[0]) if tag in known), whole)
 
 
 @dataclass(frozen=True)

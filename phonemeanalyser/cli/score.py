@@ -9,20 +9,9 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import (
-    add_batch,
-    add_channel,
-    add_ear,
-    add_literal,
-    add_map,
-    add_overwrite,
-    add_preset,
-    number_in,
-    whole_in,
-)
+from phonemeanalyser.cli.arguments import HEARD, add_batch, add_map, add_options, number_in, whole_in
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
-from phonemeanalyser.cli.prediction_work import PredictionWork
-from phonemeanalyser.cli.scripts import words_to_score
+from phonemeanalyser.cli.prediction_work import PredictionWork, words_to_score
 from phonemeanalyser.reports.figures import json_of, text_of
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
@@ -66,8 +55,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
     )
-    add_preset(parser, metavar="A")
-    add_ear(parser, Ear.LIVE)
+    add_options(parser, *HEARD, ear=Ear.LIVE)
     parser.add_argument("--against", type=Path, metavar="B", help="another one, which is compared with it")
     parser.add_argument(
         "--format", choices=["text", "json", "html"], dest="kind", help="(default: as OUT ends, else text)"
@@ -80,17 +68,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     texts = "align the texts, the manifest's column text or those of --script, and score that"
     parser.add_argument("--texts", action="store_true", help=texts)
     parser.add_argument("--script", type=Path, metavar="FILE", help="table with a line FILE<TAB>TEXT for each sound")
-    parser.add_argument("--language", metavar="L", help="the texts', such as en-us (default: the manifest's)")
-    parser.add_argument("--lexicon", type=Path, metavar="FILE", help="how words are pronounced, .toml or .csv")
-    add_literal(parser)
+    add_options(parser, "language", "lexicon", "literal", "overwrite")
     where = "write where something else was recognised than the labels say, for 30 ms or more"
     parser.add_argument("--errors", type=Path, metavar="CSV", help=where)
-    add_channel(parser)
     parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
     snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
     parser.add_argument("--snr", type=snr, metavar="DB", help="how far the noise is below the speech")
     parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="of the noise (default: 0)")
-    add_overwrite(parser)
     add_batch(parser)
     keep = "keep what is recognised, so that nothing is recognised twice, and a score that was stopped goes on"
     parser.add_argument("--keep", type=Path, metavar="FOLDER", help=keep)
@@ -167,7 +151,7 @@ def _scored(
     return corpus_scores_of(work.preset, predictions, work.delay)
 
 
-def _presets_of(first: Path, against: Path | None, ear: str) -> list[Named]:
+def _presets_of(first: Path, against: Path | None, ear: Ear) -> list[Named]:
     one = file_preset(first, ear)
     if against is None:
         return [Named(printable(one.name), one)]

@@ -5,7 +5,7 @@ import math
 import os
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_preset, add_theme, file_place, number_in, size_in
+from phonemeanalyser.cli.arguments import add_options, add_theme, file_place, number_in, size_in
 from phonemeanalyser.cli.display import load_desktop
 
 
@@ -18,8 +18,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--size", type=size_in((640, 480), (7680, 4320)), default=(1280, 800), metavar="WxH")
     add_theme(parser)
     parser.add_argument("--language", choices=["en", "de"], default="en", help="of the window")
-    add_preset(parser, None)
-    add_channel(parser)
+    add_options(parser, "preset", "channel", preset=None)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -7,7 +7,7 @@ from contextlib import AbstractAsyncContextManager
 from dataclasses import fields
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_preset, number_in, whole_in
+from phonemeanalyser.cli.arguments import add_options, number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_serves
 from phonemeanalyser.cli.listen import ended_by_signals
 from phonemeanalyser.server.access import Access, token_in
@@ -25,7 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--origin", action="append", default=[], metavar="URL", help=origin)
     proxy = "address of a proxy whose X-Forwarded-For says who asks, such as 127.0.0.1; again for more"
     parser.add_argument("--trusted-proxy", action="append", default=[], metavar="ADDRESS", help=proxy)
-    add_preset(parser)
+    add_options(parser, "preset")
     for limit in fields(ServerLimits):
         low, high, unit, words = LIMITS[limit.name]
         kind = whole_in(int(low), high, unit) if isinstance(limit.default, int) else number_in(low, high, unit)

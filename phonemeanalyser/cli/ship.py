@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import PRESET, file_place
+from phonemeanalyser.cli.arguments import file_place
 from phonemeengine import load_preset, ship
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.shipping.folder import USUAL_TABLES
@@ -14,7 +14,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is shipped, and where to."""
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = "targets:\n" + "\n".join(f"  {name:<12}{target.words}" for name, target in TARGETS.items())
-    parser.add_argument("preset", type=Path, metavar="PRESET", help=f"{PRESET}, or a factory preset's name")
+    parser.add_argument(
+        "preset", type=Path, metavar="PRESET", help="preset (.toml) or PhonemeData file, or a factory preset's name"
+    )
     parser.add_argument("-o", "--out", type=file_place, required=True, metavar="FOLDER", help="the new folder")
     parser.add_argument("--target", choices=TARGETS, default="c", help="see below (default: c)")
     usual = " and ".join(USUAL_TABLES)

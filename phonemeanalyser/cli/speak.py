@@ -10,13 +10,9 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_literal, add_overwrite, add_preset, number
-from phonemeanalyser.cli.driving import add_driver, driver_of
-from phonemeanalyser.cli.expression import add_expression
+from phonemeanalyser.cli.arguments import DRIVEN, MOVED, add_options, format_of, given, number
 from phonemeanalyser.cli.jobs import say_note
-from phonemeanalyser.cli.speech_files import SpeechFiles
 from phonemeengine import (
-    FORMATS,
     DeviceError,
     EngineError,
     Lexicon,
@@ -34,10 +30,13 @@ from phonemeengine import (
     transcribe,
 )
 from phonemeengine.audio.output import Output, open_output
-from phonemeengine.conversion.driving import Driving
+from phonemeengine.conversion.driving import DriverChoice, Driving
+from phonemeengine.conversion.options import ConversionOptions
+from phonemeengine.conversion.speech_files import SpeechFiles
 from phonemeengine.conversion.spoken_texts import say_misfits
 from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.live.player import Player
+from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.speech.pinyin.timing import FASTEST, SLOWEST, USUAL_RATE
 from phonemeengine.speech.silent import ENGLISH
@@ -65,19 +64,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     _add_voice(parser)
     _add_files(parser)
-    add_driver(parser)
-    add_expression(parser)
-    add_preset(parser)
-    add_channel(parser)
-    add_overwrite(parser)
+    add_options(parser, "table", "fps", "minimum", *MOVED, *DRIVEN, "preset", "channel", "overwrite")
 
 
 def run(options: argparse.Namespace) -> int:
     """Speak as the command line asks."""
     text = _text_of(options)
-    with driver_of(options).opened() as driving:
+    asked = given(options, text=text)
+    with DriverChoice.of(asked).opened() as driving:
         driving.say_notes(say_note)
-        files = SpeechFiles.of(options, driving)
+        files = _files_of(options, asked, driving)
         if options.silent or options.recording is not None:
             _check_without_voice(options, files)
             _move_without_voice(options, files, text)
@@ -89,14 +85,11 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _add_voice(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--language", metavar="L", help="of the text, such as en-us, de, fr, cmn")
     parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
     rate = f"syllables a second; without sound {SLOWEST:g}..{FASTEST:g} ({USUAL_RATE:g})"
     parser.add_argument("--rate", type=number, default=USUAL_RATE, metavar="N", help=rate)
-    lexicon = "how words are pronounced, .toml or .csv: the voice says those whose sounds it has"
-    parser.add_argument("--lexicon", type=Path, metavar="FILE", help=lexicon)
     program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
-    add_literal(parser)
+    add_options(parser, "language", "lexicon", "literal")
     parser.add_argument("--program", metavar="COMMAND", help=program)
     parser.add_argument("--silent", action="store_true", help="without sound, and without a voice for Chinese")
 
@@ -105,12 +98,20 @@ def _add_files(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
     parser.add_argument("--labels", type=Path, metavar="OUT", help="write words, syllables and phones as TextGrid")
     parser.add_argument("--export", type=Path, metavar="OUT", help="write the mouth for another program")
-    parser.add_argument("--format", choices=FORMATS, dest="kind", metavar="F", help="as `export` has them")
-    parser.add_argument("--fps", type=number, metavar="N", help="frames per second (default: the format's)")
-    parser.add_argument("--no-blinks", action="store_true", help="keep the eyes open")
-    parser.add_argument("--no-head", action="store_true", help="keep the head still")
-    parser.add_argument("--seed", type=int, metavar="N", help="another number makes another face, and varies pinyin")
+    add_options(parser, "format")
     parser.add_argument("--plan", type=Path, metavar="OUT", help="write what is said when as CSV; - prints it")
+
+
+def _files_of(options: argparse.Namespace, asked: ConversionOptions, driving: Driving) -> SpeechFiles:
+    """Return what is written, after checking that it can be."""
+    exporter = None
+    if options.export is not None:
+        exporter = Exporter(asked.format or format_of(options, options.export), asked.written())
+    elif asked.format:
+        raise EngineError("--format is of a file for another program; name it with --export")
+    return SpeechFiles(
+        options.out, options.labels, options.export, options.plan, exporter, driving, say_note, asked.overwrite
+    )
 
 
 def _text_of(options: argparse.Namespace) -> str:

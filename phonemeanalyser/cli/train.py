@@ -8,7 +8,7 @@ from shutil import rmtree
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_channel, file_place, whole_in
+from phonemeanalyser.cli.arguments import add_options, file_place, whole_in
 from phonemeengine import ModelError, load_preset, save_preset
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.storage.replacing import guarded_text
@@ -46,7 +46,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="FOLDER",
         help="folder of a Whisper model whose encoder teaches too (extra train)",
     )
-    add_channel(parser)
+    add_options(parser, "channel")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -6,7 +6,7 @@ import os
 import sys
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_channel, add_preset
+from phonemeanalyser.cli.arguments import add_options
 from phonemeanalyser.cli.display import load_desktop, why_no_window
 from phonemeanalyser.licences import licences_text
 from phonemeengine import __version__
@@ -21,8 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "file", type=Path, nargs="?", help="sound, preset or face to open (default: the last sound, or a demo)"
     )
-    add_preset(parser, None, "preset (.toml) or PhonemeData file to begin with")
-    add_channel(parser, None)
+    add_options(parser, "preset", "channel", preset=None, channel=None)
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     parser.add_argument("--licences", action="store_true", help="print the licences of all parts, and end")
 

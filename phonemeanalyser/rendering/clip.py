@@ -30,14 +30,14 @@ from phonemeengine import (
     load_head,
     load_morph_mesh,
     load_morph_targets,
-    load_table,
     matched,
 )
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say
+from phonemeengine.batch.work import Act, Job, Made, Say, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
+from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
@@ -239,8 +239,7 @@ def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) 
     MouthError : the table cannot be used.
     """
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
-    table = load_table(options.table or USUAL_TABLE)
-    return animation_of(speech, table, rate, options.idle, anticipation=ahead)
+    return animation_of(speech, options.mouth_table(USUAL_TABLE), rate, options.idle, anticipation=ahead)
 
 
 def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = None) -> SoundTrack:
@@ -352,9 +351,40 @@ class ClipWork:
     ending: str = ""
     overwrite: bool = False
 
+    @classmethod
+    def of(
+        cls,
+        options: ConversionOptions,
+        preset: Preset,
+        look: ClipOptions,
+        ending: str = "",
+        sounds: Sequence[Path] = (),
+        say: Say = say_nothing,
+    ) -> "ClipWork":
+        """Return the work that options ask for.
+
+        Parameters
+        ----------
+        sounds : that clips are made of.
+        say : told what a script does not say of them.
+
+        Raises
+        ------
+        EngineError : it cannot be done, or a file that the options name cannot be used.
+        """
+        written = options.written()
+        table = written.mouth_table(USUAL_TABLE)
+        if written.idle.expression is not None:
+            written.idle.expression.check_fits(table.movestates, table.name)
+        faces = ShownFace(options.mesh, options.movestates)
+        faces.morph_mesh()
+        texts, driver = SpokenTexts.of(options, sounds, say), DriverChoice.of(options)
+        by_rules = replace(written, mesh=None, rate=None)
+        return cls(by_rules, preset, options.channel, texts, driver, faces, look, ending, options.overwrite)
+
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
-        table, options = load_table(self.options.table or USUAL_TABLE), replace(self.options, table=None)
+        table, options = self.options.mouth_table(USUAL_TABLE), replace(self.options, table=None)
         heard = for_files(self.preset), self.channel
         return fingerprint_of("preview", table, options, heard, self.driver, self.faces, self.look)
 
@@ -399,7 +429,7 @@ class ClipWork:
 
     def _drivers_of(self, utterance: Utterance | None, name: str, driving: Driving) -> list[FaceDriver]:
         """Return what moves the first head, and the second one, if there is one."""
-        shapes, beside = {*load_table(self.options.table or USUAL_TABLE).movestates}, self.driver.beside
+        shapes, beside = {*self.options.mouth_table(USUAL_TABLE).movestates}, self.driver.beside
         drivers = [driving.chosen(utterance, name, lambda movestates: shapes <= {*movestates})]
         if beside is not None:
             drivers.append(driving.chosen(utterance, name, driver=beside))

@@ -8,7 +8,6 @@ import asyncio
 import contextlib
 import json
 import logging
-import math
 import os
 import pickle
 import subprocess
@@ -16,9 +15,9 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import AsyncIterator, Awaitable, Callable, Collection
+from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
@@ -27,13 +26,10 @@ from aiohttp import BodyPartReader, web
 
 from phonemeanalyser.server.file_process import CODE, CRASHED, NO_MEMORY, REFUSED
 from phonemeanalyser.server.limits import FAILED, MEGABYTE, RefusedError, ServerLimits
-from phonemeengine import FORMATS, Channel, Detail, EngineError, ExportOptions, IdleMotion
+from phonemeengine import FORMATS, EngineError
 from phonemeengine.batch.work import Job
-from phonemeengine.conversion.driving import DriverChoice
-from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
+from phonemeengine.conversion.options import OPTIONS, SERVED, ConversionOptions
 from phonemeengine.conversion.work import ConversionWork
-from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.mouth.table import shipped_tables
 
 # Whose file is exported: addresses take turns, and a file that takes long gives its place to those that wait.
 
@@ -125,16 +121,11 @@ class FileTurns:
 
 CHUNK = 1 << 16
 SOUND = "sound"
-OF_TEXTS = ("language", "literal", "accept-text")
-FIELDS = (
-    "format", "table", "fps", "minimum", "anticipation", "detail", "no-blinks", "no-head", "seed", "channel",
-    "text-driver", "text", *OF_TEXTS,
-)  # fmt: skip
+FIELDS = ("format", *(name for name in SERVED if name != "format"))
 """What may stand beside the sound, each as the option of ``export`` of that name."""
-DRIVERS = (FaceDriver.AUTO.value, FaceDriver.PINYIN.value, FaceDriver.RULES.value)
 NICE, NICEST = 1, 19
-LONGEST_FIELD = 64
-"""Characters of a field other than the text."""
+LONGEST_FIELD, LONGEST_PART = 64, 2048
+"""Characters of a field other than the text, and of one that may be given several times."""
 KINDS = {
     ".json": "application/json", ".xml": "application/xml", ".csv": "text/csv", ".glb": "model/gltf-binary",
     ".tsv": "text/tab-separated-values",
@@ -155,79 +146,22 @@ class FileRequest:
     Attributes
     ----------
     sound : the file that it sent.
-    words : what stood beside it, by the names of `FIELDS`.
+    words : what stood beside it, by the names of `FIELDS`, as often as it was sent.
     """
 
     sound: Path
-    words: dict[str, str] = field(default_factory=dict)
+    words: dict[str, list[str]] = field(default_factory=dict)
 
-    def work(self, longest: float) -> Callable[..., ConversionWork]:
-        """Return what makes the work of exporting it with a preset; a sound lasts at most so many seconds.
+    def options(self) -> ConversionOptions:
+        """Return what it asks for.
 
         Raises
         ------
-        EngineError : the client asks for what is not there, or sends no text.
+        EngineError : it asks for what is not there, or sends no sound.
         """
         if not self.sound.exists():
             raise RefusedError(f"there is no sound in the request; send it as the field {SOUND}")
-        kind = self._one_of("format", "format", FORMATS)
-        table = self._one_of("table", "mouth table", shipped_tables()) if "table" in self.words else None
-        texts, seed = self._texts(), self._number("seed")
-        if seed is not None and (seed < 0 or seed % 1):
-            raise RefusedError(f"seed must be a whole number, 0 or more, got {seed:g}")
-        rate, minimum, ahead = self._number("fps"), self._number("minimum"), self._number("anticipation")
-        detail = self._one_of("detail", "detail", [d.value for d in Detail], Detail.PHONEMES.value)
-        driver = self._one_of("text-driver", "driver of a face", DRIVERS, FaceDriver.AUTO.value)
-        idle = IdleMotion(not self._flag("no-blinks"), not self._flag("no-head"), int(seed or 0), Detail(detail))
-        return partial(
-            ConversionWork, kind, options=ExportOptions(rate, minimum, ahead, table, idle=idle),
-            channel=self._channel(), texts=texts, longest=longest,
-            driver=DriverChoice(FaceDriver(driver), seed=None if seed is None else int(seed)),
-        )  # fmt: skip
-
-    def _texts(self) -> SpokenTexts:
-        if "text" not in self.words:
-            for name in OF_TEXTS:
-                if name in self.words:
-                    raise RefusedError(f"{name} is that of a text; send the text, too, or leave the {name} out")
-            return NO_TEXTS
-        script = self.sound.with_name("text.txt")
-        script.write_text(self.words["text"].replace("\t", " "), encoding="utf-8")
-        known = SpokenTexts(
-            language=self.words.get("language"), literal=self._flag("literal"), accepted=self._flag("accept-text")
-        )
-        return known.of_script(script, [self.sound], lambda _name, _note: None)
-
-    def _one_of(self, name: str, what: str, known: Collection[str], usual: str = "") -> str:
-        words = self.words.get(name, usual)
-        if words not in known:
-            raise RefusedError(f"there is no {what} {words!a}; ask for one of {', '.join(known)}")
-        return words
-
-    def _number(self, name: str) -> float | None:
-        if name not in self.words:
-            return None
-        try:
-            value = float(self.words[name])
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
-            unit = " of frames per second" if name == "fps" else ""
-            raise RefusedError(f"{name} must be a number{unit}, got {self.words[name]!a}")
-        return value
-
-    def _flag(self, name: str) -> bool:
-        words = self.words.get(name, "false")
-        if words not in {"true", "false"}:
-            raise RefusedError(f"{name} must be true or false, got {words!a}")
-        return words == "true"
-
-    def _channel(self) -> Channel:
-        words = self.words.get("channel", Channel.MIX.value)
-        try:
-            return Channel(words)
-        except ValueError:
-            raise RefusedError(f"channel must be mix, left, right, or a number from 1, got {words!a}") from None
+        return ConversionOptions.of_words({"format": [""]} | self.words)
 
 
 class FileExporter:
@@ -259,8 +193,10 @@ class FileExporter:
             async with asyncio.timeout(self._limits.file_seconds):
                 with tempfile.TemporaryDirectory(prefix="phonemeanalyser-") as folder:
                     asked = await self._received(request, Path(folder))
-                    work = asked.work(self._limits.longest_file)
-                    out = Path(folder) / f"mouth{FORMATS[asked.words['format']].ending}"
+                    options = replace(asked.options(), longest=self._limits.longest_file)
+                    assert options.format is not None
+                    work = partial(ConversionWork.of, options, options.format, sounds=[asked.sound])
+                    out = Path(folder) / f"mouth{FORMATS[options.format].ending}"
                     order = pickle.dumps((self._preset, work, Job(asked.sound, out)))
                     async with self._turns.turn(address) as turn:
                         await _make(order, turn, self._limits.file_memory)
@@ -286,7 +222,7 @@ class FileExporter:
                 if part.name == SOUND:
                     await self._keep(part, asked.sound)
                 else:
-                    asked.words[part.name] = await self._text_of(part)
+                    asked.words.setdefault(part.name, []).append(await self._text_of(part))
         except (ValueError, RuntimeError) as error:
             raise RefusedError("the form is damaged or cut off; send it again") from error
         return asked
@@ -309,7 +245,8 @@ class FileExporter:
                 file.write(chunk)
 
     async def _text_of(self, part: BodyPartReader) -> str:
-        most = self._limits.most_text if part.name == "text" else LONGEST_FIELD
+        several = part.name in OPTIONS and OPTIONS[part.name].several
+        most = self._limits.most_text if part.name == "text" else LONGEST_PART if several else LONGEST_FIELD
         too_long = RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
         content = bytearray()
         while chunk := await self._in_time(part.read_chunk(CHUNK)):

@@ -116,8 +116,6 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
         ([*EXPORT, "--performance", "ann.sqlite", "--use", "Bob"], "one table moves a face, and there are 'Ann'"),
         ([*EXPORT, "--performance", "mami.wav"], "mami.wav: this is no table of performances"),
         ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which nobody knows"),
-        ([*EXPORT, "--use", "Ann"], "--use goes with --performance"),
-        ([*EXPORT, "--keywords", "own.toml"], "--keywords goes with --performance"),
         ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
         ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
         (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),
@@ -130,3 +128,12 @@ def test_what_cannot_be_done_is_said_in_a_sentence(
     err = capsys.readouterr().err
     assert sentence in err
     assert err.count("\n") == 1
+
+
+@pytest.mark.parametrize("words", [["--use", "Ann"], ["--keywords", "own.toml"], ["--choice", "band"]])
+def test_what_only_recorded_faces_use_is_wrong_usage_without_them(
+    words: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        main([*EXPORT, *words])
+    assert f"{words[0]} goes with --performance: name a table" in capsys.readouterr().err

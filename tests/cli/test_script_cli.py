@@ -187,4 +187,4 @@ def test_what_cannot_be_said_is_refused_in_a_sentence(
 def test_a_language_alone_is_no_text(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="2"):
         main(["analyse", str(SAID), "--language", "de"])
-    assert "go with --text or --script" in capsys.readouterr().err
+    assert "goes with --text or --script" in capsys.readouterr().err

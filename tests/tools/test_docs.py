@@ -1,8 +1,10 @@
 """The documentation: its links lead somewhere, what it names is there, and the formats stand in it key by key."""
 
 import ast
+import importlib
 import re
 import tomllib
+from argparse import ArgumentParser
 from collections.abc import Iterator
 from dataclasses import fields
 from functools import cache
@@ -12,6 +14,8 @@ from typing import Any
 import pytest
 import tomli_w
 
+from phonemeanalyser.server.files import FIELDS
+from phonemeengine.conversion.options import OPTIONS, SERVED, Option
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum
 from phonemeengine.labels.articulation import ARTICULATIONS, CONSONANT_CLASSES, VOWEL_CLASSES
@@ -35,6 +39,8 @@ NAME = re.compile(r"`([A-Z][a-z]\w*)\.(\w+)`")
 PLACE = re.compile(r"`((?:engine|phonemeanalyser|tests|tools|examples|docs|presets|screenshots|\.github)/[\w./-]+)`")
 PRESETS = (DOCS / "presets.md").read_text(encoding="utf-8")
 FORMATS_PAGE = (DOCS / "formats.md").read_text(encoding="utf-8")
+
+CONVERTING = ("analyse", "align", "export", "preview", "speak")
 
 Row = tuple[str, str, str, str]
 """Key, type, range and default."""
@@ -217,6 +223,33 @@ def test_the_docs_name_the_sounds_of_every_class_in_their_order() -> None:
     classes = CONSONANT_CLASSES | {"consonant": "all of these"} | VOWEL_CLASSES | {"vowel": "all of these"}
     assert told == [f"| `{name}` | {letters} |" for name, letters in classes.items()]
     assert list(classes) == list(ARTICULATIONS)
+
+
+def test_the_docs_have_every_option_of_a_conversion_as_it_is_declared() -> None:
+    page = (DOCS / "command-line.md").read_text(encoding="utf-8")
+    told = [line for line in page.splitlines() if line.startswith("| `--")]
+    assert told == [option_row(name, option) for name, option in OPTIONS.items()]
+
+
+def option_row(name: str, option: Option) -> str:
+    words = option.words.replace("<", "&lt;").replace("|", "\\|").replace("*", "\\*")
+    value = option.value.replace("|", "\\|")
+    limits = "{:g}..{:g}".format(*option.limits) if option.limits else ""
+    takers = [command for command in CONVERTING if f"--{name}" in options_of(command)]
+    takers += ["server"] if name in SERVED else []
+    return f"| `--{name}{f' {value}' if value else ''}` | {words} | {limits} | {', '.join(takers)} |"
+
+
+@cache
+def options_of(command: str) -> frozenset[str]:
+    parser = ArgumentParser()
+    importlib.import_module(f"phonemeanalyser.cli.{command}").add_arguments(parser)
+    return frozenset(parser._option_string_actions)
+
+
+def test_the_docs_of_the_server_name_its_fields() -> None:
+    told = (DOCS / "server.md").read_text(encoding="utf-8").split("`POST /export`")[1].split("as [the")[0]
+    assert re.findall(r"`([a-z-]+)`", told) == ["sound", *FIELDS]
 
 
 def test_the_docs_name_every_export_with_its_rate() -> None:

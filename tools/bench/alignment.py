@@ -12,7 +12,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from phonemeanalyser.cli.scripts import words_to_score
+from phonemeanalyser.cli.prediction_work import words_to_score
 from phonemeengine.alignment.aligner import Aligner
 from phonemeengine.alignment.evidence import Evidence, evidence_of, joined
 from phonemeengine.analyser import analyse_file

@@ -13,6 +13,10 @@ Say = Callable[[str, str], None]
 """Told what is odd about something that is worked on all the same: its name, and a sentence."""
 
 
+def say_nothing(_name: str, _note: str) -> None:
+    """Tell nobody."""
+
+
 @dataclass(frozen=True)
 class Job:
     """A sound file (or a folder without any), and the file that is written of it; None means standard output.

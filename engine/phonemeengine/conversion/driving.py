@@ -7,6 +7,7 @@ from pathlib import Path
 
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.batch.work import Say
+from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation
@@ -79,6 +80,29 @@ class DriverChoice:
         if self.performance and not drivers & {FaceDriver.AUTO, FaceDriver.TABLE}:
             words = "leaves the table of --performance unused; leave one of them out"
             raise EngineError(f"--text-driver {self.driver} {words}")
+
+    @classmethod
+    def of(cls, options: ConversionOptions) -> "DriverChoice":
+        """Return what options ask for.
+
+        Raises
+        ------
+        EngineError : nothing would use the tables of recorded faces, or there are none.
+        """
+        return cls(
+            options.text_driver,
+            options.beside,
+            options.pinyin_table,
+            options.spring,
+            options.seed,
+            options.performance,
+            options.use,
+            options.choice or ExampleChoice.VITERBI,
+            options.without or frozenset(),
+            options.keywords,
+            options.units,
+            options.overwrite,
+        )
 
     @contextmanager
     def opened(self) -> Iterator["Driving"]:

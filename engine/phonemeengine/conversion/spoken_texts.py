@@ -11,12 +11,13 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.work import Made, Say
-from phonemeengine.errors import AudioError, EngineError
+from phonemeengine.conversion.options import ConversionOptions
+from phonemeengine.errors import AudioError, EngineError, OptionError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.transcript import Script, Transcript, scripted_transcript_of, transcript_of
 from phonemeengine.settings import Channel
 from phonemeengine.storage.files import is_folder, printable, printable_name
-from phonemeengine.text.lexicon import Lexicon
+from phonemeengine.text.lexicon import Lexicon, load_lexicon
 from phonemeengine.text.pronunciation import notes_on, words_of
 from phonemeengine.text.script import is_timed, load_script, script_beside, timed_script, words_beside
 
@@ -53,6 +54,28 @@ class SpokenTexts:
     accepted: bool = False
     speaker: str | None = None
     scripts: Mapping[Path, Script] = field(default_factory=dict)
+
+    @classmethod
+    def of(
+        cls, options: ConversionOptions, sounds: Sequence[Path], say: Say, *, with_labels: bool = True
+    ) -> "SpokenTexts":
+        """Return what options say of some sounds; what a script does not is told.
+
+        Parameters
+        ----------
+        with_labels : whether the words and times of a TextGrid beside a sound go before a text.
+
+        Raises
+        ------
+        EngineError : a script or the lexicon cannot be read, or says nothing about the sounds.
+        """
+        if options.speaker is not None and (options.script is None or not is_timed(options.script)):
+            raise OptionError("--speaker goes with a --script that tells speakers apart: a .TextGrid or .json")
+        lexicon = None if options.lexicon is None else load_lexicon(options.lexicon)
+        known = cls({}, {}, options.language, lexicon, options.literal, options.accept_text, options.speaker)
+        if options.script is not None:
+            return known.of_script(options.script, sounds, say, with_labels=with_labels)
+        return NO_TEXTS if options.text is None else known.of_text(options.text, sounds)
 
     def of_text(self, text: str, sounds: Iterable[Path]) -> "SpokenTexts":
         """Return that a text is said in each of some sounds."""

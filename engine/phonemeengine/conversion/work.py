@@ -2,7 +2,7 @@
 
 import math
 import os
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import partial
@@ -11,15 +11,15 @@ from pathlib import Path
 from phonemeengine.analyser import analyse_file
 from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.runner import BatchOptions, run_batch
-from phonemeengine.batch.work import Act, Job, JobState, Made, Say
+from phonemeengine.batch.work import Act, Job, JobState, Made, Say, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
+from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
 from phonemeengine.errors import ExportError, remedy
 from phonemeengine.execution import Progress, no_progress
 from phonemeengine.inspection.analysis_tables import TABLES
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
-from phonemeengine.mouth.table import load_table
 from phonemeengine.mouth.transcript import Script
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
@@ -136,10 +136,36 @@ class ConversionWork:
         if self.kind.startswith("frames-") and self.texts != NO_TEXTS:
             raise ExportError("a table of frames has no place for words; leave the text out, or choose phonemes")
 
+    @classmethod
+    def of(
+        cls,
+        options: ConversionOptions,
+        kind: str,
+        preset: Preset,
+        sounds: Sequence[Path] = (),
+        say: Say = say_nothing,
+    ) -> "ConversionWork":
+        """Return the work that options ask for.
+
+        Parameters
+        ----------
+        kind : see `CONVERSIONS`.
+        preset : that of the options, loaded.
+        sounds : that are turned into files.
+        say : told what a script does not say of them.
+
+        Raises
+        ------
+        EngineError : there is no such kind, it cannot do what the options say, or a file of theirs cannot be used.
+        """
+        written, driver = options.written(), DriverChoice.of(options)
+        texts = SpokenTexts.of(options, sounds, say)
+        return cls(kind, preset, written, options.channel, texts, driver, options.longest, options.overwrite)
+
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
         options, moved = self.options or ExportOptions(), CONVERSIONS[self.kind].moves_mouth
-        table = load_table(options.table or FORMATS[self.kind].table) if moved else None
+        table = options.mouth_table(FORMATS[self.kind].table) if moved else None
         mesh = None if options.mesh is None else Path(options.mesh)
         written = replace(options, table=None, mesh=mesh) if moved else None
         driver = self.driver if moved else None
@@ -234,7 +260,7 @@ def convert(
         kind, preset, options, channel, texts, driver, overwrite=overwrite
     )  # fmt: skip
     with work.opened() as act:
-        act(Job(source, Path(target)), lambda _name, _note: None, progress)
+        act(Job(source, Path(target)), say_nothing, progress)
 
 
 def export(

@@ -17,7 +17,7 @@ import math
 import random
 from collections import deque
 from dataclasses import dataclass
-from enum import Enum
+from enum import StrEnum
 
 import numpy as np
 
@@ -32,7 +32,7 @@ MOST_MOVEMENTS = 64
 """Movements that are remembered at once: more than fit into the longest one would be forgotten, oldest first."""
 
 
-class Detail(Enum):
+class Detail(StrEnum):
     """How much of the speech the mouth follows; far characters need less."""
 
     PHONEMES = "phonemes"

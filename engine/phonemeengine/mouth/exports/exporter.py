@@ -6,14 +6,17 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from phonemeengine.errors import ExportError, remedy
+from phonemeengine.errors import ExportError, MouthError, remedy
 from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import NEARLY, Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.performer import IdleMotion
-from phonemeengine.mouth.table import load_table
+from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
+
+FACTORS = 0.1, 10.0
+"""The least and the most by which all times of a mouth table may be multiplied."""
 
 
 @dataclass(frozen=True)
@@ -29,6 +32,8 @@ class ExportOptions:
     table : a mouth table's name or file.
     mesh : the file of the face that shall move; else it is the program's own head.
     idle : what else the face does.
+    attack, release : factors of the times in which the table's shapes come and go.
+    random : whether shapes and times vary a little, as they do in people.
     """
 
     rate: float | None = None
@@ -37,6 +42,23 @@ class ExportOptions:
     table: str | os.PathLike[str] | None = None
     mesh: str | os.PathLike[str] | None = None
     idle: IdleMotion = field(default_factory=IdleMotion)
+    attack: float = 1.0
+    release: float = 1.0
+    random: bool = True
+
+    def mouth_table(self, usual: str) -> MouthTable:
+        """Return the mouth table, the usual one unless another is asked for, with the speed that is asked for.
+
+        Raises
+        ------
+        MouthError : it cannot be used, or a factor lies outside its limits.
+        """
+        for name, factor in (("attack", self.attack), ("release", self.release)):
+            if not FACTORS[0] <= factor <= FACTORS[1]:
+                limits = "{:g}..{:g}".format(*FACTORS)
+                raise MouthError(f"{name} must be a factor in {limits}, got {factor:g}; choose another")
+        table = load_table(self.table or usual)
+        return table.with_motion(self.attack, self.release, random=self.random)
 
 
 class Exporter:
@@ -64,7 +86,7 @@ class Exporter:
         self._options = options or ExportOptions()
         self.idle = self._options.idle
         self._mesh = None if self._options.mesh is None else Path(self._options.mesh)
-        self._table = load_table(self._options.table or self.format.table)
+        self._table = self._options.mouth_table(self.format.table)
         self.rate = self._checked_rate()
         self._check_minimum()
         self._check_table()

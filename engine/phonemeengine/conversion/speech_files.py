@@ -1,6 +1,5 @@
-"""What `speak` writes of speech: a sound, labels, the movement of a mouth, and its plan; all of them, or none."""
+"""What is written of speech: a sound, labels, the movement of a mouth, and its plan; all of them, or none."""
 
-import argparse
 from collections import deque
 from collections.abc import Iterable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -9,22 +8,22 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
-from phonemeanalyser.cli.arguments import format_of
-from phonemeanalyser.cli.expression import idle_of
-from phonemeanalyser.cli.jobs import say_note
-from phonemeengine import EngineError, ExportOptions, SilentText, Transcript, Utterance, spoken_text
 from phonemeengine.audio.wav import check_wav_name
+from phonemeengine.batch.work import Say
 from phonemeengine.conversion.driving import Driving, FaceTrack
+from phonemeengine.errors import EngineError
 from phonemeengine.labels import textgrid
-from phonemeengine.labels.utterance import shifted
+from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, PlanRow, plan_lines
 from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, has_pinyin, plan_of, says_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack
-from phonemeengine.speech.spoken_text import written_as_spoken
+from phonemeengine.speech.silent import SilentText
+from phonemeengine.speech.spoken_text import spoken_text, written_as_spoken
 from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.storage.files import begins_like
 from phonemeengine.storage.replacing import STANDARD_OUTPUT, Guard, guarded_write, nothing_is_own, write_guarded
@@ -42,7 +41,12 @@ class SpeechFiles:
     sound, labels, export, plan : the files; None where they are not asked for.
     exporter : writes the export.
     driving : moves the face.
+    say : told what is odd.
     overwrite : whether files of somebody else are replaced.
+
+    Raises
+    ------
+    EngineError : they cannot be written, or another file is there; before anything is spoken.
     """
 
     sound: Path | None
@@ -51,34 +55,18 @@ class SpeechFiles:
     plan: Path | None
     exporter: Exporter | None
     driving: Driving
-    overwrite: bool
+    say: Say
+    overwrite: bool = False
 
-    @classmethod
-    def of(cls, options: argparse.Namespace, driving: Driving) -> "SpeechFiles":
-        """Check what the command line asks for, before anything is spoken.
-
-        Raises
-        ------
-        EngineError : it cannot be written, or another file is there.
-        """
-        if options.export is None and options.kind is not None:
-            raise EngineError("--format is of a file for another program; name it with --export")
-        if options.export is not None and options.kind is None:
-            options.kind = format_of(options, options.export)
-        written = ExportOptions(rate=options.fps, idle=idle_of(options))
-        exporter = Exporter(options.kind, written) if options.kind else None
-        files = cls(
-            options.out, options.labels, options.export, options.plan, exporter, driving, options.overwrite
-        )  # fmt: skip
-        if [files.sound, files.labels, files.export, files.plan].count(STANDARD_OUTPUT) > 1:
+    def __post_init__(self) -> None:
+        if [self.sound, self.labels, self.export, self.plan].count(STANDARD_OUTPUT) > 1:
             raise EngineError(
                 "one of them can be printed, and several are asked for with -; name files for the others"
             )
-        if files.sound is not None:
-            check_wav_name(files.sound)
-        for target, guard in files._guards:
+        if self.sound is not None:
+            check_wav_name(self.sound)
+        for target, guard in self._guards:
             guard.check(target)
-        return files
 
     @property
     def nothing(self) -> bool:
@@ -192,11 +180,11 @@ class SpeechFiles:
         driver = self.driving.chosen(utterance, speech.name, takes)
         if driver is FaceDriver.PINYIN and letters is not None:
             return letters
-        return self.driving.track(driver, utterance, speech, say_note, text)
+        return self.driving.track(driver, utterance, speech, self.say, text)
 
     def _export(self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None) -> None:
         if self.exporter is not None:
-            movement = self.driving.movement(track, speech, self.exporter, say_note)
+            movement = self.driving.movement(track, speech, self.exporter, self.say)
             files[self.export].writelines(self.exporter.chunks_of(speech, movement))
 
     def _write_plan(
