@@ -110,6 +110,8 @@ class _Frames:
 def _placed(said: Sequence[ScriptWord], shortfalls: Float64Array, start: float, end: float) -> Iterator[Word]:
     """Return words that are said from `start` to `end`, seconds."""
     passage = Passage(tuple(said))
+    # Given times may be too short for the usual least durations: sounds are allowed to be ever shorter until they
+    # fit, and in the end share the time evenly.
     for hurry in range(MOST_HURRY + 1):
         least = LeastFrames(passage.least_frames(hurry))
         way = cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least) if len(shortfalls) else None
@@ -217,6 +219,8 @@ def align_analyses(
             aligner.push(evidence_of(part))
             recognised.append(part.phonemes)
     utterance = aligner.finish(duration, language)
+    # Words of another text, forced onto a sound, would move a mouth wrongly; what was recognised without it moves it
+    # better.
     if accept_text or not aligner.fit.is_wrong:
         return utterance
     skipped = tuple(word.text for word in words)

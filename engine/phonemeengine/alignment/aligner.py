@@ -45,6 +45,8 @@ def edges_of(
 ) -> Mapping[int, float]:
     """Return where the edges between the steps of a way are, in frames, by the number of the frame after each."""
     levels, spoken = evidence.levels[:, 0], spoken_in(evidence)
+    # The recogniser's edges are on whole frames, and its window smears them. Where two sounds meet their scores are
+    # compared, before a pause the level decides.
     quiet = float(np.percentile(levels[spoken], LOUD)) - FADED if spoken.any() else np.inf
     edges: dict[int, float] = {}
     lasting = [step for step in steps if step.kind != SKIPPED]
@@ -62,20 +64,24 @@ def edges_of(
 def _crossing(lead: Float64Array, edge: int) -> float:
     """Return where the lead of one sound over the next ends; frames are measured at their middle."""
     before, after = float(lead[edge - 1]), float(lead[edge])
+    # linear between the two frame middles, at the place where both sounds fit equally well
     return edge - 0.5 + before / (before - after) if before > 0 > after else float(edge)
 
 
 def _faded(levels: Float32Array, step: WayStep, pause: WayStep, quiet: float) -> float:
     """Return where a sound before a pause has faded, at the earliest where the recogniser hears silence."""
+    # Where the room is noisy speech never falls FADED dB; then it ends where it sinks into the noise.
     limit = max(quiet, float(levels[pause.first : pause.last].min()) + ABOVE_PAUSE)
     last = min(step.last + LONGEST_FADING, (pause.first + pause.last) // 2)
     frame = step.last - 1
     if levels[frame] < limit:
         return float(step.last)
+    # on to the first frame below the limit, but not into the second half of the pause
     while frame + 1 < last and levels[frame + 1] >= limit:
         frame += 1
     if frame + 1 >= len(levels) or levels[frame + 1] >= limit:
         return float(max(step.last, last))
+    # the level is interpolated between the last frame above the limit and the first one below
     return max(step.last - 0.5, frame + 0.5 + float((levels[frame] - limit) / (levels[frame] - levels[frame + 1])))
 
 
@@ -208,6 +214,8 @@ class Aligner:
     def push(self, evidence: Evidence) -> None:
         """Take what is heard next."""
         self._waiting.append(evidence)
+        # Settled up to a word that ends well before the end of the stretch; the rest is aligned again with what
+        # follows, so memory holds one stretch, however long sound and text are.
         while sum(len(part) for part in self._waiting) > STRETCH:
             heard = joined(self._waiting)
             n = self._align(heard.part(slice(STRETCH)), last=False)
@@ -223,6 +231,7 @@ class Aligner:
 
     def _align(self, heard: Evidence, *, last: bool) -> int:
         """Align a stretch, and settle its beginning, or all of it; returns how many frames of it."""
+        # no more of the text than can be said in a stretch: the rest would only cost time
         end = int(np.searchsorted(self._n_sounds, self._n_sounds[self._n_words] + MOST_SOUNDS))
         passage = Passage(self._words[self._n_words : end])
         whole = last and end > len(self._words)
@@ -234,6 +243,8 @@ class Aligner:
         steps = way.steps if last else settled_steps(way.steps, len(heard) - UNSETTLED, passage)
         n = steps[-1].last if steps else 0
         fit = fit_of(steps, passage, shortfalls, spoken)
+        # A short text may fit badly only because the cheapest way skipped what was said: without skips it gets a
+        # second chance.
         if fit.is_wrong and whole and first:
             strict = cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least)
             fit = fit if strict is None else min(fit, fit_of(strict.steps, passage, shortfalls, spoken))
@@ -248,6 +259,7 @@ class Aligner:
 
 def settled_steps(steps: Sequence[WayStep], limit: int, passage: Passage) -> Sequence[WayStep]:
     """Return the steps up to the last end of a word before a frame; quiet and strange stretches are cut there."""
+    # The cheapest way hardly changes but near its end, as more sound comes; `UNSETTLED` frames are left for that.
     ends = [k for k, step in enumerate(steps) if step.last <= limit and passage.ends_word(step)]
     n = ends[-1] + 1 if ends else 0
     if n < len(steps) and steps[n].kind in {SILENT, STRANGE} and steps[n].first < limit < steps[n].last:
@@ -257,6 +269,9 @@ def settled_steps(steps: Sequence[WayStep], limit: int, passage: Passage) -> Seq
 
 def _hurry_of(words: Sequence[ScriptWord], n_frames: int) -> int:
     """Return by how many frames sounds are shorter than usual, so that all of them have room."""
+    # The least durations are those of speech that is not hurried. Where all of them fill more than `UNHURRIED` of the
+    # sound, every sound loses a frame, then another, until they fit: an alignment must exist, and have room to
+    # choose.
     usual = np.array([least_frames_of(ipa) for word in words for ipa in word.pronunciations[0].phones])
     lengths = (int(np.maximum(usual - hurry, 1).sum()) for hurry in range(MOST_HURRY))
     return next((hurry for hurry, n in enumerate(lengths) if n <= UNHURRIED * n_frames), MOST_HURRY)

@@ -103,6 +103,7 @@ def _believed(evidence: Evidence) -> Float32Array:
     nothing = evidence.levels[:, 0] < NOTHING
     if not nothing.any():
         return evidence.probabilities
+    # begins and ends of runs alternate, since a False stands at both ends
     edges = np.flatnonzero(np.diff(np.concatenate([[False], nothing, [False]]).astype(np.int8)))
     believed = evidence.probabilities.copy()
     for first, last in edges.reshape(-1, 2).tolist():
@@ -125,12 +126,19 @@ def shortfalls_of(evidence: Evidence) -> Float64Array:
     """Return by how much each kind of sound falls short of the best one, natural logarithms, shape (n, n_kinds)."""
     shares = np.array([SHARES[phoneme] for phoneme in Phoneme])
     probabilities = _believed(evidence)
+    # Bayes: p(sound | phoneme) is proportional to p(phoneme | sound) / p(phoneme), the scaled likelihoods of hybrids
+    # of networks and hidden Markov models (H. Bourlard and N. Morgan, Connectionist Speech Recognition, 1994). The
+    # prior is taken back only in part, see `SHARE_WEIGHT`.
     likely = np.log(probabilities + LEAST_LIKELY, dtype=np.float64) - SHARE_WEIGHT * np.log(shares)
     speaks = 1 - probabilities[:, Phoneme.SILENCE]
+    # Loudness is no independent witness, since the recogniser has it too, so its likelihood counts with a power below
+    # 1.
     suits = MANNER_WEIGHT * log_likelihoods(measured_of(evidence.levels, speaks))
     scores = likely[:, [kind.phoneme for kind in KINDS]] + suits[:, [kind.manner for kind in KINDS]]
     if evidence.visemes is not None:
         scores += _seen(evidence.visemes)
+    # Beside the best that could be said in the frame: the level of the scores drops out, so costs of frames compare
+    # whatever the sound, and prices mean the same everywhere.
     found: Float64Array = scores - scores.max(axis=1, keepdims=True)
     return found
 
@@ -139,6 +147,8 @@ def _seen(visemes: Float32Array) -> Float64Array:
     """Return how well what is seen suits each kind of sound, 0 for the best and for those that it does not tell."""
     shares = np.array([*VISEME_SHARES.values()])
     likely = visemes[:, [*VISEME_SHARES]].astype(np.float64)
+    # Given that it is an unidentified sound, which viseme? So they add up to 1 among themselves, and how likely an
+    # unidentified sound is at all stays with the phonemes.
     likely = likely / np.maximum(likely.sum(axis=1, keepdims=True), LEAST_LIKELY) + LEAST_SEEN
     suits = VISEME_WEIGHT * (np.log(likely) - SHARE_WEIGHT * np.log(shares))
     suits -= suits.max(axis=1, keepdims=True)

@@ -95,6 +95,8 @@ class GrowingAligner:
         if not self._words:
             self._forget(0 if last else max(0, len(heard) - LONGEST))
             return GrownWords()
+        # What waits is aligned anew at each look: 2 s of sound and 80 sounds are cheap enough, and nothing of an
+        # earlier, worse guess can stick.
         passage = Passage(self._next_words())
         shortfalls = shortfalls_of(heard)
         least = LeastFrames(passage.least_frames(HURRY))
@@ -136,6 +138,7 @@ class GrowingAligner:
         settled = settled_steps(steps, n - UNSETTLED, passage)
         rest = list(steps[len(settled) :])
         cut = steps[len(settled) - 1]
+        # a quiet or strange step was cut in two: its rest comes first in what is open
         if settled and settled[-1].last < cut.last:
             rest.insert(0, cut._replace(first=settled[-1].last))
         return settled, rest

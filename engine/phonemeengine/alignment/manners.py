@@ -15,6 +15,8 @@ from phonemeengine.labels.visemes import Viseme, viseme_of
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import WINDOW
 
+# about one or two periods of a voice: shorter, so that the closure of a stop is seen, than what the recogniser hears
+# at once
 HEARD = slice(WINDOW // 2 - 330, WINDOW // 2 + 331)
 """The middle of a window that is measured, 15 ms."""
 QUIETEST = 1e-9
@@ -77,6 +79,7 @@ class Blob:
     def log_density(self, measured: Float64Array) -> Float64Array:
         """Return the logarithm of its density at some frames, shape (n_frames,); see `measured_of`."""
         x, y = measured[:, 0] - self.loudness, measured[:, 1] - self.sharpness
+        # the bivariate normal distribution, its 2 x 2 covariance inverted by hand
         determinant = self.loudness_variance * self.sharpness_variance - self.covariance**2
         form = self.sharpness_variance * x**2 - 2 * self.covariance * x * y + self.loudness_variance * y**2
         found: Float64Array = np.log(self.weight / (2 * np.pi * np.sqrt(determinant))) - form / (2 * determinant)
@@ -129,6 +132,8 @@ def levels_of(windows: Float32Array) -> Float32Array:
     windows : shape (n_frames, 2048), ±1.
     """
     middle = windows[:, HEARD].astype(np.float64)
+    # The difference of neighbouring samples raises by 6 dB an octave, so its level beside that of the sound says
+    # where the energy lies: about -27 dB for a nasal, -4 dB for an s. Two sums instead of a spectrum.
     powers = (np.mean(middle**2, axis=1), np.mean(np.diff(middle, axis=1) ** 2, axis=1))
     return (10 * np.log10(np.maximum(powers, QUIETEST))).T.astype(np.float32)
 
@@ -142,6 +147,7 @@ def measured_of(levels: Float32Array, speaks: Float32Array) -> Float64Array:
     speaks : how likely it is that somebody speaks, 0..1, shape (n_frames,).
     """
     spoken = levels[speaks > 0.5, 0]
+    # Levels count beside the loud speech of the same stretch, so that neither gain nor distance matters.
     loud = np.percentile(spoken, LOUD) if len(spoken) else -np.inf
     if len(spoken) < ENOUGH_SPEECH:
         loud = max(loud, np.median(levels[:, 0]) + ABOVE_SILENCE)
@@ -152,6 +158,7 @@ def measured_of(levels: Float32Array, speaks: Float32Array) -> Float64Array:
 
 def log_likelihoods(measured: Float64Array) -> Float64Array:
     """Return how well frames suit each manner, natural logarithms, shape (n_frames, n_manners)."""
+    # the sum of the parts of a mixture, from their logarithms; the floor keeps one odd frame from forbidding a sound
     found = [np.logaddexp.reduce([blob.log_density(measured) for blob in MANNERS[manner]]) for manner in Manner]
     likely: Float64Array = np.maximum(np.stack(found, axis=1), LEAST_LIKELY)
     return likely
@@ -212,6 +219,7 @@ _BY_PHONEME = {kind.phoneme: k for k, kind in enumerate(KINDS) if kind.viseme is
 def kind_of(ipa: str) -> int:
     """Return the number of the kind of a sound, by its symbol in the phonetic alphabet."""
     phoneme, manner = ipa_phoneme(ipa), manner_of(ipa)
+    # the finest kind that is listened for: with its viseme, by its manner, or at least by its phoneme
     kinds = (SoundKind(phoneme, manner, viseme_of(ipa, phoneme)), SoundKind(phoneme, manner))
     return next((_NUMBERS[kind] for kind in kinds if kind in _NUMBERS), _BY_PHONEME[phoneme])
 

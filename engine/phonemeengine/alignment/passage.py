@@ -125,6 +125,8 @@ class Passage:
 
     def _with_closures(self, steps: Sequence[WayStep]) -> Iterator[WayStep]:
         """Return steps where the quiet before a stop, within speech, is part of it."""
+        # A stop is a closure and a burst; the recogniser hears silence in the closure, so the way takes it for a
+        # pause. A short one between two sounds of speech belongs to the stop.
         earlier: tuple[WayStep | None, ...] = (None, None, *steps)
         for before, quiet, step in zip(earlier, earlier[1:], steps, strict=False):
             spoken = before is not None and before.kind == step.kind == SOUND
@@ -157,6 +159,7 @@ class Passage:
 def _strange_words(step: WayStep, shortfalls: Float64Array, first: int) -> Iterator[Word]:
     """Return what is said in a stretch that the text does not hold: words end where it is silent."""
     kinds = shortfalls[step.first : step.last].argmax(axis=1)
+    # without a text each frame says what suits it best; runs of equal ones become phones
     runs = [(kind, len(list(frames))) for kind, frames in groupby(_calmed(kinds).tolist())]
     ends = np.cumsum([n for _, n in runs]) + step.first
     phones = [
@@ -179,5 +182,6 @@ def _calmed(kinds: IndexArray) -> IndexArray:
 
 
 def _phone_at(begin: int, end: int, ipa: str, phoneme: Phoneme, shortfalls: Float64Array, first: int) -> Phone:
+    # the mean shortfall over its frames: 0 where nothing would fit better
     score = abs(float(shortfalls[begin:end].mean()))
     return Phone((first + begin) * FRAME_PERIOD, (first + end) * FRAME_PERIOD, ipa, phoneme, score)

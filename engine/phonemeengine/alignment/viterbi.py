@@ -50,6 +50,8 @@ class Lattice:
 def lattice_of(words: Sequence[Spellings]) -> Lattice:
     """Lay out words, each with its pronunciations, in the order of the text."""
     rows: list[tuple[int, int, int, int]] = []
+    # Junctions between words come first, so that they are one slice; the two ends of a word are shared by all of its
+    # pronunciations, which thus compete.
     n_junctions = len(words) + 1
     variants = []
     for w, spellings in enumerate(words):
@@ -157,6 +159,8 @@ class _Search:
         self._pauses = slice(n_sounds, n_sounds + n_junctions)
         self._between = slice(lattice.n_words + 1)
         counts = (n_sounds, n_junctions, lattice.n_words + 1)
+        # Three kinds of states with one recursion: for the sounds the scores are those of their columns, for a pause
+        # those of silence, and what the text does not hold costs the same in every frame, a column of its own.
         self._runs = _Runs(
             np.concatenate([lattice.before, np.arange(n_junctions), np.arange(lattice.n_words + 1)]),
             np.concatenate([least.sounds, np.repeat([least.silence, least.strange], counts[1:])]),
@@ -165,11 +169,18 @@ class _Search:
             np.column_stack([shortfalls, np.full(n, -prices.strange_frame)]),
         )
         self._variants = [(at := np.flatnonzero(row != NOWHERE), row[at]) for row in lattice.arrivals[1:]]
+        # the first arrival of each junction is looked up for all of them at once; others, of further pronunciations,
+        # are few
         self._unsaid = lattice.arrivals[0] == NOWHERE
         self._may_skip = np.isfinite(prices.skip)
+        # the cost of leaving out all words up to each junction
         self._skips = np.concatenate([[0.0], np.cumsum(prices.skip + prices.skip_sound * lattice.fewest)])
+        # reached[t, j]: the best score with which frame t - 1 is the last one before junction j. The search is exact,
+        # without a beam: stretches are short enough to keep every state.
         self._reached = np.full((n + 1, n_junctions), -np.inf)
         self._whence = np.zeros((n + 1, n_junctions), np.uint8)
+        # A state that begins in a block cannot end in it, since all last at least so many frames; so a block depends
+        # only on what is known before it, and its frames are worked out together.
         self._block = int(min(*least.sounds, least.silence, least.strange))
 
     def run(self) -> None:
@@ -181,6 +192,7 @@ class _Search:
     def _advance(self, frames: slice) -> None:
         ended = self._runs.extend(frames, self._reached)
         reached, whence = self._reached[frames], self._whence[frames]
+        # Viterbi's recursion: a junction takes the best of all that may end there, and `whence` remembers which.
         np.take(ended, self._lattice.arrivals[0], axis=1, out=reached, mode="wrap")
         reached[:, self._unsaid] = -np.inf
         for variant, (at, arrivals) in enumerate(self._variants, 1):
@@ -195,6 +207,8 @@ class _Search:
         """Let words be left out, however many of them follow each other."""
         if self._may_skip:
             reached = self._reached[frames, self._between]
+            # best[j] = max over i <= j of reached[i] - (C[j] - C[i]), C the cost of skipping all words before: one
+            # running maximum instead of a loop over every number of skipped words.
             best = np.maximum.accumulate(reached + self._skips, axis=1)
             self._whence[frames, self._between][best > reached + self._skips] = SKIPPED
             np.subtract(best, self._skips, out=reached)
@@ -206,6 +220,7 @@ class _Search:
 
     def _steps_back_from(self, junction: int) -> Iterator[WayStep]:
         lattice, frame = self._lattice, self._n
+        # Backwards from the end: each junction knows how it was reached, and each state when it was entered best.
         while frame or junction:
             whence = int(self._whence[frame, junction])
             if whence == SKIPPED:
@@ -242,21 +257,27 @@ class _Runs:
         self, at: IndexArray, least: IndexArray, prices: Float64Array, columns: IndexArray, scores: Float64Array
     ) -> None:
         self._at, self._least = at, least
+        # Prefix sums: the score of any run of frames is the difference of two of them.
         sums = np.zeros((len(scores) + 1, scores.shape[1]))
         np.cumsum(scores, axis=0, out=sums[1:])
         begun = np.maximum(np.arange(len(sums))[:, np.newaxis] - least, 0)
         self._sums = sums[:, columns]
+        # A run that begins at frame b and ends before t scores reached[b] - price + S[t] - S[b]. Only reached[b] -
+        # S[b] - price depends on b, so its running maximum, d frames late (d: the least duration), is all that is to
+        # be kept of every possible beginning.
         self._before = sums[begun, columns] + prices
         self._best = np.full(len(at), -np.inf)
         self._entered = np.zeros((len(sums), len(at)), bool)
 
     def extend(self, frames: slice, reached: Float64Array) -> Float64Array:
         """Return the scores of those that may end with each frame, shape (n_frames, n_states)."""
+        # flat indices into `reached`; beginnings before the sound are clipped, and excluded three lines below
         begun = np.arange(frames.start, frames.stop)[:, np.newaxis] - self._least
         found: Float64Array = reached.take(begun * reached.shape[1] + self._at, mode="clip")
         found -= self._before[frames]
         if frames.start < LONGEST_LEAST:
             found[begun < 0] = -np.inf
+        # the only step that goes frame by frame: a running maximum that goes on from the last block
         for best, entered in zip(found, self._entered[frames], strict=True):
             np.greater(best, self._best, out=entered)
             self._best = np.maximum(best, self._best, out=best)
@@ -264,6 +285,8 @@ class _Runs:
 
     def begin_of(self, frame: int, state: int) -> int:
         """Return the frame with which a run begins that ends before `frame`."""
+        # the newest frame, at the latest this one, in which the running maximum was renewed; the run began d frames
+        # before
         back = int(self._entered[frame::-1, state].argmax())
         return frame - back - int(self._least[state])
 

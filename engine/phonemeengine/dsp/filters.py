@@ -11,11 +11,15 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import SettingsError
 
+# Close above the smallest normal float32 (1.2e-38): a silent spectrum divided by it stays 0, without a branch, a
+# division by zero or slow subnormal numbers.
 TINY: Float32Array = np.array(1e-37, np.float32)
 
 
 def pre_emphasis(waves: Float32Array, a: float) -> Float32Array:
     """Raise high frequencies: ``x[n] - a x[n-1]``, with x[-1] = x[0] so that a constant gives no edge."""
+    # The gain is 1 - a at 0 Hz and 1 + a at half the rate: it counters the fall of voiced speech of about 6 dB an
+    # octave.
     out = waves.copy()
     out[:, 1:] -= np.float32(a) * waves[:, :-1]
     out[:, 0] -= np.float32(a) * waves[:, 0]
@@ -44,6 +48,8 @@ class FrequencyShaper:
 
     def __init__(self, strength: float, gains: Float32Array, scale: Float32Array | None = None) -> None:
         scale = np.ones_like(gains) if scale is None else scale
+        # The kernel is (s/3, 1 - 2s/3, s/3). Scales belong to the bin that is read, gains to the bin that is written,
+        # as if the three steps followed each other.
         side = strength / 3
         centre = np.full(len(gains), 1 - 2 * side)
         centre[[0, -1]] += side
@@ -78,11 +84,15 @@ class TimeSmoother:
         if self._strength == 0:
             self._last = spectra[-1]
             return spectra
+        # The recursive filter 1 / (1 - s/z) is the product of (1 + s/z), (1 + s²/z²), (1 + s⁴/z⁴) and so on, so a
+        # block of n frames takes log2(n) passes over whole arrays instead of n steps in Python.
         out = spectra * np.float32(1 - self._strength)
         if self._last is not None and len(self._last) == spectra.shape[1]:
+            # what the last block left behind enters as if it were part of the first frame; the passes carry it on
             out[0] += np.float32(self._strength) * self._last
         reach, weight = 1, self._strength
         while reach < len(out) and np.float32(weight) > 0:
+            # the product is a new array, so the overlapping parts are read before they are written
             out[reach:] += np.float32(weight) * out[:-reach]
             reach, weight = 2 * reach, weight * weight
         self._last = out[-1]

@@ -62,6 +62,8 @@ def formants_of(
     """
     if not LOWEST_CEILING <= ceiling <= HIGHEST_CEILING:
         raise ValueError(f"the ceiling must lie in {LOWEST_CEILING:g}..{HIGHEST_CEILING:g} Hz, got {ceiling:g}")
+    # Burg's method spends its poles on the whole band, so the band must end at the ceiling: then two poles, a
+    # conjugate pair, are left for each of the five formants.
     rate = round(2 * ceiling)
     if n_frames is None:
         n_frames = max(0, round(len(samples) / SAMPLE_RATE / FRAME_PERIOD) - first_frame)
@@ -84,6 +86,9 @@ def linear_prediction(frames: Float64Array, order: int) -> Float64Array:
 
     The first one is 1; silent frames have zeros behind it.
     """
+    # Stage m filters the frame with prediction error filters of order m in both directions. The reflection
+    # coefficient k = 2 Σ f b / Σ (f² + b²) makes the sum of both error powers least; |k| <= 1, so no pole lies
+    # outside the unit circle, whatever the window.
     forward, backward = frames, frames
     filters = np.ones((len(frames), 1))
     for _ in range(order):
@@ -92,6 +97,7 @@ def linear_prediction(frames: Float64Array, order: int) -> Float64Array:
         shared = 2 * np.einsum("ij,ij->i", ahead, behind)
         reflection = np.divide(shared, power, out=np.zeros_like(power), where=power > 0)[:, np.newaxis]
         forward, backward = ahead - reflection * behind, behind - reflection * ahead
+        # Levinson's recursion: a[m] = (a[m-1], 0) - k times the same backwards
         longer = np.pad(filters, ((0, 0), (0, 1)))
         filters = longer - reflection * longer[:, ::-1]
     return filters
@@ -99,6 +105,8 @@ def linear_prediction(frames: Float64Array, order: int) -> Float64Array:
 
 def _resonances(frames: Float64Array, rate: int) -> Float64Array:
     """Return frequencies and bandwidths, shape (n_frames, 2, N_FORMANTS)."""
+    # The roots of the polynomial are the eigenvalues of its companion matrix, all frames in one call. In float64, as
+    # Praat has it: the poles of narrow formants lie close to the unit circle.
     order = 2 * N_FORMANTS
     filters = linear_prediction(frames, order)
     companions = np.zeros((len(frames), order, order))
@@ -107,6 +115,7 @@ def _resonances(frames: Float64Array, rate: int) -> Float64Array:
     roots = np.linalg.eigvals(companions)
     radii = np.abs(roots)
     inside = np.where(radii > 1, 1 / np.maximum(radii, 1e-12), radii)  # what would grow decays as fast
+    # A pole r exp(i φ) rings at φ rate / 2π Hz and is 3 dB down at ± half of -ln(r) rate / π Hz.
     frequencies = np.angle(roots) * rate / (2 * np.pi)
     with np.errstate(divide="ignore"):
         bandwidths = -np.log(inside) * rate / np.pi
@@ -128,6 +137,7 @@ def _emphasised(sound: Float32Array, rate: int) -> Float64Array:
 
 
 def _gaussian(length: int) -> NDArray[np.float64]:
+    # Praat's Gaussian, -48 (t / T)² in the exponent, lowered by its value at the ends so that it begins at 0
     places = (np.arange(1, length + 1) - 0.5 * (length + 1)) / (length + 1)
     edge = np.exp(-12.0)
     return np.asarray((np.exp(-48 * places**2) - edge) / (1 - edge))

@@ -56,11 +56,15 @@ class Framer:
         return self._frames_of(np.zeros(n_silent if n_missing > 0 else 0, np.float32))
 
     def _frames_of(self, samples: Float32Array) -> Float32Array:
+        # Samples are only ever written behind those that frames have seen, so views that were handed out never
+        # change.
         if self._last + len(samples) > len(self._buffer):
             self._renew(len(samples))
         last = self._last + len(samples)
         self._buffer[self._last : last] = samples
         n_frames = max(0, (last - self._first - WINDOW) // HOP + 1)
+        # Frames overlap by 79 %: as views they cost nothing, as copies 4.6 times the sound. `numpy.ndarray` builds
+        # one with less overhead than as_strided.
         frames = np.ndarray((n_frames, WINDOW), FLOAT, self._seen, self._first * FLOAT.itemsize, STRIDES)
         self._first, self._last = self._first + n_frames * HOP, last
         self.n_framed += n_frames

@@ -28,6 +28,7 @@ def log_mels(windows: Float32Array, warps: tuple[float, ...] = (1.0,)) -> Float3
     With several `warps` (see `warped_mel_bank`) the bands of each lie beside those of the one before: shape
     (n_frames, n_warps x 40).
     """
+    # Added and not clamped: the logarithm stays smooth near the floor, so a faint hiss moves it little.
     powers = mel_powers(windows, _banks(warps))
     powers += np.float32(FLOOR)
     logarithms: Float32Array = np.log10(powers, out=powers)
@@ -61,6 +62,8 @@ def mel_powers(windows: Float32Array, bank: Float32Array) -> Float32Array:
 @lru_cache(maxsize=1)
 def short_window() -> Float32Array:
     """Return the Hann window, shape (1024,), scaled so that a full-scale sine on a bin reads 1."""
+    # Periodic (n and not n - 1 below the line), so that a sine on a bin reaches just its two neighbours. A sine of
+    # amplitude 1 gives a bin of half the sum of the window, hence 2 / sum.
     window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(SHORT) / SHORT)
     return np.asarray(window * 2 / window.sum(), np.float32)
 
@@ -73,6 +76,8 @@ def warped_mel_bank(warp: float = 1.0) -> Float32Array:
     approach to speaker normalization", IEEE Trans. Speech and Audio Processing 6(1), 1998).
     """
     edges = mel_edges(N_BANDS, HIGHEST, LOWEST)
+    # Straight up to the knee with the slope `warp`, and from there to the fixed upper end, so that the same bins are
+    # used whatever the warp. The knee moves down for warps above 1, else the second slope would be negative.
     knee = 0.8 * HIGHEST / max(warp, 1)
     slope = (HIGHEST - warp * knee) / (HIGHEST - knee)
     edges = np.where(edges <= knee, edges * warp, warp * knee + (edges - knee) * slope)
@@ -111,6 +116,8 @@ def cepstra_of(log_mels: Float32Array) -> Float32Array:
 @lru_cache(maxsize=1)
 def cepstral_cosines() -> Float32Array:
     """Return the orthonormal cosines of the transform (DCT-II), shape (n_bands, n_cepstra)."""
+    # Half a band further, since the DCT-II is even about the edge of the first band; neighbouring mel bands are
+    # nearly decorrelated by it, which lets distances treat the coefficients as independent.
     bands = np.arange(N_BANDS)[:, np.newaxis] + 0.5
     return np.asarray(
         np.sqrt(2 / N_BANDS) * np.cos(np.pi / N_BANDS * bands * np.arange(1, N_CEPSTRA + 1)), np.float32

@@ -34,6 +34,7 @@ def triangular_bank(edges: Float64Array, n_bins: int, bin_width: float) -> Float
     """
     low, peak, high = edges[:-2], edges[1:-1], edges[2:]
     frequencies = np.arange(n_bins)[:, np.newaxis] * bin_width
+    # the smaller of the rising and the falling line, cut off at 0, is the triangle
     weights = np.maximum(0, np.minimum((frequencies - low) / (peak - low), (high - frequencies) / (high - peak)))
     empty = np.flatnonzero(weights.sum(axis=0) == 0)
     weights[np.round(peak[empty] / bin_width).astype(int), empty] = 1

@@ -29,6 +29,9 @@ TOLERANCE = 0.003
 PASSED, STOPPED = 1500.0, 2000.0
 """Between these frequencies (Hz) the sound fades out; what decimating folds down lies above them."""
 
+# Decimation leaves 5512.5 Hz, enough for three harmonics of the highest voice. The window of 46 ms holds 2.8 periods
+# of 60 Hz; Boersma asks for three of the lowest voice. Padded, so that the circular autocorrelation by the Fourier
+# transform equals the linear one up to the longest lag, 93 samples.
 _STEP = 8
 _FINE = 2
 _LENGTH = 254  # samples of a frame at an eighth of the rate
@@ -52,16 +55,23 @@ def _inverse_transform() -> Float32Array:
     """
     from scipy.fft import rfft  # noqa: PLC0415 - half a second that a window should not wait for
 
+    # Wiener and Khinchin: r(τ) is the cosine transform of the power. All bins but the first and the last stand for
+    # two, as real sounds have a spectrum that is mirrored.
     bins = np.arange(_PADDED // 2 + 1)
     weights = np.where((bins == 0) | (bins == _PADDED // 2), 1, 2)[:, None]
     lags = np.concatenate(([0], _LAGS)) / (_PADDED * _FINE)
     cosines = weights * np.cos(2 * np.pi * np.outer(bins, lags))
+    # Boersma's normalisation, r_x(τ) = r_a(τ) / r_w(τ): a window takes from long lags more than from short ones, and
+    # undivided the peak of a perfect period would sink with its length, so that high voices win. The window's own
+    # autocorrelation, 1 at lag 0, is the right measure of that loss.
     of_window = np.abs(rfft(_window().astype(float), _PADDED)) ** 2 @ cosines
     frequencies = bins[:, None] * (SAMPLE_RATE / _STEP / _PADDED)
     kept = np.clip((STOPPED - frequencies) / (STOPPED - PASSED), 0, 1)
     return np.asarray((kept * cosines / (of_window / of_window[0]))[:_KEPT], np.float32)
 
 
+# Boersma's octave cost: all multiples of a period are equally high peaks in a steady voice; a little more for each
+# octave up lets the shortest of them win.
 _BONUS = (OCTAVE_BONUS * np.log2(_LAGS[-1] / _LAGS[1:-1])).astype(np.float32)
 
 
@@ -84,6 +94,7 @@ def fundamental_of(frames: Float32Array) -> Float32Array:
     slow = heard - mean
     loud = np.maximum.reduce(slow, axis=1) > SILENCE_LEVEL
     bins = rfft(slow * _window(), _PADDED)[:, :_KEPT]
+    # One matrix for the few lags and bins that matter is cheaper than an inverse transform of all.
     correlation = (bins.real**2 + bins.imag**2) @ _inverse_transform()
     zero_lag = np.maximum(correlation[:, :1], np.finfo(np.float32).tiny)
     return _best_peak(correlation[:, 1:] / zero_lag, loud)
@@ -96,6 +107,8 @@ def _decimated(frames: Float32Array) -> Float32Array:
     Filtering goes before framing, since most of a frame lies in its neighbours too.
     """
     sound = np.concatenate((frames[:-1, :HOP].ravel(), frames[-1]))
+    # (1 + 1/z)³ is 1 3 3 1: three additions and no multiplication. The zeros of the three stages lie at 22.05 kHz,
+    # 11.025 kHz and 5.5125 kHz and its odd multiple: on all that decimating by 8 folds onto 0 Hz.
     for lag in (1, 2, 4):
         for _ in range(3):
             sound = sound[lag:] + sound[:-lag]
@@ -111,9 +124,12 @@ def _best_peak(strength: Float32Array, loud: BoolArray) -> Float32Array:
     stands above 1 is mirrored at 1, as Praat does: nothing resembles itself by more than wholly.
     """
     left, top, right = strength[:, :-2], strength[:, 1:-1], strength[:, 2:]
+    # The parabola through (-1, left), (0, top), (1, right) peaks at tilt / (4 top - 2 left - 2 right). The clamp
+    # keeps places that are no peaks finite; they lose their score two lines below.
     tilt = right - left
     shift = tilt / np.maximum(4 * top - 2 * (left + right), np.finfo(np.float32).eps)
     height = top + tilt * shift / 4
+    # dividing by the window's autocorrelation can lift a peak a little above 1, which no correlation exceeds
     height = np.minimum(height, 1 / np.maximum(height, 1))
     score = np.where((top >= left) & (top >= right), height + _BONUS, np.float32(-1))
     best = score.argmax(axis=1)

@@ -110,6 +110,8 @@ def sonagram_of(
     period : samples from one column to the next; a column is the mean of windows that lie over it.
     """
     n, hop = settings.n_samples, settings.hop
+    # Windows a quarter of themselves apart add up to an even weight (Hann); over wide columns half is enough for
+    # every sample to count, at half the price.
     per_column = max(1, round(period / hop))
     if per_column > ENOUGH_WINDOWS:
         per_column = max(ENOUGH_WINDOWS, math.ceil(period / (n // 2)))
@@ -121,6 +123,8 @@ def sonagram_of(
     at_once = max(1, MOST_SAMPLES // (n * per_column))
     for k in range(0, n_columns, at_once):
         windows = _windows_at(samples, starts[k * per_column : (k + at_once) * per_column], n)
+        # Powers are averaged, not decibels: a click in one of many windows keeps its energy, and the mean is that of
+        # the sound (P. Welch, 1967).
         bins = _power_of(windows).reshape(-1, per_column, len(weights)).mean(axis=1)
         power[k : k + at_once] = bins @ weights
     return np.asarray(np.maximum(10 * np.log10(np.maximum(power, 1e-30)), FLOOR), np.float32)

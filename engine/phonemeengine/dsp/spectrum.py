@@ -87,6 +87,8 @@ class SpectrumAnalyser:
         self._windows = settings.window_in_force is not WindowFunction.RECTANGLE
         self._window = window_of(settings.window_in_force, settings.n_samples)
         self._n_bins = settings.n_bins
+        # A sine of amplitude A gives a bin of A times half the sum of the window, since its other half lies at the
+        # negative frequency; bin 0 has no such half.
         self.scale = np.full((1, self._n_bins), 2 / self._window.sum(), np.float32)
         self.scale[0, 0] /= 2
 

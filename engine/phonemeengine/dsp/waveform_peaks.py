@@ -47,6 +47,8 @@ class WaveformPeaks:
 
         Columns are rounded outwards to remembered stretches: no peak is lost.
         """
+        # A pyramid of minima and maxima: a column reads a few stretches of the level that is just finer than itself,
+        # so a view of ten hours costs as much as one of a second.
         edges = np.linspace(first, last, n_columns + 1)
         level, width = self._level_for((last - first) / n_columns)
         begins = np.floor(edges[:-1] / width).astype(int)
@@ -95,5 +97,6 @@ def _coarser(level: Peaks) -> Peaks:
 
 def _reduced(values: Float32Array, begins: np.ndarray, ends: np.ndarray, act: np.ufunc) -> Float32Array:
     """Reduce stretches that may overlap, shape (n_columns,)."""
+    # `reduceat` takes pairs of begin and end; every second result is that of a gap between columns
     places = np.stack((begins, np.minimum(ends, len(values) - 1)), axis=1).ravel()
     return np.asarray(act.reduceat(values, places)[::2], np.float32)

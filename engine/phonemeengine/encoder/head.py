@@ -75,14 +75,18 @@ class EncoderHead(ShortRepr):
 
     def probabilities(self, states: NDArray[np.float16]) -> Float32Array:
         """Return how likely each phoneme and viseme is, float32, shape (2 x n_states, 26), one row each 10 ms."""
+        # One frame of the encoder covers two of ours, so the last layer has the outputs of both halves side by side;
+        # reshaping puts them one after the other in time.
         inputs = with_context(self.project(states))
         hidden = np.maximum(inputs @ self.hidden_weights + self.hidden_bias, 0)
         sums = (hidden @ self.weights + self.bias).reshape(-1, N_OUTPUTS)
+        # two questions of one sound, so two distributions that each add up to 1
         phonemes, visemes = sums[:, : len(Phoneme)], sums[:, len(Phoneme) :]
         return np.concatenate((softmax(phonemes), softmax(visemes)), axis=1)
 
     def project(self, states: NDArray[np.float16]) -> Float32Array:
         """Return the principal components of states, float32, shape (n_states, n_components)."""
+        # A principal component of spread 1 weighs as much as any other, whatever its variance in the encoder.
         return np.asarray((states.astype(np.float32) - self.mean) @ self.projection, np.float32)
 
 
@@ -95,6 +99,7 @@ def with_context(components: Float32Array) -> Float32Array:
 
 def softmax(sums: Float32Array) -> Float32Array:
     """Return probabilities, along the last axis."""
+    # e to the difference from the greatest: the quotient is the same, and nothing can overflow
     shares = np.exp(sums - sums.max(axis=-1, keepdims=True))
     return np.asarray(shares / shares.sum(axis=-1, keepdims=True), np.float32)
 

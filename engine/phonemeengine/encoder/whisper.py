@@ -36,9 +36,13 @@ def log_mel_spectrogram(samples: Float32Array) -> Float32Array:
     """
     from scipy.fft import rfft  # noqa: PLC0415 - it costs half a second at the start
 
+    # As Whisper's own preparation has it, since the encoder was trained on just these numbers: reflected ends, a
+    # periodic Hann window, the last frame left out.
     padded = np.pad(samples, N_FFT // 2, mode="reflect")
     frames = np.lib.stride_tricks.sliding_window_view(padded, N_FFT)[::MEL_HOP][:-1]
     powers = np.abs(rfft(frames * np.hanning(N_FFT + 1)[:-1])) ** 2
+    # 1e-10 keeps the logarithm of digital silence finite. Then all that is 80 dB below the loudest band of the
+    # stretch is cut off, and (x + 4) / 4 scales the rest as the encoder knows it.
     logarithms = np.log10(np.maximum(slaney_bank() @ powers.T, 1e-10))
     return np.asarray((np.maximum(logarithms, logarithms.max() - DYNAMIC_RANGE) + 4) / 4, np.float32)
 
@@ -46,6 +50,8 @@ def log_mel_spectrogram(samples: Float32Array) -> Float32Array:
 @lru_cache(maxsize=1)
 def slaney_bank() -> Float64Array:
     """Return the weights of the triangular filters, each of the area 1, shape (80, 201)."""
+    # Corners equally far apart on Slaney's scale, and triangles of equal area, so that wide bands at high frequencies
+    # do not read more of a white noise than narrow ones at low frequencies.
     mels = np.linspace(0, MELS_UP_TO + STEPS * np.log(ENCODER_RATE / 2 / LINEAR_UP_TO) / np.log(FACTOR), N_MELS + 2)
     linear = mels * LINEAR_UP_TO / MELS_UP_TO
     corners = np.where(mels < MELS_UP_TO, linear, LINEAR_UP_TO * FACTOR ** ((mels - MELS_UP_TO) / STEPS))
@@ -105,11 +111,15 @@ class WhisperEncoder:
         """Return the states, float16, shape (n_frames, 512): frame k lies at k x 20 ms..(k + 1) x 20 ms."""
         import ctranslate2  # noqa: PLC0415 - it is an extra
 
+        # The second convolution of the encoder has a stride of 2, so a state stands for two mel frames, 20 ms.
         sound = resample_whole(samples, SAMPLE_RATE, ENCODER_RATE)
         wanted = -(-len(sound) // (2 * MEL_HOP))
         mels = log_mel_spectrogram(_surrounded(sound))
         parts = [np.zeros((0, N_STATES), np.float32)]
+        # Attention sees the whole stretch, so the states near a cut would change with it; both neighbours overlap by
+        # a second, and of each only the middle is kept. All places are even, so that the halves meet.
         for first, begin, end, last in _stretches(mels.shape[1]):
+            # CTranslate2 takes the memory as it is, so a slice has to become an array of its own
             features = np.ascontiguousarray(mels[np.newaxis, :, begin:end])
             found = self._model.encode(ctranslate2.StorageView.from_array(features), to_cpu=True)
             parts.append(np.array(found)[0, (first - begin) // 2 : (last - begin) // 2].astype(np.float32))
@@ -119,6 +129,7 @@ class WhisperEncoder:
 
 def _surrounded(sound: Float32Array) -> Float32Array:
     """Return the sound between near silence, with faint noise, as long as a whole number of the encoder's frames."""
+    # one seed for all, so that a sound is recognised alike each time
     generator = np.random.default_rng(0)
     after = round(AFTER * ENCODER_RATE) + 2 * MEL_HOP - len(sound) % (2 * MEL_HOP)
     padded = np.pad(sound, (round(BEFORE * ENCODER_RATE), after))
@@ -159,6 +170,7 @@ def _load(folder: Path, n_threads: int) -> Any:
             "close other programs"
         )
     try:
+        # 8-bit weights take a quarter of the memory of float32.
         return ctranslate2.models.Whisper(str(folder), device="cpu", compute_type="int8", intra_threads=n_threads)
     except (RuntimeError, ValueError, MemoryError) as error:
         raise ModelError(

@@ -36,6 +36,7 @@ def filtered_sonagram_of(
     n_columns : how many.
     period : samples from one column to the next.
     """
+    # It is filtered by the recogniser's own front end, so that what is seen is what was recognised.
     front_end, framer = FrontEnd(settings, (), pitch=False), Framer()
     power = np.zeros((n_columns + 1, layout.n_rows))  # the first one is what begins before the stretch
     counts = np.zeros(n_columns + 1)
@@ -48,6 +49,8 @@ def filtered_sonagram_of(
             spectra = block.spectra if block.mel is None else spread_mel(block.mel, block.spectra.shape[1], BIN_WIDTH)
             rows = np.square(spectra) @ _row_weights(spectra.shape[1], layout)
             starts = (n_frames + np.arange(len(rows))) * HOP + ROUNDING
+            # Column 0 is what lies before the picture; frames that begin before it are remembered for the first
+            # columns, which may be narrower than 10 ms and then hold no frame.
             columns = np.searchsorted(edges, starts, side="right")
             before, inside = starts < first, columns <= n_columns
             if before.any():
@@ -56,6 +59,7 @@ def filtered_sonagram_of(
             np.add.at(counts, columns[inside & ~before], 1)
             n_frames += len(rows)
     power /= np.maximum(counts, 1)[:, np.newaxis]
+    # each empty column shows the last one before it that has a frame
     nearest = np.maximum.accumulate(np.where(counts > 0, np.arange(n_columns + 1), 0))
     shown = power[nearest][1:]
     shown[edges[:-1] >= len(samples)] = 0

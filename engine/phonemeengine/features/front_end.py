@@ -96,6 +96,8 @@ class FrontEnd:
         self._make_meters((*ENERGY_VARIABLES, *variables))
 
     def _make_meters(self, variables: tuple[Variable, ...]) -> None:
+        # Raw and mel variables look at other spectra than the rest, and have a meter of their own only where a preset
+        # asks for them: most do not, and then nothing is computed.
         bins = np.arange(self._n_bins, dtype=float) * BIN_WIDTH
         bands = mel_edges(self._mel_bands, self._n_bins * BIN_WIDTH)[1:-1]
         raw, mel = ([v for v in variables if v.source is source] for source in (Spectrum.RAW, Spectrum.MEL))
@@ -128,9 +130,12 @@ class FrontEnd:
     def _measured(
         self, frames: Float32Array, waves: Float32Array, raw: Float32Array, smooth: Float32Array
     ) -> FrameBlock:
+        # From here each step has one array of the whole block, shape (n_frames, n_bins + n_maxima).
         spectra = self._meter.allocate(len(frames))
         self._shaper.shape(smooth, spectra[:, : self._n_bins])  # over frequency, so it may well come after time
         self._meter.fill_maxima(spectra)
+        # Energy and its maximum are measured before normalising takes the loudness away. The columns of all other
+        # variables are 0 in this product, and are added or set below.
         values: Float32Array = spectra.dot(self._filtered)
         if self._raw_meter is not None:
             values += self._raw_meter.append_maxima(raw * self._transform.scale).dot(
@@ -138,15 +143,19 @@ class FrontEnd:
             )
         for column, measure in self._frame_measures:
             values[:, column] = measure(frames)
+        # The mel bank gets what is denoised and not yet normalised; it is normalised by its own peak, since a band is
+        # a mean of bins and never as high as the highest of them.
         if self._denoises:
             spectra = denoise(spectra, self._threshold)
         mel = self._mel_of(spectra) if self._mel_bands else None
         if self._normalises:
+            # the peak before denoising is the peak after it, or all of the frame was below the threshold
             spectra = normalise(spectra, peaks=values[:, MAX_ENERGY])
         values += spectra.dot(self._normalised)
         if self._mel_meter is not None and mel is not None:
             values += self._mel_meter.append_maxima(mel).dot(self._mel_meter.weights(Spectrum.MEL))
         if self._divided.size:
+            # quotients come last, when their divisors have their final values; none is divided twice
             divided, divisors = self._divided
             values[:, divided] /= np.maximum(values[:, divisors], FAINTEST)
         return FrameBlock(frames, spectra[:, : self._n_bins], mel, waves, Features(self.names, values))

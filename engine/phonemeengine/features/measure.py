@@ -58,6 +58,7 @@ class BandFeatures:
     """
 
     def __init__(self, names: tuple[str, ...], variables: Iterable[Variable], centres: Float64Array) -> None:
+        # variables without a bin in reach, such as mel ones above the last band, measure 0: all their weights are
         reaches = {v: reach for v in variables if (reach := reach_of(v, centres)).stop > reach.start}
         maxima = [v for v in reaches if v.kind is Kind.MAX]
         self._n_bins, self._n_wide = len(centres), len(centres) + len(maxima)
@@ -65,6 +66,7 @@ class BandFeatures:
         self._weights = {source: np.zeros((self._n_wide, len(names)), FLOAT) for source in Spectrum}
         for v, reach in reaches.items():
             bins = self._n_bins + maxima.index(v) if v.kind is Kind.MAX else reach
+            # a sum weighs its bins with 1, a mean with 1 / n, and a maximum is its own column behind the bins
             weight = 1 / (reach.stop - reach.start) if v.kind is Kind.MEAN else 1
             self._weights[v.source][bins, names.index(v.name)] = weight
 
@@ -74,6 +76,7 @@ class BandFeatures:
 
     def fill_maxima(self, wide: Float32Array) -> None:
         """Write the maxima beside the bins."""
+        # `reduceat` gives a result for begin to end and one for end to the next begin; the latter mean nothing
         wide[:, self._n_bins :] = np.maximum.reduceat(wide, self._edges, axis=1)[:, ::2]
 
     def append_maxima(self, spectra: Float32Array) -> Float32Array:
@@ -98,5 +101,6 @@ def reach_of(variable: Variable, centres: Float64Array) -> slice:
     if variable.source is not Spectrum.MEL:
         reach = variable.bins(len(centres))
         return slice(reach.start, max(reach.start, reach.stop))
+    # the next float above `high`, so that a band whose centre lies on it belongs to it
     first, last = np.searchsorted(centres, (variable.low, np.nextafter(variable.high, np.inf)))
     return slice(int(first), int(last))

@@ -81,6 +81,7 @@ class Variable:
 
     def bins(self, n_bins: int) -> slice:
         """Return the bins whose centre lies in the range, cut to those that a spectrum has."""
+        # bin k lies at k times the width of a bin, so the first is rounded up and the last down
         return slice(math.ceil(self.low / BIN_WIDTH), min(math.floor(self.high / BIN_WIDTH) + 1, n_bins))
 
 

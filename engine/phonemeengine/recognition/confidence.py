@@ -68,6 +68,7 @@ def fit_confidence(scores: Float32Array, right: BoolArray) -> ConfidenceCurve:
     scores : of what was named, shape (n,), at least one.
     right : whether it was, shape (n,).
     """
+    # Equally many frames for each point, so that all are known equally well, also where scores crowd near 1.
     order = np.argsort(scores, kind="stable")
     parts = np.array_split(order, min(MOST_POINTS, len(order)))
     heights = [float(right[part].mean()) for part in parts]
@@ -75,6 +76,8 @@ def fit_confidence(scores: Float32Array, right: BoolArray) -> ConfidenceCurve:
     pools: list[tuple[float, float, int]] = []
     for middle, height in zip(middles, heights, strict=True):
         pool = (middle, height, 1)
+        # A pool that does not rise above the one before it is joined with it, and the joined one is compared again:
+        # what is left rises, and is the best rising fit (least squares). Points too close in score join too.
         while pools and (pools[-1][1] >= pool[1] or pools[-1][0] + LEAST_STEP > pool[0]):
             before = pools.pop()
             n = before[2] + pool[2]
@@ -92,10 +95,12 @@ def calibration_errors(confidences: Float32Array, right: BoolArray) -> tuple[flo
 
     NaN where there is no frame.
     """
+    # a confidence of exactly 1 belongs to the last bin
     bins = np.minimum((confidences * N_BINS).astype(int), N_BINS - 1)
     counts = np.bincount(bins, minlength=N_BINS)
     if not len(bins):
         return float("nan"), float("nan")
+    # the mean of differences is the difference of means, so the sums of each bin are enough
     gaps = np.abs(_sums(bins, confidences) - _sums(bins, right.astype(np.float32))) / np.maximum(counts, 1)
     full = counts >= LEAST_SHARE * len(bins)
     return float((gaps * counts).sum() / len(bins)), float(gaps[full].max())

@@ -54,6 +54,7 @@ class EncodedRecogniser:
 
     def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
         """Take the next frames; what comes back is about stretches of the oldest, once there are any."""
+        # The middle 10 ms of each window, put together, are the sound again: the encoder takes samples, not frames.
         self._samples = np.concatenate((self._samples, windows[:, LEAD : LEAD + HOP].ravel()))
         self._follow(windows)
         return self._answers((self._n_waiting - OVERLAP) // STRETCH * STRETCH)
@@ -83,6 +84,8 @@ class EncodedRecogniser:
 
     def _answers(self, n: int) -> Recognition:
         """Name the oldest n frames; none, if n is not above 0."""
+        # The encoder attends to all of a stretch, so stretches are as long as it can take, and only whole ones are
+        # answered before the end.
         lengths = [min(STRETCH, n - first) for first in range(0, n, STRETCH)]
         parts = [(np.zeros((0, len(SCORES)), np.float32), np.zeros((0, N_VISEMES), np.float32))]
         parts += [self._stretch(length) for length in lengths]
@@ -91,6 +94,8 @@ class EncodedRecogniser:
 
     def _stretch(self, n: int) -> tuple[Float32Array, Float32Array]:
         """Return how likely phonemes and visemes are in the oldest n frames, and forget them."""
+        # The overlap before and after gives the frames at both edges their context; its answers are thrown away here,
+        # since the neighbouring stretch knows better.
         end = (self._n_before + n + OVERLAP) * HOP
         heard = self._hear(self._samples[:end])[self._n_before :]
         heard = heard[np.minimum(np.arange(n), len(heard) - 1)]  # the last of an odd number has none of its own
@@ -107,6 +112,8 @@ class EncodedRecogniser:
 
 def _together(heard: Float32Array, shares: Float32Array, log_priors: Float32Array) -> Float32Array:
     """Return probabilities that both agree on most."""
+    # A weighted geometric mean (a product of experts): a class has to be plausible to both. Dividing by a power of
+    # the priors takes back that both were trained on the same frequent classes and so count them twice.
     logs = ENCODER_SHARE * np.log(np.maximum(heard, LEAST))
     logs += (1 - ENCODER_SHARE) * np.log(np.maximum(shares, LEAST)) - WEAKENED * log_priors
     together = np.exp(logs - logs.max(axis=1, keepdims=True))

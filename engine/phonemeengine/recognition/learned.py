@@ -33,6 +33,7 @@ TRUST = 0.1
 """How much a frame's confidence, a logarithm of a probability, tells about the tract: neighbouring frames say nearly
 the same."""
 
+# the evidence of n frames ago counts _KEPT to the power of n: after 10 s it is 1/e of what it was
 _KEPT = exp(-FRAME_PERIOD / MEMORY)
 
 
@@ -64,6 +65,9 @@ class VtlnMixer:
         """
         if shares.shape[1] == 1:
             return np.ones(shares.shape[:2], np.float32)
+        # Evidence of a tract: the sum of the logarithms of its greatest probability in each frame, older frames
+        # fading, as if the frames were independent. `TRUST` takes back what neighbouring frames repeat; the weights
+        # are the posterior of the tracts, all equally likely before the sound.
         sure = np.maximum.reduce(shares, axis=2).tolist()
         silent = shares[:, :, Phoneme.SILENCE].tolist()
         evidence, weights = self._evidence, []
@@ -72,6 +76,7 @@ class VtlnMixer:
                 evidence = [_KEPT * before + log(now) for before, now in zip(evidence, certainties, strict=True)]
             else:  # silence tells nothing about them
                 evidence = [_KEPT * before for before in evidence]
+            # less the greatest, so that no power overflows and the best one has exactly 1
             most = max(evidence)
             odds = [exp(TRUST * (known - most)) for known in evidence]
             total = sum(odds)
@@ -108,6 +113,8 @@ class LearnedRecogniser:
         self, model: Model, look_ahead: float, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES
     ) -> None:
         self.look_ahead = model.frames_ahead(look_ahead)
+        # A network that looks n frames ahead answers about frame t - n when it gets frame t; its first n answers are
+        # about what lay before the sound. There is a head for each n.
         self._n_early = 0 if model.centred else self.look_ahead  # a centred network itself holds its answers back
         heads = (model.heads, model.viseme_heads) if model.viseme_heads else (model.heads,)
         self._heads = tuple(known[self._n_early] for known in heads)
@@ -164,6 +171,8 @@ class LearnedRecogniser:
         """
         recognisers = (self, *others)
         networks = [recogniser._network for recogniser in recognisers if isinstance(recogniser._network, Network)]
+        # All sounds are laid one after the other for what has no memory, log mels and heads; only layers and mixers
+        # keep them apart.
         ends = np.cumsum([len(block) for block in windows])[:-1]
         heard = np.split(self._heard(np.concatenate(windows)), ends)
         found = np.split(forward_together(networks, heard), ends)
@@ -184,6 +193,7 @@ class LearnedRecogniser:
         """Return how likely each class of a head is with each vocal tract, shape (n, n_warps, n_classes)."""
         scores: Float32Array = found.reshape(-1, found.shape[2]).dot(head.weights)
         scores += head.bias
+        # softmax, without overflow and in place: it runs for every frame and tract
         scores -= np.maximum.reduce(scores, axis=1, keepdims=True)
         np.exp(scores, out=scores)
         scores /= np.add.reduce(scores, axis=1, keepdims=True)

@@ -206,6 +206,7 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
             f"the model is of version {int(arrays['format'])}, and this program reads those up to {FORMAT}; "
             "update the program, or train the model again"
         )
+    # Sizes are checked before anything is built from them: the file may come from anywhere.
     dilations, n_heads = arrays["dilations"], int(arrays["n_heads"])
     if not (0 < len(dilations) <= MOST_LAYERS and 0 < n_heads <= MOST_FRAMES_AHEAD + 1):
         raise ModelError(f"a model has 1..{MOST_LAYERS} layers and 1..{MOST_FRAMES_AHEAD + 1} heads; get it anew")
@@ -230,6 +231,7 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
     centred = bool(arrays.get("centred", False))
     if centred and (n_heads > 1 or dilations.sum() > MOST_FRAMES_AROUND):
         raise ModelError(f"a centred model has one head and hears {MOST_FRAMES_AROUND} frames around; get it anew")
+    # Weights are float16 in the file, half the size; they are worked on as float32, which processors are faster at.
     return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads, centred, viseme_set)
 
 

@@ -61,8 +61,12 @@ class StreamingLayer:
     def __init__(self, layer: Layer, before: Float32Array) -> None:
         self._weights, self._bias = layer.weights, layer.bias
         self._reach, self._step = layer.reach, layer.dilation
+        # A layer with the dilation d looks back over 2 d frames and no further, so these are all it has to keep: a
+        # new frame costs one product, however long the sound is. There is room for more, so that the kept frames are
+        # moved to the front once in `ROOM` frames only.
         self._seen = np.empty((self._reach + ROOM, *before.shape), np.float32)
         self._seen[: self._reach] = before
+        # made once, since building a view takes some microseconds each time
         self._taps = _taps_of(self._seen, self._step)
         self._end = self._reach
 
@@ -80,6 +84,7 @@ class StreamingLayer:
         float32, shape (n, ..., 3, n_in): for each of them the frames that an answer looks at, as a view that holds
         until the next frames are taken.
         """
+        # the view below is over this buffer, so what is remembered is never copied to be worked on
         n, seen, end = len(block), self._seen, self._end
         if end + n > len(seen):
             seen[: self._reach] = seen[end - self._reach : end]
@@ -97,6 +102,8 @@ class StreamingLayer:
 
     def _few(self, block: Float32Array) -> Float32Array:
         """Work on each frame alone, so that its answer is the same to the last bit however many come."""
+        # A product of matrices adds in another order for another number of rows, and then the last bits depend on how
+        # the sound was cut. One product for each frame, stacked, always adds in the same order.
         n = block[..., 0].size if vectors_pay() else len(block)
         found: Float32Array = np.matmul(self.remember(block).reshape(n, -1, len(self._weights)), self._weights)
         return found.reshape(*block.shape[:-1], -1)
@@ -123,6 +130,8 @@ def vectors_pay() -> bool:
 
 def _taps_of(seen: Float32Array, step: int) -> Float32Array:
     """Return a view of frames with those side by side that an answer looks at, shape (n, ..., 3, n_in)."""
+    # The taps of an answer are `step` frames apart: frames are rows of one block of memory, so strides say it without
+    # a copy. Read-only, since all answers share the frames.
     n_answers, (frame, *lanes, value) = len(seen) - (TAPS - 1) * step, seen.strides
     shape = (n_answers, *seen.shape[1:-1], TAPS, seen.shape[-1])
     return as_strided(seen, shape, (frame, *lanes, step * frame, value), writeable=False)
@@ -144,6 +153,8 @@ class CentredLayer:
 
     def forward(self, block: Float32Array) -> Float32Array:
         """Take the next n frames, and give the answers for the frames that lie `dilation` before them."""
+        # An answer for frame t needs t - d, t and t + d; it can be given when t + d has come, and what came in is
+        # added to it from d frames back.
         layer, seen = self._layer, np.concatenate((self._seen, block))
         n = max(0, len(seen) - layer.reach)
         self._seen = seen[n:]
@@ -172,11 +183,14 @@ class Network:
     """
 
     def __init__(self, layers: tuple[Layer, ...], before: Float32Array) -> None:
+        # Before the sound the first layer sees silence and all others see zeros, as where the training pads.
         nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
         self.stack = [StreamingLayer(layer, nothing if k else before) for k, layer in enumerate(layers)]
 
     def forward(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of them, (n, ..., n_out)."""
+        # The first layer changes the width from bands to channels, so there is nothing of equal shape to add to it.
+        # All others learn what to add (residual connections, K. He et al., arXiv:1512.03385).
         hidden = self.stack[0].forward(block)
         for layer in self.stack[1:]:
             found = layer.forward(hidden)

@@ -99,6 +99,8 @@ class RuleRecogniser:
     scores: tuple[str, ...] = ()
 
     def __init__(self, rules: Sequence[Rule], thresholds: Thresholds) -> None:
+        # A block is recognised without a loop over frames or rules: column c of a matrix says whether condition c
+        # fails, and `members` adds these up for each rule.
         self._rules = (*rules, DEFAULT_RULE)
         self._conditions = tuple(dict.fromkeys(c for rule in rules for c in rule.conditions))
         self._limits_of = {c: _limit_of(c, thresholds) for c in self._conditions}
@@ -132,6 +134,8 @@ class RuleRecogniser:
 
     def phonemes_of(self, features: Features) -> UInt8Array:
         """Return which phoneme each frame's variables are, shape (n_frames,)."""
+        # a rule holds with no failure; argmin takes the first of equals, so the order of the rules decides, and the
+        # last rule, which asks nothing, always has none
         failures = (self._compared(features) <= self._limits).dot(self._members)
         phonemes: UInt8Array = self._phonemes[failures.argmin(axis=1)]
         return phonemes
@@ -142,13 +146,18 @@ class RuleRecogniser:
         For a rule to fire, its own comparisons must hold, and of each rule before it one must fail; the phoneme that
         is named falls short by 0. Returns float32, shape (n_frames, n_phonemes).
         """
+        # relative, so that limits of counts and of amplitudes compare; 1e-9 stands in for a limit of 0
         margins = (self._compared(features) - self._limits) / np.maximum(np.abs(self._limits), 1e-9)
         of_conditions = np.full((len(self._conditions) + 1, len(margins)), np.inf, np.float32)
         of_conditions[:-1] = margins.T  # frames last: whole rows are compared, which is far quicker
+        # A rule is as strong as its weakest condition. The padding is infinitely strong, and so is the last rule.
         strengths = of_conditions[self._condition_columns].min(axis=1)
+        # What fires earlier wins: to name a rule, the strongest one before it has to be brought down as well.
         in_the_way = np.maximum.accumulate(strengths, axis=0)[:-1]
+        # the greater of both, and not the sum: all limits give way by the same share at once
         costs = np.maximum(-strengths, 0)
         costs[1:] = np.maximum(costs[1:], in_the_way)
+        # the cheapest of the rules of each phoneme; those are neighbours after sorting, so `reduceat` finds it
         least = np.full((len(Phoneme), len(margins)), np.inf, np.float32)
         least[self._named] = np.minimum.reduceat(costs[self._by_phoneme], self._firsts, axis=0)
         return least.T
@@ -198,6 +207,8 @@ class RuleRecogniser:
 
         Shape (n_frames, n_conditions).
         """
+        # Each column of the matrix picks one variable, with the sign that turns `<` into `>`: one product serves all
+        # conditions. Presets rarely change while a sound runs, so it is kept.
         if features.names != self._names:
             self._names = features.names
             self._signed = np.zeros((len(features.names), len(self._conditions)), np.float32)

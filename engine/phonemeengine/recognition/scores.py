@@ -44,6 +44,7 @@ class Sensitivity:
         """Return the probabilities, shape (n_frames, n_phonemes), with the sensitivities; each frame adds up to 1."""
         if not self._acts:
             return scores
+        # log-odds are added by multiplying probabilities with e to their power
         weighed = scores * self._factors
         weighed /= np.add.reduce(weighed, axis=1, keepdims=True)
         return weighed
@@ -78,6 +79,7 @@ def deficits_of(scores: Float32Array, phoneme: Phoneme) -> Float32Array:
     scores : probabilities, shape (n_frames, n_phonemes).
     phoneme : which one.
     """
+    # the difference of the logarithms of two probabilities is the log-odds of one beside the other
     logs = np.log(np.maximum(scores, np.float32(LEAST_PROBABILITY)))
     deficits: Float32Array = np.delete(logs, phoneme, axis=1).max(axis=1) - logs[:, phoneme]
     return deficits
@@ -113,6 +115,7 @@ def separations_of(deficits: Float32Array, phonemes: UInt8Array) -> Float32Array
     phonemes : of the frames, codes, shape (n_frames,).
     """
     places = np.arange(len(phonemes))
+    # an infinite lead divides to NaN, which the last line replaces by its sign
     others = deficits.copy()
     others[places, phonemes] = np.inf
     with np.errstate(invalid="ignore"):

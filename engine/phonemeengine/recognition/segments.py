@@ -81,6 +81,7 @@ class SegmentBuilder:
         return [self._segment(duration)] if self._frame > self._first else []
 
     def _segment(self, end: float) -> Segment:
+        # running sums, not lists of frames: a sound of ten hours is joined in constant memory
         n = self._frame - self._first
         sure = None if math.isnan(self._confidence) else self._confidence / n
         return Segment(self._first * FRAME_PERIOD, end, Phoneme(self._code), self._intensity / n, self._phone, sure)

@@ -78,6 +78,8 @@ class PhonemeSmoother:
 
     def _apply_hysteresis(self, phonemes: list[int], may_stay: list[list[bool]]) -> UInt8Array:
         steady, out = self._steady, []
+        # Hysteresis: the phoneme that stands stays while it is nearly as good as the one that is named, so frames on
+        # the border of two do not flicker. It compares with what stood, not with what was shown.
         for raw, stays in zip(phonemes, may_stay, strict=True):
             steady = steady if stays[steady] else raw
             out.append(steady)
@@ -88,6 +90,9 @@ class PhonemeSmoother:
         current, held, identified = self._current, self._held, self._identified
         unidentified = int(Phoneme.UNIDENTIFIED)
         out = []
+        # Plain integers and no arrays: each step depends on the one before, and NumPy scalars are several times
+        # slower. An unidentified frame becomes what likely follows the last identified one; after a change no other
+        # may follow for the minimum hold, however often the wish changes in between.
         for raw in phonemes.tolist():
             identified = identified if raw == unidentified else raw
             wanted = self._successors[identified] if raw == unidentified else raw
@@ -124,9 +129,11 @@ class VisemeSmoother:
         """
         if probabilities is None:
             return viseme_set.usual_visemes(phonemes)
+        # visemes of other phonemes can never win, since probabilities are 0 or more
         allowed = np.where(viseme_set.allowed[phonemes], probabilities, np.float32(-1))
         visemes = []
         for phoneme, viseme, row in zip(phonemes.tolist(), allowed.argmax(axis=1).tolist(), allowed, strict=True):
+            # a new phoneme starts anew; within one, the margin is the hysteresis
             if phoneme != self._phoneme or row[viseme] > row[self._viseme] + MARGIN:
                 self._phoneme, self._viseme = phoneme, viseme
             visemes.append(self._viseme)

@@ -80,6 +80,8 @@ class TemplateRecogniser:
         self._sensitivity = Sensitivity(sensitivities)
         self._silence_below = templates.silence_below
         self._phonemes = list(templates.means)
+        # Both are divided by the spreads once, so that the distance is Mahalanobis's with a diagonal covariance: the
+        # coefficients of the cosine transform are nearly uncorrelated.
         self._scale = (1 / np.array(templates.spread)).astype(np.float32)
         self._means = np.array(list(templates.means.values()), np.float32) * self._scale
 
@@ -87,6 +89,8 @@ class TemplateRecogniser:
         """Recognise a block."""
         bands = log_mels(windows)
         scores = np.zeros((len(bands), len(Phoneme)), np.float32)
+        # A soft threshold: silence and sound are equally likely at the level of silence, which is measured on the mel
+        # powers. Clipped to ±60, beyond which float32 has nothing left to tell and exp would overflow.
         loud = 1 / (1 + np.exp(np.clip((self._silence_below - levels_of(bands)) / RAMP, -60, 60)))
         scores[:, self._phonemes] = self._likenesses(cepstra_of(bands)) * loud[:, np.newaxis]
         scores[:, Phoneme.SILENCE] = 1 - loud
@@ -104,6 +108,7 @@ class TemplateRecogniser:
     def _likenesses(self, cepstra: Float32Array) -> Float32Array:
         """Turn distances from the templates into shares of 1, shape (n_frames, n_templates)."""
         places = (cepstra * self._scale)[:, np.newaxis]
+        # With `SOFTNESS` 2 these were the posteriors of normal distributions of equal spread; 3 is less sure.
         distances = ((places - self._means) ** 2).sum(axis=2)
         likenesses: Float32Array = np.exp((distances.min(axis=1, keepdims=True) - distances) / np.float32(SOFTNESS))
         likenesses /= likenesses.sum(axis=1, keepdims=True)
@@ -123,6 +128,7 @@ def levels_of(log_mels: Float32Array) -> Float32Array:
 
     A full-scale sine has about 0 dB; digital silence some -94 dB.
     """
+    # powers of bands are added, not their decibels
     levels: Float32Array = 10 * np.log10((10**log_mels).sum(axis=1))
     return levels
 

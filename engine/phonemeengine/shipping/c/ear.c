@@ -144,6 +144,7 @@ typedef struct {
 
 static void *take(arena *memory, size_t n, size_t size)
 {
+    /* aligned to lines of the cache: no array shares one with another */
     size_t at = (memory->used + LINE - 1) / LINE * LINE;
     memory->used = at + n * size;
     return memory->base ? memory->base + at : NULL;
@@ -200,6 +201,7 @@ static size_t left_in(const reader *in)
 
 static int has(reader *in, size_t n, size_t size)
 {
+    /* a division, not a product: n * size of a forged file could overflow, and seem small */
     if (in->failed || n > left_in(in) / size)
         in->failed = 1;
     return !in->failed;
@@ -236,6 +238,7 @@ static float read_f32(reader *in)
     uint32_t bits = read_u32(in);
     float value;
     memcpy(&value, &bits, sizeof value);
+    /* written so that NaN fails as well */
     if (!(fabsf(value) <= FLT_MAX)) {
         in->failed = 1;
         return 0;
@@ -277,6 +280,8 @@ static float half_at(reader *in, const unsigned char *at)
     uint32_t half = (uint32_t)at[0] | (uint32_t)at[1] << 8, exponent = half >> 10 & 31, mantissa = half & 1023;
     uint32_t bits = (half & 0x8000u) << 16 | (exponent + 112) << 23 | mantissa << 13;
     float value;
+    /* The bias of the exponent grows from 15 to 127, so 112 is added above; the ten bits of the mantissa move up by
+     * 13. 31 stands for infinity and NaN; 0 for subnormal numbers, whose mantissa counts in steps of 2 to the -24. */
     if (exponent == 31)
         in->failed = 1;
     if (exponent == 0)
@@ -332,6 +337,7 @@ static const char *const *read_texts(reader *in, arena *memory, size_t n)
     return texts;
 }
 
+/* The polynomial 0xedb88320 of zip and PNG, four bits at a time: 64 bytes of table instead of 1 KB. */
 static uint32_t crc_of(const unsigned char *bytes, size_t n)
 {
     static const uint32_t TABLE[16] = {
@@ -358,6 +364,8 @@ static float sum_of_parts(const float *parts)
     return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
 }
 
+/* One running sum would wait for each addition before the next; eight independent ones fill a vector or the pipeline,
+ * and round less. C forbids compilers to reorder a sum by themselves. */
 static float dot(const float *restrict a, const float *restrict b, size_t n)
 {
     float parts[PARTS] = {0}, rest = 0;
@@ -436,6 +444,7 @@ static transform make_transform(arena *memory, size_t n)
     transform made;
     float *cosines = take_floats(memory, n), *sines = take_floats(memory, n);
     size_t k;
+    /* each one in double, then rounded once: a recurrence would gather errors */
     for (k = 0; cosines && k < n; k++) {
         cosines[k] = (float)cos(2 * PI * (double)k / (double)n);
         sines[k] = (float)sin(2 * PI * (double)k / (double)n);
@@ -471,6 +480,9 @@ static void pass_of_4(
     const float *cosines, const float *sines, size_t turn
 )
 {
+    /* Stockham's form reads one array and writes another, so nothing is reordered by reversed bits; the inner loop
+     * runs over neighbouring values, of which compilers make vectors. Radix 4 passes over memory half as often as
+     * radix 2, and to multiply by i is to exchange parts. */
     size_t p, q;
     for (p = 0; p < m; p++) {
         const float c1 = cosines[p * turn], s1 = sines[p * turn];
@@ -481,6 +493,8 @@ static void pass_of_4(
         const float *dr = cr + stride * m, *di = ci + stride * m;
         float *to_r = yr + 4 * stride * p, *to_i = yi + 4 * stride * p;
         for (q = 0; q < stride; q++) {
+            /* the transform of four values that lie m apart; below it is turned by exp(-2 pi i p / 4m), to its powers
+             * */
             float sum_r = ar[q] + cr[q], sum_i = ai[q] + ci[q], odd_r = br[q] + dr[q], odd_i = bi[q] + di[q];
             float difference_r = ar[q] - cr[q], difference_i = ai[q] - ci[q];
             float turned_r = di[q] - bi[q], turned_i = br[q] - dr[q]; /* i times the difference of b and d */
@@ -533,6 +547,7 @@ static void transform_complex(const transform *of, workspace *work)
 static void transform_real(const transform *of, const float *values, size_t n_bins, workspace *work)
 {
     size_t half = of->n / 2, k;
+    /* Even samples become real parts, odd ones imaginary parts: half as many complex values, half the work. */
     for (k = 0; k < half; k++) {
         work->real[k] = values[2 * k];
         work->imaginary[k] = values[2 * k + 1];
@@ -541,6 +556,8 @@ static void transform_real(const transform *of, const float *values, size_t n_bi
     work->real[half] = work->real[0]; /* the spectrum goes on where it began */
     work->imaginary[half] = work->imaginary[0];
     for (k = 0; k < n_bins; k++) {
+        /* X[k] = E[k] + exp(-2 pi i k / n) O[k], with the transforms E and O of the even and the odd samples. Both
+         * are of real values, so their spectra are mirrored, by which the sum and the difference part them again. */
         float even_r = 0.5f * (work->real[k] + work->real[half - k]);
         float even_i = 0.5f * (work->imaginary[k] - work->imaginary[half - k]);
         float odd_r = 0.5f * (work->imaginary[k] + work->imaginary[half - k]);
@@ -563,7 +580,11 @@ typedef struct {
 
 typedef void convolution(const product *of, const float *const *taps, size_t width_in, float *out, size_t width_out);
 
-/* Write a convolution of LANES lanes that holds N vectors for each in registers. */
+/* Write a convolution of LANES lanes that holds N vectors for each in registers.
+ *
+ * The sums of a tile stay in registers from the first input to the last, and a weight that was loaded serves all
+ * lanes, so three vocal tracts cost less than three times one. N is chosen so that sums and weights fit the 16 vector
+ * registers of x86-64. */
 #define DEFINE_CONVOLUTION(NAME, TARGET, VECTOR, N, LANES)                                                              \
     TARGET static void NAME(                                                                                            \
         const product *of, const float *const *taps, size_t width_in, float *restrict out, size_t width_out             \
@@ -620,6 +641,8 @@ DEFINE_CONVOLUTION(convolve_3_avx2, AVX2_TARGET, vector8, 4, 3)
 /* Return whether processor and system have AVX2 and FMA; Intel's manual, volume 1, 14.7.1. */
 static int has_avx2(void)
 {
+    /* the processor has FMA, the system lets xgetbv be asked; then bits 1 and 2 of the answer: the system saves the
+     * registers of SSE and AVX when it changes programs */
     const unsigned fma_and_saved = 1u << 12 | 1u << 27, avx2 = 1u << 5;
     unsigned a, b, c, d, state, above;
     if (!__get_cpuid(1, &a, &b, &c, &d) || (c & fma_and_saved) != fma_and_saved)
@@ -655,6 +678,7 @@ static void convolve(
 {
     size_t lane, tap, n;
     for (lane = 0; lane < lanes; lane += n) {
+        /* more lanes than three are worked on in groups, each with the same weights */
         const float *here[TAPS];
         n = lanes - lane < LANES_AT_ONCE ? lanes - lane : LANES_AT_ONCE;
         for (tap = 0; tap < of->n_taps; tap++)
@@ -1307,6 +1331,8 @@ static double bessel_0(double x)
 /* Fill a phase: the taps of the low pass where the output lies `behind` samples after the middle of the left half. */
 static void fill_phase(float *taps, size_t n_taps, double behind, double scale)
 {
+    /* The ideal low pass at `ROLL_OFF` times the lower half rate is a sinc; Kaiser's window, I0(beta sqrt(1 - (t /
+     * T)^2)), ends it within CROSSINGS periods, and its beta of 10.06 sets the 100 dB. */
     double half = (double)n_taps / 2, total = 0;
     size_t k;
     for (k = 0; k < n_taps; k++) {
@@ -1333,12 +1359,14 @@ static void restart_resampler(resampler *of)
 static resampler make_resampler(arena *memory, uint32_t rate)
 {
     resampler made;
+    /* Downwards the low pass has to end below the new half rate, so its crossings lie farther apart. */
     double scale = rate > RATE ? (double)rate / RATE : 1; /* input samples from one crossing to the next */
     size_t n_occurring = RATE / greatest_divisor(rate, RATE), n_kept, phase;
     float *table;
     memset(&made, 0, sizeof made);
     made.rate = rate;
     made.n_taps = 2 * (size_t)ceil(CROSSINGS * scale);
+    /* From 48 kHz there are 44100 / 300 = 147 places, of which 74 are kept; from odd rates up to 44100. */
     made.is_exact = (n_occurring / 2 + 1) * made.n_taps * sizeof(float) <= MOST_EXACT;
     made.n_phases = (size_t)(USUAL_PHASES / scale + 0.5);
     made.n_phases = made.is_exact ? n_occurring : made.n_phases < LEAST_PHASES ? LEAST_PHASES : made.n_phases;
@@ -1357,6 +1385,8 @@ static resampler make_resampler(arena *memory, uint32_t rate)
 
 static float resampled_exactly(const resampler *of, const float *here)
 {
+    /* The taps of phase p backwards are those of the phase n - p, so the second half of them is the first one,
+     * applied to the samples from the last to the first. */
     size_t phase = (size_t)((uint64_t)of->remainder * of->n_phases / RATE), n = of->n_taps;
     if (phase <= of->n_phases / 2)
         return dot(here, of->table + phase * n, n);
@@ -1383,6 +1413,7 @@ static int resample(resampler *of, float *sample)
     if (of->first + of->n_taps > of->n_filled)
         return 0;
     *sample = of->is_exact ? resampled_exactly(of, here) : resampled_between(of, here);
+    /* whole numbers only: the place of an output never drifts, however long the sound is */
     of->remainder += of->rate % RATE;
     of->first += of->rate / RATE + of->remainder / RATE;
     of->remainder %= RATE;
@@ -1393,6 +1424,7 @@ static int resample(resampler *of, float *sample)
 /* Take as many samples as there is room for; returns how many. */
 static size_t feed_resampler(resampler *of, const float *samples, size_t n)
 {
+    /* What the next output no longer needs is dropped, the rest moves to the front; in `turned` to the back. */
     size_t all = of->n_taps + CHUNK, gone = of->first < of->n_filled ? of->first : of->n_filled, kept, k;
     kept = of->n_filled - gone;
     memmove(of->seen, of->seen + gone, kept * sizeof *of->seen);
@@ -1592,6 +1624,7 @@ static const double EVIDENCE_KEPT = 0.99900049983337502, TRUST = 0.1;
 /* Write the logarithms of the powers in the mel bands, BANDS of each warp, to `out`, `width` apart. */
 static void measure_log_mels(ear *of, const float *window, float *out)
 {
+    /* the powers may take the place of the samples: the transform has copied them */
     const log_mels *mels = &of->model->mels;
     const float *middle = window + (WINDOW - SHORT) / 2;
     float *powers = of->wave;
@@ -1599,6 +1632,7 @@ static void measure_log_mels(ear *of, const float *window, float *out)
     for (k = 0; k < SHORT; k++)
         of->wave[k] = middle[k] * mels->window[k];
     transform_real(&mels->fourier, of->wave, mels->n_bins, &of->work);
+    /* no root: the logarithm of a power is all that is asked for */
     for (k = 0; k < mels->n_bins; k++)
         powers[k] = of->work.real[k] * of->work.real[k] + of->work.imaginary[k] * of->work.imaginary[k];
     for (k = 0; k < mels->n_warps * BANDS; k++) {
@@ -1623,6 +1657,8 @@ static float *next_input(ear *of, size_t number)
 static void work_layer(ear *of, size_t number, float *out)
 {
     const layer *here = &of->model->net.layers[number];
+    /* A ring of 2 d + 1 frames, d the dilation: all that a causal layer looks back to. Each frame is computed once
+     * and kept for its later taps, so a new one costs one product for each layer. */
     size_t lanes = of->model->mels.n_warps, n = lanes * here->width_out, n_kept = frames_kept(here), k;
     const float *taps[TAPS];
     for (k = 0; k < TAPS; k++)
@@ -1639,6 +1675,7 @@ static void work_layer(ear *of, size_t number, float *out)
 /* Turn scores into probabilities that sum to 1. */
 static void soften(float *scores, size_t n)
 {
+    /* less the greatest: the quotients are the same, and expf cannot overflow */
     float most = scores[0], total = 0;
     size_t k;
     for (k = 1; k < n; k++)
@@ -1662,6 +1699,8 @@ static size_t likeliest(const float *scores, size_t n)
 static void weigh_tracts(ear *of, const float *answers, size_t width, float *weights)
 {
     size_t lanes = of->model->mels.n_warps, lane;
+    /* The logarithms of each tract's greatest probabilities, older ones fading, are its evidence; to the power of
+     * TRUST, and made to sum to 1, they are its weight. Double, since they are added up over 10 s. */
     double silent = 0, most = -DBL_MAX, total = 0, odds[MOST_WARPS];
     for (lane = 0; lane < lanes; lane++)
         silent += answers[lane * width + EAR_SILENCE];
@@ -1694,6 +1733,7 @@ static int ask_network(ear *of, const float *window, float *scores, float *visem
     size_t lanes = of->model->mels.n_warps, width = net->width_heads, k;
     const float *found[1];
     float weights[MOST_WARPS] = {1};
+    /* each layer writes its answer to where the next one keeps its input, so nothing is copied */
     measure_log_mels(of, window, next_input(of, 0));
     for (k = 0; k < net->n_layers; k++)
         work_layer(of, k, k + 1 < net->n_layers ? next_input(of, k + 1) : of->found);
@@ -1727,6 +1767,7 @@ static void decimate_without_aliases(ear *of, const float *window)
 {
     const front_end *front = &of->model->front;
     size_t n = front->n_samples, half = n / 2, k;
+    /* The frame is rebuilt from the lowest bins of its own transform: what lies above the new half rate is gone. */
     transform_real(&front->whole, window, half + 1, &of->work);
     of->work.real[half] = of->work.imaginary[half] = 0;
     /* The inverse transform: the bins as n / 2 complex values, even and odd samples in their two parts. */
@@ -1757,6 +1798,7 @@ static const float *waveform_of(ear *of, const float *window)
         for (k = 0; k < n; k++)
             wave[k] = window[k * front->step];
     if (front->pre_emphasis > 0) {
+        /* backwards, since each value needs the one before it as it was */
         for (k = n - 1; k > 0; k--)
             wave[k] -= front->pre_emphasis * wave[k - 1];
         wave[0] -= front->pre_emphasis * wave[0];
@@ -1784,6 +1826,7 @@ static void shape_spectrum(ear *of)
     const float *smooth = of->magnitudes;
     size_t n = front->n_bins, k;
     if (front->kept > 0) {
+        /* a recursive low pass of first order along time, for each bin on its own */
         for (k = 0; k < n; k++)
             of->smoothed[k] = front->kept * of->smoothed[k] + front->fresh * of->magnitudes[k];
         smooth = of->smoothed;
@@ -1791,6 +1834,7 @@ static void shape_spectrum(ear *of)
     for (k = 0; k < n; k++)
         of->spectrum[k] = smooth[k] * front->centre[k];
     if (front->below) {
+        /* blur, pass filters and scale are linear, so together they are three weights for each bin */
         for (k = 1; k < n; k++)
             of->spectrum[k] += front->below[k - 1] * smooth[k - 1];
         for (k = 0; k + 1 < n; k++)
@@ -1879,6 +1923,9 @@ static void measure_frame(ear *of, const float *window, float level)
     const front_end *front = &of->model->front;
     float peak;
     size_t k;
+    /* Each source of variables is measured at its place on the way: what is filtered before denoising and normalising
+     * take its level away, the mel bands after denoising, what is normalised at the end. The peak before denoising is
+     * the one after it, or nothing was left. */
     measure_magnitudes(of, window);
     shape_spectrum(of);
     measure_whole_frame(of, window, level);
@@ -1926,6 +1973,8 @@ static uint32_t ask_rules(const ear *of)
 static void deficits_by_rules(const ear *of, float *deficits)
 {
     const rules *all = &of->model->rules;
+    /* A rule is as strong as its weakest comparison. To be named, its own comparisons must be made to hold, and the
+     * strongest rule before it to fail; the greater of both is the cost. */
     float in_the_way = -HUGE_VALF;
     size_t k, c;
     for (k = 0; k < EAR_PHONEMES; k++)
@@ -1990,9 +2039,11 @@ static void ask_templates(ear *of, const float *window, float *scores)
     measure_log_mels(of, window, bands);
     for (k = 0; k < CEPSTRA; k++)
         place[k] = dot(bands, known->cosines + k * BANDS, BANDS) * known->scale[k];
+    /* distances count in spreads of each cepstrum: Mahalanobis's, with a diagonal covariance */
     for (k = 0; k < known->n; k++)
         likenesses[k] = -squared_distance(place, known->means + k * CEPSTRA) / SOFTNESS;
     soften(likenesses, known->n);
+    /* powers of bands are added, not their decibels */
     for (k = 0; k < BANDS; k++)
         total += powf(10.0f, bands[k]);
     loud = 1 / (1 + expf(limited((known->silence_below - 10 * log10f(total)) / RAMP, -60, 60)));
@@ -2038,12 +2089,14 @@ static uint32_t calmed(ear *of, uint32_t raw, const float *scores)
     if (!model->is_calmed)
         return raw;
     if (model->hysteresis > 0) {
+        /* what stands stays while it is nearly as good as what is named */
         if (raw != calm->steady && !(deficit_of(of, calm->steady, scores) <= model->hysteresis))
             calm->steady = raw;
         raw = calm->steady;
     }
     if (raw != EAR_UNIDENTIFIED)
         calm->identified = raw;
+    /* where nothing was identified: what likely follows the phoneme that was identified last */
     wanted = raw == EAR_UNIDENTIFIED ? model->successors[calm->identified] : raw;
     if (wanted != calm->current && calm->held >= model->least_hold) {
         calm->current = wanted;
@@ -2103,6 +2156,7 @@ static int hear_window(ear *of, const float *window, ear_frame *frame)
     float visemes[MOST_VISEMES] = {0}, level = peak_of(window);
     uint32_t raw;
     memset(frame, 0, sizeof *frame);
+    /* A ring of look_ahead + 1 levels: an answer is about a frame that lies so far back, and so is its loudness. */
     of->levels[of->level_at] = level;
     of->level_at = (of->level_at + 1) % (model->look_ahead + 1);
     if (model->recogniser == BY_NETWORK) {
@@ -2137,6 +2191,8 @@ static void make_clean(float *samples, size_t n)
 {
     size_t k;
     for (k = 0; k < n; k++) {
+        /* NaN fails both comparisons and becomes silence; numbers near 0 would become subnormal in products, on which
+         * many processors are far slower */
         float level = fabsf(samples[k]);
         samples[k] = level <= LOUDEST && level >= FAINTEST ? samples[k] : 0;
     }
@@ -2234,6 +2290,7 @@ static void finish_resampling(ear *of, output *to)
 {
     static const float SILENCE[CHUNK] = {0};
     resampler *from = &of->resampler;
+    /* n_in * 44100 / rate, rounded up, in two parts so that 64 bits are enough for any length */
     uint64_t n_all = (from->n_in / from->rate) * RATE + (from->n_in % from->rate * RATE + from->rate - 1) / from->rate;
     while (from->n_out < n_all) {
         feed_resampler(from, SILENCE, CHUNK);
@@ -2244,6 +2301,7 @@ static void finish_resampling(ear *of, output *to)
 /* Hear the frames that reach beyond the end of the sound, as if silence followed. */
 static void finish_frames(ear *of, output *to)
 {
+    /* every 10 ms that a sample lies in has a frame; silence fills their windows */
     uint64_t n_all = (of->n_received + HOP - 1) / HOP;
     while (of->n_framed < n_all) {
         memset(of->window + of->filled, 0, (WINDOW - of->filled) * sizeof *of->window);
@@ -2372,6 +2430,8 @@ static void seed_chance(chance *of, uint32_t seed)
 {
     uint32_t *state = of->state;
     size_t i = 1, k;
+    /* init_by_array of the authors, with the seed as its only word, as Python seeds: the same seed moves both mouths
+     * alike */
     state[0] = 19650218u;
     for (k = 1; k < TWISTER; k++)
         state[k] = 1812433253u * (state[k - 1] ^ state[k - 1] >> 30) + (uint32_t)k;
@@ -2398,6 +2458,7 @@ static void renew_chance(chance *of)
     uint32_t *state = of->state;
     size_t k;
     for (k = 0; k < TWISTER; k++) {
+        /* the recurrence over 624 and 397 words, and the matrix whose last row is 0x9908b0df */
         uint32_t bits = (state[k] & 0x80000000u) | (state[(k + 1) % TWISTER] & 0x7fffffffu);
         state[k] = state[(k + 397) % TWISTER] ^ bits >> 1 ^ (bits & 1 ? 0x9908b0dfu : 0);
     }
@@ -2410,6 +2471,7 @@ static uint32_t draw_bits(chance *of)
     if (of->at == TWISTER)
         renew_chance(of);
     bits = of->state[of->at++];
+    /* tempering: spreads each bit over the word */
     bits ^= bits >> 11;
     bits ^= bits << 7 & 0x9d2c5680u;
     bits ^= bits << 15 & 0xefc60000u;
@@ -2418,6 +2480,7 @@ static uint32_t draw_bits(chance *of)
 
 static double draw_within(chance *of, double low, double high)
 {
+    /* 53 random bits, as many as a double has: 27 times 2^26 and 26 */
     uint32_t most = draw_bits(of) >> 5, least = draw_bits(of) >> 6;
     return low + (high - low) * ((most * 67108864.0 + least) / 9007199254740992.0);
 }
@@ -2509,6 +2572,8 @@ void ear_mouth_close(ear_mouth *mouth)
 /* The loudness follows by the exact answer of a low pass of first order. */
 static double loudness_at(const ear_mouth *of, double time)
 {
+    /* x(t) = target + (x0 - target) exp(-t / constant): right for any step, so the mouth moves alike at any frame
+     * rate */
     double passed = time > of->loud_at ? time - of->loud_at : 0, constant = of->table->loudness;
     if (constant <= 0 || of->loudness == of->loud_target)
         return of->loud_target;
@@ -2557,6 +2622,9 @@ void ear_mouth_weights(ear_mouth *of, double time, float *weights)
     size_t n = table->n_movestates, at = of->n_movements, oldest = at, k;
     for (k = 0; k < n; k++)
         weights[k] = 0;
+    /* From the newest movement to the oldest: each covers what is under it by the share to which it has come, half a
+     * cosine from 0 to 1, so that speed is 0 at both ends. One that is through covers all, and what lies below has
+     * ended. */
     while (at-- && left > 0) {
         const movement *here = &of->movements[at];
         double progress = here->duration > 0 ? (time - here->start) / here->duration : 1;
