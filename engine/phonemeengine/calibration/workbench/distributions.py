@@ -188,7 +188,7 @@ def ranked_variables(
 ) -> tuple[RankedVariable, ...]:
     """Rank all measured variables by how well they separate the ten phonemes, or one pair; the best one first.
 
-    Variables that are the same in all frames come last, such as `f0` while nobody measures it.
+    Variables that are the same in all frames come last, such as ``f0`` while nobody measures it.
 
     Raises
     ------
