@@ -18,13 +18,6 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
 
 NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
-HINTS = {
-    SourceKind.FILE: tr_noop("Press Space to play"),
-    SourceKind.MICROPHONE: tr_noop("Press Space to listen, R to record"),
-    SourceKind.TONE: tr_noop("Press Space to hear the tone"),
-    SourceKind.TEXT: tr_noop("Write a text on the page Talk, and press Ctrl+Return there"),
-}
-"""What the user may do while the time view is empty."""
 
 
 class AnalysisPage(QSplitter):
@@ -134,7 +127,7 @@ class AnalysisPage(QSplitter):
         """Say what the user may do with the source in use while nothing is seen over time."""
         source = self._session.source
         nothing = source.kind is SourceKind.FILE and not self._session.path
-        self.scroll_view.invite(tr(NOTHING if nothing else HINTS[source.kind]))
+        self.scroll_view.invite(tr(NOTHING if nothing else source.hint))
 
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)

@@ -13,14 +13,7 @@ from phonemeanalyser.desktop.session.playback import Playback
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
-from phonemeanalyser.desktop.session.sources import (
-    FileSource,
-    MicrophoneSource,
-    Source,
-    SourceKind,
-    ToneSource,
-    UnspokenText,
-)
+from phonemeanalyser.desktop.session.sources import FileSource, Source, SourceKind, source_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import Output, open_output
@@ -152,13 +145,7 @@ class Session(QObject):
             self.play()
 
     def _source_of(self, kind: SourceKind) -> Source:
-        """Return the source of a kind; of files, that there is none."""
-        preset = self.preset.in_force
-        if kind is SourceKind.MICROPHONE:
-            return MicrophoneSource(preset, self.microphone)
-        if kind is SourceKind.TONE:
-            return ToneSource(preset, self.playback)
-        return UnspokenText(preset, self.say) if kind is SourceKind.TEXT else Source(preset)
+        return source_of(kind, self.preset.in_force, self.playback, self.microphone, self.say)
 
     def take(self, make: Callable[[], Source]) -> None:
         """Follow another source, made once the one in use is let go, since some cards serve one stream at a time."""

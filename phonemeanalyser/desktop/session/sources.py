@@ -39,6 +39,7 @@ class Source:
     ----------
     kind : what the user chose.
     title, words : what it is, in English, short and long.
+    hint : what the user may do while nothing is heard of it, in English.
     live : whether nothing is known of the sound before it is heard.
     path : the file that is played; None where it is none.
     preset : recognises the sound.
@@ -48,6 +49,7 @@ class Source:
 
     kind, live = SourceKind.FILE, False
     title = words = tr_noop("no sound")
+    hint = tr_noop("Press Space to play")
     path: Path | None = None
     reopen: Callable[[], Reader] | None = None
 
@@ -170,6 +172,7 @@ class ToneSource(Source):
 
     kind = title = SourceKind.TONE
     live = True
+    hint = tr_noop("Press Space to hear the tone")
 
     def __init__(self, preset: Preset, playback: Playback) -> None:
         self._reader = ToneReader(playback.tone)
@@ -193,6 +196,7 @@ class UnspokenText(Source):
 
     kind = title = SourceKind.TEXT
     words = tr_noop("a text that a voice speaks")
+    hint = tr_noop("Write a text on the page Talk, and press Ctrl+Return there")
 
     def __init__(self, preset: Preset, say: Callable[[], None]) -> None:
         super().__init__(preset)
@@ -207,7 +211,7 @@ class UnspokenText(Source):
 class SpokenText(Source):
     """Plays a text that a voice speaks, maybe while it is still speaking."""
 
-    kind, title, words = UnspokenText.kind, UnspokenText.title, UnspokenText.words
+    kind, title, words, hint = UnspokenText.kind, UnspokenText.title, UnspokenText.words, UnspokenText.hint
 
     def __init__(self, preset: Preset, playback: Playback, speech: Reader, again: Callable[[], Reader]) -> None:
         super().__init__(preset, playback, speech)
@@ -219,6 +223,7 @@ class MicrophoneSource(Source):
 
     kind = title = SourceKind.MICROPHONE
     live = True
+    hint = tr_noop("Press Space to listen, R to record")
 
     def __init__(self, preset: Preset, microphone: Microphone) -> None:
         super().__init__(for_live_use(preset))
@@ -259,3 +264,20 @@ class MicrophoneSource(Source):
         self._microphone.stop()
 
     close = pause
+
+
+def source_of(
+    kind: SourceKind, preset: Preset, playback: Playback, microphone: Microphone, say: Callable[[], None]
+) -> Source:
+    """Return the source of a kind, as it is when the user chooses it; of files, that there is none.
+
+    Parameters
+    ----------
+    say : asked to have a text spoken.
+    """
+    makers: dict[SourceKind, Callable[[], Source]] = {
+        SourceKind.MICROPHONE: lambda: MicrophoneSource(preset, microphone),
+        SourceKind.TONE: lambda: ToneSource(preset, playback),
+        SourceKind.TEXT: lambda: UnspokenText(preset, say),
+    }
+    return makers[kind]() if kind in makers else Source(preset)

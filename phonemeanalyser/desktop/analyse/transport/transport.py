@@ -204,13 +204,8 @@ class Transport(QWidget):
     def _show_page(self) -> None:
         """Show the controls of the source in use."""
         kind = self._session.source.kind
-        pages: dict[SourceKind, QWidget] = {
-            SourceKind.FILE: self.position_slider,
-            SourceKind.MICROPHONE: self.microphone,
-            SourceKind.TONE: self.tone,
-            SourceKind.TEXT: self.position_slider,
-        }
-        self.pages.setCurrentWidget(pages[kind])
+        pages: dict[SourceKind, QWidget] = {SourceKind.MICROPHONE: self.microphone, SourceKind.TONE: self.tone}
+        self.pages.setCurrentWidget(pages.get(kind, self.position_slider))
         self.pages.updateGeometry()
         of_file: tuple[QWidget, ...] = (self.loop, self.channel_label, self.channel)
         for widget in of_file:
