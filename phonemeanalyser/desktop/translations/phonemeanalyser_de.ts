@@ -3895,17 +3895,17 @@
             <translation>Presets ({endings})</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>Press Space to hear the tone</source>
             <translation>Leertaste drücken, um den Ton zu hören</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>Press Space to listen, R to record</source>
             <translation>Leertaste drücken, um zuzuhören, R, um aufzunehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>Press Space to play</source>
             <translation>Leertaste drücken, um abzuspielen</translation>
         </message>
@@ -6391,7 +6391,7 @@
             <translation>Wörter oder Text neben jedem Klang</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
             <source>Write a text on the page Talk, and press Ctrl+Return there</source>
             <translation>Auf der Seite Sprechen einen Text schreiben und dort Strg+Return drücken</translation>
         </message>
