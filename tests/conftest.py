@@ -4,6 +4,7 @@ import os
 import shutil
 import signal
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 
 from tests.homes import environment_of, home_of_this_run
@@ -15,11 +16,14 @@ import pytest
 import soundfile
 from hypothesis import settings
 
+from phonemeengine.audio import stream
 from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.plug_ins import Shelf, install_example
+from tests.fakes.portaudio import FakePortAudio
 from tests.fakes.whisper_model import write_whisper_model
 from tests.sounds import noise, silence, vowel
+from tests.waiting import Clock
 
 # A shell's background jobs ignore Ctrl-C and the terminal's end, and so would the programs that tests start.
 for number, handler in (("SIGINT", signal.default_int_handler), ("SIGHUP", signal.SIG_DFL)):
@@ -120,6 +124,22 @@ def brightness(example_site: Path, shelf: Shelf) -> Path:
     """The example of a plug-in that learns, found by this process; the folder where it is installed."""
     shelf.use(example_site, "phonemeanalyser_brightness")
     return example_site
+
+
+@pytest.fixture
+def clock() -> Clock:
+    """A clock that the test moves."""
+    return Clock()
+
+
+@pytest.fixture
+def portaudio(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakePortAudio]:
+    """The sound system, with devices that the test plugs in."""
+    fake = FakePortAudio()
+    monkeypatch.setitem(sys.modules, "sounddevice", fake)
+    yield fake
+    for opened in tuple(stream._open):
+        opened.close()
 
 
 @pytest.fixture

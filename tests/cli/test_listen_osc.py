@@ -18,9 +18,10 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones
 from tests.fakes.osc_receiver import Receiver
-from tests.fakes.players import SPEECH, wait_for
+from tests.fakes.players import SPEECH
 from tests.fakes.portaudio import FakePortAudio
 from tests.tables import refused
+from tests.waiting import wait_for
 
 PRESET = load_preset(DEFAULT_PRESET)
 

@@ -26,8 +26,8 @@ from phonemeengine.live.loopback import Loopback, measure_loopback
 from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import answer, press
 from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in
-from tests.fakes.players import wait_for
 from tests.sounds import silence
+from tests.waiting import wait_for
 
 DESK = Device("Desk", "ALSA", 2, 0, 48_000, is_default=True)
 HEADSET = Device("Headset", "ALSA", 1, 2, 44_100, is_default=False)

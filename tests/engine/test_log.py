@@ -15,14 +15,13 @@ import soundfile
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.dropouts import DropoutMeter
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.live import listener as live_listener
-from phonemeengine.live import player as live_player
 from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone, Hear, frames_in
-from tests.fakes.outputs import HandDrivenOutput
-from tests.fakes.players import PRESET, SPEECH, wait_for
+from tests.fakes.outputs import HandDrivenOutput, Outputs
+from tests.fakes.players import PRESET, SPEECH, ForgetfulPlayer
 from tests.fakes.recorders import begun, recorder_to, samples_of_16_bits
+from tests.waiting import wait_for
 
 N = 20 * HOP
 Log = Callable[[], list[str]]
@@ -35,10 +34,7 @@ def log(caplog: pytest.LogCaptureFixture) -> Log:
     return lambda: [f"{record.levelname} {record.getMessage()}" for record in caplog.records]
 
 
-def test_a_microphone_is_logged_as_it_comes_and_goes_and_once_while_it_is_away(
-    hear: Hear, log: Log, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(live_listener, "RETRY_PERIOD", 0.01)
+def test_a_microphone_is_logged_as_it_comes_and_goes_and_once_while_it_is_away(hear: Hear, log: Log) -> None:
     first, second = HandDrivenMicrophone(), HandDrivenMicrophone(48_000, 2, name="the other")
     hearing = hear(first, None, None, second)
     first.give(SPEECH[:N])
@@ -69,10 +65,9 @@ def test_lost_sound_is_logged_with_what_is_lost_so_far(log: Log) -> None:
     assert log() == ["WARNING sound was lost by the device, 1.000 s so far"]
 
 
-def test_frames_that_nobody_takes_are_logged_once(hear: Hear, log: Log, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(live_listener, "MOST_WAITING", 3)
+def test_frames_that_nobody_takes_are_logged_once(hear: Hear, log: Log) -> None:
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone)
+    hearing = hear(microphone, most_waiting=3)
     microphone.give(SPEECH[:N])
     wait_for(lambda: hearing.listener.n_dropped > 5, "dropped frames")
     assert log().count("WARNING frames are dropped, since nobody takes them") == 1
@@ -93,12 +88,9 @@ def test_a_player_logs_its_card_and_that_it_goes(tmp_path: Path, log: Log) -> No
     ]
 
 
-def test_frames_of_a_file_that_nobody_takes_are_logged_once(
-    tmp_path: Path, log: Log, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(live_player, "MOST_WAITING", 3)
+def test_frames_of_a_file_that_nobody_takes_are_logged_once(tmp_path: Path, log: Log) -> None:
     soundfile.write(tmp_path / "speech.wav", SPEECH, SAMPLE_RATE)
-    player = Player(SoundReader(tmp_path / "speech.wav"), PRESET, lambda _n: HandDrivenOutput(ahead=SAMPLE_RATE))
+    player = ForgetfulPlayer(SoundReader(tmp_path / "speech.wav"), PRESET, Outputs())
     player.play()
     wait_for(lambda: player.n_dropped > 10, "dropped frames")
     player.close()

@@ -8,32 +8,20 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import pytest
 from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.dsp.framing import LEAD
 from phonemeengine.errors import DeviceError
-from phonemeengine.live import listener as live
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
-from tests.fakes.players import PRESET, joined, wait_for
+from tests.fakes.players import PRESET, joined
+from tests.waiting import wait_for
 
 SILENCE = np.zeros(SAMPLE_RATE // 10, np.float32)
 REFUSAL = "the microphone is not there; plug it in"
-
-
-class Clock:
-    """A clock that a test moves."""
-
-    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.now = 1000.0
-        monkeypatch.setattr(live, "time", self)
-
-    def monotonic(self) -> float:
-        return self.now
 
 
 class HandDrivenMicrophone:
@@ -100,10 +88,18 @@ class Microphones:
 
 
 class HandDrivenListener(Listener):
-    """A listener to microphones that a test drives."""
+    """A listener to microphones that a test drives, which soon tries again for one that is missing."""
 
-    def __init__(self, openers: Microphones, *arguments: Any, **options: Any) -> None:
+    def __init__(
+        self,
+        openers: Microphones,
+        *arguments: Any,
+        retry_period: float = 0.01,
+        most_waiting: int = 500,
+        **options: Any,
+    ) -> None:
         self._openers = openers
+        self.retry_period, self.most_waiting = retry_period, most_waiting
         super().__init__(*arguments, **options)
 
     def _open_input(self, choice: InputChoice) -> HandDrivenMicrophone:

@@ -1,7 +1,6 @@
 """A player on an output that is moved by hand, and what it must give."""
 
-import time
-from collections.abc import Callable
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -9,12 +8,12 @@ import numpy as np
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.analyser import concatenate_analyses as joined
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.live import player as live
-from phonemeengine.live.player import Player
+from phonemeengine.live.player import STEP, Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, AnalysisSettings, Channel
 from tests.fakes.outputs import HandDrivenOutput
 from tests.sounds import noise, silence, tone, vowel
+from tests.waiting import PATIENCE, wait_for
 
 PRESET = Preset(settings=AnalysisSettings(time_smooth=0.4, frequency_smooth=0.3))
 SPEECH = np.concatenate(
@@ -28,16 +27,19 @@ SPEECH = np.concatenate(
     )
 )
 N_FRAMES = -(-len(SPEECH) // HOP)
-PATIENCE = 60.0
-"""Seconds that only a hang takes."""
 
 
-def wait_for(truth: Callable[[], object], what: str = "the other thread") -> None:
-    """Wait until another thread, or a program, has done its part."""
-    end = time.monotonic() + PATIENCE
-    while not truth():
-        assert time.monotonic() < end, f"waited in vain for {what}"
-        time.sleep(0.001)
+class EagerPlayer(Player):
+    """Looks for a card whenever it comes round."""
+
+    retry_period = 0.0
+    wake_timeout = 0.02
+
+
+class ForgetfulPlayer(Player):
+    """Drops what is not taken soon."""
+
+    most_waiting = 5
 
 
 class Rig:
@@ -48,10 +50,13 @@ class Rig:
     sleepy : whether cards that are opened from now on sleep first.
     """
 
-    def __init__(self, path: Path, preset: Preset = PRESET, **options: Channel) -> None:
+    def __init__(
+        self, sound: Path | SoundReader, preset: Preset = PRESET, kind: type[Player] = Player, **options: Channel
+    ) -> None:
         self.outputs: list[HandDrivenOutput] = []
         self.sleepy = False
-        self.player = Player(SoundReader(path, **options), preset, self._open)
+        reader = sound if isinstance(sound, SoundReader) else SoundReader(sound, **options)
+        self.player = kind(reader, preset, self._open)
 
     def _open(self, n_channels: int) -> HandDrivenOutput:
         self.outputs.append(HandDrivenOutput(n_channels))
@@ -68,10 +73,14 @@ class Rig:
         player._wake.set()
 
         def settled() -> bool:
-            held = not player.playing or player._at_end or self.output.room < live.STEP
+            held = not player.playing or player._at_end or self.output.room < STEP
             return player._error is not None or (not player._commands and player._target is None and held)
 
         wait_for(settled, "the analysis thread")
+
+    def go_round(self) -> None:
+        """Wait until the thread has followed all commands, and has gone round once more."""
+        go_round(self.player)
 
     def hear(self, n_frames: int) -> list[Analysis]:
         """Have some frames' time pass bit by bit; checks that nothing comes before it is heard."""
@@ -89,6 +98,14 @@ class Rig:
             taken += self.hear(1)
             most -= 1
         return taken
+
+
+def go_round(player: Player) -> None:
+    """Wait until a player's thread has followed all commands, and has gone round once more."""
+    for _ in range(2):
+        followed = threading.Event()
+        player._do(followed.set)
+        assert followed.wait(PATIENCE)
 
 
 def offline(path: Path, preset: Preset = PRESET, channel: Channel = Channel.MIX) -> Analysis:

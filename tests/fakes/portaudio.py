@@ -1,6 +1,7 @@
 """PortAudio as sounddevice shows it, with devices that a test plugs in, and streams that it drives."""
 
 from collections.abc import Callable
+from importlib.machinery import ModuleSpec
 from types import SimpleNamespace
 from typing import Any
 
@@ -18,6 +19,7 @@ class FakeStream:
     def __init__(self, portaudio: "FakePortAudio", callback: Callable[..., None], **options: Any) -> None:
         self.callback, self.options = callback, options
         self._finish = options["finished_callback"]
+        self.began = False
         self.device = portaudio.default.device[0] if options["device"] is None else options["device"]
         self.time = 50.0
         self.closed = False
@@ -27,6 +29,7 @@ class FakeStream:
 
     def start(self) -> None:
         """Nothing comes before the test says so."""
+        self.began = True
 
     def abort(self, ignore_errors: bool = False) -> None:
         self._finish()
@@ -37,6 +40,12 @@ class FakeStream:
     def vanish(self) -> None:
         """End as a stream does whose device is pulled out."""
         self._finish()
+
+    def ask(self, n: int, latency: float = 0.0) -> NDArray[np.float32]:
+        """Ask for n samples per channel, which leave the card after `latency` seconds."""
+        out = np.full((n, self.options["channels"]), np.nan, np.float32)
+        self.callback(out, n, SimpleNamespace(outputBufferDacTime=self.time + latency), None)
+        return out
 
     def bring(self, samples: NDArray[np.float32], age: float = 0.0) -> None:
         """Bring a block, shape (n, n_channels), in memory that is used again, captured `age` seconds ago."""
@@ -50,6 +59,7 @@ class FakePortAudio:
     """The module, as far as it is used."""
 
     PortAudioError = PortAudioError
+    __spec__ = ModuleSpec("sounddevice", None)
 
     def __init__(self) -> None:
         self.apis = ["ALSA", "JACK"]

@@ -2,6 +2,7 @@
 
 import queue
 import time
+from collections.abc import Callable
 from typing import Any, Protocol
 
 import numpy as np
@@ -67,7 +68,8 @@ class CardInput:
     DeviceError : the device is not there, lacks the channel, or cannot be opened.
     """
 
-    def __init__(self, choice: InputChoice) -> None:
+    def __init__(self, choice: InputChoice, clock: Callable[[], float] = time.monotonic) -> None:
+        self._clock = clock
         device = chosen_input(choice, openable_devices())
         if choice.channel > device.n_inputs:
             raise DeviceError(
@@ -76,7 +78,7 @@ class CardInput:
         self.name = device.label
         self.n_channels = min(choice.n_channels, device.n_inputs)
         self._arrived: queue.SimpleQueue[tuple[float, float, bytes]] = queue.SimpleQueue()
-        self._came = time.monotonic()
+        self._came = self._clock()
         self._age = self._length = 0.0
         self.rate, self._stream = self._open(device, choice)
         self._loss = DropoutMeter(self.rate)
@@ -89,7 +91,7 @@ class CardInput:
     @property
     def quiet(self) -> float:
         """Seconds since the last callback."""
-        return time.monotonic() - self._came
+        return self._clock() - self._came
 
     @property
     def delay(self) -> float:
@@ -132,7 +134,7 @@ class CardInput:
         return CardStream("input", device, rate, self.n_channels, latency, self._take)
 
     def _take(self, block: Any, _n: int, times: Any, _status: Any) -> None:
-        self._came = time.monotonic()
+        self._came = self._clock()
         self._arrived.put((self._came, times.currentTime - times.inputBufferAdcTime, bytes(block)))
 
     def _note(self, came: float, age: float, samples: bytes) -> Float32Array:

@@ -6,6 +6,7 @@ Both count samples since they were opened, and say which one is being heard now:
 import math
 import threading
 import time
+from collections.abc import Callable
 from typing import Any, Protocol
 
 import numpy as np
@@ -127,6 +128,7 @@ class ClockOutput:
     Parameters
     ----------
     reason : why there is no card, in a sentence; empty where one was there and has gone.
+    clock : tells the time, seconds.
     """
 
     name = "no sound card: silent, on the clock"
@@ -134,8 +136,9 @@ class ClockOutput:
     lost = False
     alive = True
 
-    def __init__(self, reason: str = "") -> None:
+    def __init__(self, reason: str = "", clock: Callable[[], float] = time.monotonic) -> None:
         self.reason = reason
+        self._clock = clock
         self.gain = 1.0
         self.n_written = 0
         self._heard = 0.0
@@ -169,13 +172,13 @@ class ClockOutput:
         """Go on, or hold still."""
         with self._moving:
             self._move()
-            self._since = time.monotonic() if running else None
+            self._since = self._clock() if running else None
 
     def close(self) -> None:
         """Nothing has to be let go."""
 
     def _move(self) -> float:
-        now = time.monotonic()
+        now = self._clock()
         if self._since is not None:
             self._heard = min(self._heard + (now - self._since) * SAMPLE_RATE, float(self.n_written))
             self._since = now
@@ -191,6 +194,7 @@ class CardOutput:
     ----------
     n_channels : of what is written.
     device : which one; None for the system's default.
+    clock : tells the time, seconds.
 
     Raises
     ------
@@ -199,17 +203,20 @@ class CardOutput:
 
     is_card = True
 
-    def __init__(self, n_channels: int, device: Device | None = None) -> None:
+    def __init__(
+        self, n_channels: int, device: Device | None = None, clock: Callable[[], float] = time.monotonic
+    ) -> None:
         self.gain = 1.0
+        self._clock = clock
         self._ring = Ring(AHEAD, n_channels)
         self._running = False
         self._latest = 0.0
         self._moving = threading.Lock()
         self._mark = (0, 0.0, 0)
         self._asked = -math.inf
-        self._opened = time.monotonic()
+        self._opened = self._clock()
         self._stream = CardStream("output", device, SAMPLE_RATE, n_channels, LATENCY, self._fill)
-        self._opened = time.monotonic()
+        self._opened = self._clock()
         self.name = self._stream.name
 
     @property
@@ -235,7 +242,7 @@ class CardOutput:
     @property
     def lost(self) -> bool:
         """Whether the stream ended without our doing, or has stalled."""
-        stalled = time.monotonic() - max(self._asked, self._opened) > STALLED
+        stalled = self._clock() - max(self._asked, self._opened) > STALLED
         return self._stream.lost or (stalled and not self._stream.ended)
 
     @property
@@ -264,7 +271,7 @@ class CardOutput:
         self._stream.close()
 
     def _fill(self, out: Float32Array, _n: int, times: Any, _status: Any) -> None:
-        self._asked = time.monotonic()
+        self._asked = self._clock()
         if not self._running:
             out[:] = 0
             return

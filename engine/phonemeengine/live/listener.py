@@ -61,10 +61,6 @@ def status_of(source: Input, *, heard: bool, silent: float, cancels: bool = Fals
     )
 
 
-RETRY_PERIOD = 2.0
-"""Seconds between two tries to reach a device that gives nothing."""
-MOST_WAITING = 500
-"""Blocks that wait for `take_analyses` at most; older ones are dropped and counted."""
 CLOSE_TIMEOUT = 5.0
 """Seconds that `close` waits for the end of the thread at most, while a microphone is open."""
 OPEN_TIMEOUT = 0.5
@@ -90,13 +86,20 @@ class Listener(Closing):
     recorder : records from the first sample on; see `record`.
     on_analysis : called in the listening thread with each block, as soon as it is known; it must not wait.
     on_sound : called there with each block of sound, shape (n, n_channels), and its rate; it must not wait either.
+    clock : tells the time, seconds.
     """
+
+    retry_period = 2.0
+    """Seconds between two tries to reach a device that gives nothing."""
+    most_waiting = 500
+    """Blocks that wait for `take_analyses` at most; older ones are dropped and counted."""
 
     def __init__(
         self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
         phonemes_only: bool = False, recorder: Recorder | None = None,
         on_analysis: Callable[[Analysis], object] = lambda _analysis: None,
         on_sound: Callable[[Float32Array, int], object] = lambda _block, _rate: None,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:  # fmt: skip
         self.choice = choice or InputChoice()
         self.n_dropped = 0
@@ -105,6 +108,7 @@ class Listener(Closing):
         self._phonemes_only = phonemes_only
         self._on_analysis = on_analysis
         self._on_sound = on_sound
+        self._clock = clock
         self._source: Input | None = None
         self._ear: MicrophoneAnalyser | None = None
         self._newest: Analysis | None = None
@@ -113,7 +117,7 @@ class Listener(Closing):
         self._error: Exception | None = None
         is_card = type(self)._open_input is Listener._open_input
         self._refusal = (missing_library() if is_card else "") or "opening the microphone"
-        self._began = self._heard_at = time.monotonic()
+        self._began = self._heard_at = self._clock()
         self._known_at = 0.0
         self._next_frame = 0
         self._lost_before = 0.0
@@ -129,12 +133,12 @@ class Listener(Closing):
 
     def poll(self) -> Reading:
         """Return the newest phoneme and intensity; silence while nothing comes."""
-        return latest_reading(self._newest if time.monotonic() - self._heard_at < QUIET else None)
+        return latest_reading(self._newest if self._clock() - self._heard_at < QUIET else None)
 
     @property
     def level(self) -> Level:
         """What the level meter reads now."""
-        return self._meter.read(time.monotonic())
+        return self._meter.read(self._clock())
 
     def take_analyses(self) -> list[Analysis]:
         """Return what has been found since the last call, oldest first; raises what ended the listening.
@@ -163,7 +167,7 @@ class Listener(Closing):
         return status_of(
             source,
             heard=ear is not None,
-            silent=time.monotonic() - self._heard_at,
+            silent=self._clock() - self._heard_at,
             cancels=ear is not None and ear.cancels,
         )
 
@@ -189,7 +193,7 @@ class Listener(Closing):
     def lost_seconds(self) -> float:
         """Sound that could not be heard since the beginning: lost by the device, or while there was none; seconds."""
         ear = self._ear
-        away = time.monotonic() - self._heard_at if self._gap_is_loss else 0.0
+        away = self._clock() - self._heard_at if self._gap_is_loss else 0.0
         return self._lost_before + (ear.lost_seconds if ear else away)
 
     @property
@@ -201,7 +205,7 @@ class Listener(Closing):
     @property
     def known_for(self) -> float:
         """Seconds since the newest frames became known."""
-        return time.monotonic() - self._known_at
+        return self._clock() - self._known_at
 
     def time_of(self, frame: int) -> float:
         """Return when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
@@ -211,7 +215,7 @@ class Listener(Closing):
     def age_of(self, frame: int) -> float:
         """Return how long ago the middle of a frame sounded, seconds."""
         ear = self._ear
-        return time.monotonic() - ear.time_of(frame) if ear else 0.0
+        return self._clock() - ear.time_of(frame) if ear else 0.0
 
     # -- what it shall do ---------------------------------------------------------------------------------
 
@@ -286,7 +290,7 @@ class Listener(Closing):
             if refusal != self._refusal:
                 _log.warning("%s", refusal)
             self._refusal = refusal
-            self._pause.wait(RETRY_PERIOD)
+            self._pause.wait(self.retry_period)
             self._pause.clear()
 
     def _listen(self, source: Input) -> None:
@@ -299,7 +303,7 @@ class Listener(Closing):
             self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
 
     def _follow(self, source: Input, block: Float32Array) -> None:
-        now, gap = time.monotonic(), None
+        now, gap = self._clock(), None
         if self._ear is None:
             began = now - len(block) / source.rate
             gap = max(0.0, began - self._heard_at)
@@ -333,13 +337,13 @@ class Listener(Closing):
     def _hand_over(self, analysis: Analysis) -> None:
         self._next_frame = analysis.start + len(analysis)
         self._waiting.append(analysis)
-        if len(self._waiting) > MOST_WAITING:
+        if len(self._waiting) > self.most_waiting:
             if self.n_dropped == 0:
                 _log.warning("frames are dropped, since nobody takes them")
             with suppress(IndexError):  # `take_analyses` may have come first
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis
-        self._known_at = time.monotonic()
+        self._known_at = self._clock()
         self._on_analysis(analysis)
 
     def _change(self) -> None:

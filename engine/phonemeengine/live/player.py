@@ -26,14 +26,15 @@ from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
 # What is analysed and not heard yet.
 
-MOST_WAITING = 1500
-"""Blocks that wait at most; older ones are dropped and counted."""
-
 _log = logging.getLogger(__name__)
 
 
 class PlaybackQueue:
     """Holds blocks until they are heard: one thread puts them in, another takes them out.
+
+    Parameters
+    ----------
+    most : blocks that wait at most; older ones are dropped and counted.
 
     Attributes
     ----------
@@ -41,7 +42,8 @@ class PlaybackQueue:
     lock : keeps everything as it is while it is held.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, most: int) -> None:
+        self.most = most
         self.n_dropped = 0
         self.lock = threading.RLock()
         self._blocks: deque[tuple[int, Analysis]] = deque()
@@ -58,9 +60,9 @@ class PlaybackQueue:
         """Have a block wait until so many samples are heard."""
         with self.lock:
             self._blocks.append((due, analysis))
-            if len(self._blocks) > MOST_WAITING and self.n_dropped == 0:
+            if len(self._blocks) > self.most and self.n_dropped == 0:
                 _log.warning("frames are dropped, since nobody takes them")
-            while len(self._blocks) > MOST_WAITING:
+            while len(self._blocks) > self.most:
                 self.n_dropped += len(self._blocks.popleft()[1])
 
     def pop_due(self, heard: float) -> list[Analysis]:
@@ -86,12 +88,8 @@ STEP = 6 * HOP
 """Samples that are read, played and analysed at a time: many cost less than one by one."""
 PART = 2
 """Frames that are handed out at a time: a picture shows no more than them."""
-RETRY_PERIOD = 2.0
-"""Seconds between two tries to find a sound card again."""
 STALL_TIMEOUT = 1.0
 """Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
-WAKE_TIMEOUT = STALLED
-"""Seconds that a sound card is given to ask for sound."""
 CARD_TIMEOUT = 15.0
 """Seconds after which a player that waits for its sound card gives up."""
 
@@ -114,6 +112,13 @@ class Player:
         DeviceError if there is none at first, or none again within `CARD_TIMEOUT`.
     """
 
+    retry_period = 2.0
+    """Seconds between two tries to find a sound card again."""
+    wake_timeout = STALLED
+    """Seconds that a sound card is given to ask for sound."""
+    most_waiting = 1500
+    """Blocks that wait for `take_analyses` at most; older ones are dropped and counted."""
+
     def __init__(
         self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output, *,
         waits: bool = False,
@@ -126,7 +131,7 @@ class Player:
         self._output: Output = ClockOutput()
         self._found: Output | None = None
         self._opened = threading.Event()
-        self._next_try = time.monotonic() + RETRY_PERIOD
+        self._next_try = time.monotonic() + self.retry_period
         self._wake_until = self._give_up_at = math.inf
         self._preset = preset
         self._analyser = Analyser(preset, pitch=True)
@@ -140,7 +145,7 @@ class Player:
         self._to_read: int | None = None
         self._error: Exception | None = None
         self._segments: tuple[tuple[int, int], ...] = ((0, 0),)
-        self._waiting = PlaybackQueue()
+        self._waiting = PlaybackQueue(self.most_waiting)
         self._commands: deque[Callable[[], None]] = deque()
         self._wake = threading.Event()
         self._thread = threading.Thread(target=self._run, name="analysis", daemon=True)
@@ -422,7 +427,7 @@ class Player:
             if not self._needs_device or time.monotonic() < self._next_try:
                 return
             self._found = self._open_slowed()
-            self._wake_until = time.monotonic() + WAKE_TIMEOUT
+            self._wake_until = time.monotonic() + self.wake_timeout
         if self._needs_device and self._found.is_card and self._found.alive:
             output, self._found = self._found, None
             self._change_output(output)
@@ -434,7 +439,7 @@ class Player:
         if self._found is not None:
             self._found.close()
             self._found = None
-        self._next_try = time.monotonic() + RETRY_PERIOD
+        self._next_try = time.monotonic() + self.retry_period
 
     def _check_patience(self) -> None:
         if self._waits and self._needs_device and time.monotonic() > self._give_up_at:

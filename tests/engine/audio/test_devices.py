@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine.audio import stream
 from phonemeengine.audio.devices import Device, InputChoice, chosen_input, inputs_of
 from phonemeengine.audio.stream import CardStream, devices, openable_devices
 from phonemeengine.errors import DeviceError, SettingsError
@@ -22,14 +21,6 @@ YETI, YETI_JACK, BUILT_IN, SPEAKER = (
     device("Yeti"), device("Yeti", api="JACK"), device("Built-in (hw:0,0)", 2, default=True), device("Speaker", 0)
 )  # fmt: skip
 ALL = [SPEAKER, YETI, YETI_JACK, BUILT_IN]
-
-
-@pytest.fixture
-def portaudio(monkeypatch: pytest.MonkeyPatch) -> FakePortAudio:
-    fake = FakePortAudio()
-    monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
-    monkeypatch.setattr(stream, "_open", set())
-    return fake
 
 
 def open_stream() -> CardStream:

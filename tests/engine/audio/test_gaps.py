@@ -18,13 +18,13 @@ from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.audio.libsndfile import ROOM
 from phonemeengine.audio.recording import MOST_WAITING
 from phonemeengine.audio.wav import HEADER, WavEncoder
-from phonemeengine.live import listener as live
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.engine.live.test_recorder import record, rows_beside, rows_of, same
-from tests.fakes.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, offline
-from tests.fakes.players import SPEECH, wait_for
+from tests.fakes.microphones import HandDrivenMicrophone, Hear, frames_in, offline
+from tests.fakes.players import SPEECH
 from tests.fakes.recorders import begun, check_kept, recorder_to, samples_in, samples_of_16_bits
+from tests.waiting import Clock, wait_for
 
 Mark = tuple[int, str]
 """A place in samples, and what stands there."""
@@ -277,13 +277,11 @@ def test_several_gaps_are_counted_and_so_is_what_could_not_be_marked() -> None:
 
 @pytest.mark.parametrize("fill_gaps", [False, True])
 def test_a_microphone_that_was_away_is_recorded_with_a_gap_of_that_length(
-    hear: Hear, monkeypatch: pytest.MonkeyPatch, tmp_path: Path, fill_gaps: bool
+    hear: Hear, clock: Clock, tmp_path: Path, fill_gaps: bool
 ) -> None:
-    monkeypatch.setattr(live, "RETRY_PERIOD", 0.01)
-    clock = Clock(monkeypatch)
     first, second = HandDrivenMicrophone(), HandDrivenMicrophone(name="the same again")
     tape = recorder_to(lambda: tmp_path / "take.flac", tmp_path, fill_gaps=fill_gaps)
-    hearing = hear(first, recorder=tape)
+    hearing = hear(first, recorder=tape, clock=clock)
     first.give(SPEECH[: 50 * HOP], 50 * HOP)
     hearing.wait(frames_in(50 * HOP))
     first.lost = True

@@ -7,43 +7,23 @@ from typing import Any
 import numpy as np
 import pytest
 
-from phonemeengine.audio import input as inputs
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.input import CardInput
 from phonemeengine.errors import DeviceError
 from tests.fakes.portaudio import FakePortAudio, FakeStream, PortAudioError
-
-
-class Clock:
-    """A clock that a test moves."""
-
-    def __init__(self) -> None:
-        self.now = 1000.0
-
-    def monotonic(self) -> float:
-        return self.now
+from tests.waiting import Clock
 
 
 @pytest.fixture
-def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
-    clock = Clock()
-    monkeypatch.setattr(inputs, "time", clock)
-    return clock
+def portaudio(portaudio: FakePortAudio) -> FakePortAudio:
+    portaudio.plug("Yeti", 2)
+    portaudio.default.device = (0, -1)
+    return portaudio
 
 
-@pytest.fixture
-def portaudio(monkeypatch: pytest.MonkeyPatch) -> FakePortAudio:
-    fake = FakePortAudio()
-    fake.plug("Yeti", 2)
-    fake.default.device = (0, -1)
-    monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
-    monkeypatch.setattr(stream, "_open", set())
-    return fake
-
-
-def opened(portaudio: FakePortAudio, *choice: Any) -> tuple[CardInput, FakeStream]:
-    card = CardInput(InputChoice(*choice))
+def opened(portaudio: FakePortAudio, *choice: Any, **clock: Clock) -> tuple[CardInput, FakeStream]:
+    card = CardInput(InputChoice(*choice), **clock)
     return card, portaudio.streams[-1]
 
 
@@ -100,27 +80,23 @@ def test_a_rate_that_is_asked_for_is_opened(portaudio: FakePortAudio) -> None:
 
 
 def test_the_callback_takes_no_lock_and_says_nothing(
-    portaudio: FakePortAudio, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    portaudio: FakePortAudio, caplog: pytest.LogCaptureFixture, capfd: pytest.CaptureFixture[str]
 ) -> None:
     card, source = opened(portaudio)
-
-    def refuse(*_: object, **__: object) -> None:
-        raise AssertionError("not in a callback")
-
+    caplog.set_level(logging.DEBUG)
     bringing = threading.Thread(target=lambda: source.bring(numbered(0, 441)), daemon=True)
     with stream._portaudio_lock:  # another thread lists devices at this very time
-        monkeypatch.setattr(logging.Logger, "_log", refuse)
         bringing.start()
         bringing.join(60)
         assert not bringing.is_alive()
-    assert capfd.readouterr() == ("", "")
+    assert (capfd.readouterr(), caplog.records) == (("", ""), [])
     assert len(card.read(0)) == 441
 
 
 def test_a_device_that_brings_nothing_is_quiet_and_one_that_ends_is_lost(
     portaudio: FakePortAudio, clock: Clock
 ) -> None:
-    card, source = opened(portaudio)
+    card, source = opened(portaudio, clock=clock)
     clock.now += 1.5
     assert (card.quiet, card.lost) == (1.5, False)
     source.bring(np.zeros((441, 1)))
@@ -140,7 +116,7 @@ def test_a_device_that_is_closed_is_not_lost(portaudio: FakePortAudio) -> None:
 
 
 def test_the_delay_is_what_the_card_says_and_at_least_a_block(portaudio: FakePortAudio, clock: Clock) -> None:
-    card, source = opened(portaudio)
+    card, source = opened(portaudio, clock=clock)
     for age in (0.0, 0.03):
         for _ in range(1500):
             clock.now += 0.01
@@ -152,7 +128,7 @@ def test_the_delay_is_what_the_card_says_and_at_least_a_block(portaudio: FakePor
 def test_a_sample_was_captured_before_it_came_by_what_the_card_keeps_back(
     portaudio: FakePortAudio, clock: Clock
 ) -> None:
-    card, source = opened(portaudio)
+    card, source = opened(portaudio, clock=clock)
     for _ in range(300):
         clock.now += 0.01
         source.bring(np.zeros((441, 1)), 0.03)
@@ -163,7 +139,7 @@ def test_a_sample_was_captured_before_it_came_by_what_the_card_keeps_back(
 
 
 def test_samples_that_the_card_lost_are_counted(portaudio: FakePortAudio, clock: Clock) -> None:
-    card, source = opened(portaudio)
+    card, source = opened(portaudio, clock=clock)
     for k in range(1000):
         clock.now += 0.01
         if not 400 <= k < 410:

@@ -2,43 +2,27 @@
 
 import threading
 import time
-from collections.abc import Callable
-from types import SimpleNamespace
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 
-from phonemeengine.audio import output, stream
+from phonemeengine.audio import stream
 from phonemeengine.audio.output import AHEAD, CardOutput, ClockOutput, open_output
 from phonemeengine.errors import DeviceError
 from phonemeengine.settings import SAMPLE_RATE
+from tests.fakes.portaudio import FakePortAudio, FakeStream, PortAudioError
+from tests.waiting import Clock
 
 SECOND = np.zeros((AHEAD, 1), np.float32)
-
-
-class Clock:
-    """A clock that a test moves."""
-
-    def __init__(self) -> None:
-        self.now = 100.0
-
-    def monotonic(self) -> float:
-        return self.now
-
-
-@pytest.fixture
-def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
-    clock = Clock()
-    monkeypatch.setattr(output, "time", clock)
-    return clock
 
 
 # -- the clock ------------------------------------------------------------------------------------------------
 
 
 def test_time_passes_only_while_the_clock_runs(clock: Clock) -> None:
-    output = ClockOutput()
+    output = ClockOutput(clock=clock)
     output.write(SECOND)
     clock.now += 5
     assert output.heard == 0
@@ -54,7 +38,7 @@ def test_time_passes_only_while_the_clock_runs(clock: Clock) -> None:
 
 
 def test_running_twice_is_running_once(clock: Clock) -> None:
-    output = ClockOutput()
+    output = ClockOutput(clock=clock)
     output.write(SECOND)
     output.run(running=True)
     clock.now += 0.05
@@ -64,7 +48,7 @@ def test_running_twice_is_running_once(clock: Clock) -> None:
 
 
 def test_nothing_is_heard_that_was_not_written(clock: Clock) -> None:
-    output = ClockOutput()
+    output = ClockOutput(clock=clock)
     output.run(running=True)
     clock.now += 10
     assert output.heard == 0
@@ -79,7 +63,7 @@ def test_nothing_is_heard_that_was_not_written(clock: Clock) -> None:
 
 
 def test_room_is_what_may_be_written_ahead(clock: Clock) -> None:
-    output = ClockOutput()
+    output = ClockOutput(clock=clock)
     assert output.room == AHEAD
     output.write(SECOND)
     assert output.room == 0
@@ -89,7 +73,7 @@ def test_room_is_what_may_be_written_ahead(clock: Clock) -> None:
 
 
 def test_what_is_skipped_is_over_at_once(clock: Clock) -> None:
-    output = ClockOutput()
+    output = ClockOutput(clock=clock)
     output.write(SECOND)
     output.run(running=True)
     clock.now += 0.01
@@ -125,45 +109,15 @@ def test_the_clock_keeps_time_though_two_threads_ask_it() -> None:
 # -- the sound card, as far as it can be known without one ----------------------------------------------------
 
 
-class FakeStream:
-    """Calls back when the test says so."""
-
-    def __init__(self, callback: Callable[..., None], finished_callback: Callable[[], None], **options: Any) -> None:
-        self.callback, self.finish, self.options = callback, finished_callback, options
-        self.device, self.time = 3, 50.0
-        self.began = self.closed = False
-
-    def start(self) -> None:
-        self.began = True
-
-    def abort(self, ignore_errors: bool = False) -> None:
-        self.finish()
-
-    def close(self, ignore_errors: bool = False) -> None:
-        self.closed = True
-
-    def ask(self, n: int, latency: float = 0.0) -> np.ndarray:
-        out = np.full((n, self.options["channels"]), np.nan, np.float32)
-        self.callback(out, n, SimpleNamespace(outputBufferDacTime=self.time + latency), None)
-        return out
-
-
-class PortAudioError(Exception):
-    """As sounddevice has it."""
+@pytest.fixture
+def portaudio(portaudio: FakePortAudio) -> FakePortAudio:
+    portaudio.plug("a card")
+    portaudio.default.device = (0, 0)
+    return portaudio
 
 
 @pytest.fixture
-def sounddevice(monkeypatch: pytest.MonkeyPatch) -> SimpleNamespace:
-    module = SimpleNamespace(
-        OutputStream=FakeStream, PortAudioError=PortAudioError, query_devices=lambda _k: {"name": "a card"},
-        _terminate=lambda: None, _initialize=lambda: None,
-    )  # fmt: skip
-    monkeypatch.setattr(stream, "_sounddevice", lambda: module)
-    return module
-
-
-@pytest.fixture
-def card(sounddevice: SimpleNamespace) -> CardOutput:
+def card(portaudio: FakePortAudio) -> CardOutput:
     return CardOutput(2)
 
 
@@ -231,7 +185,7 @@ def test_a_lost_card_says_so_and_knows_where_it_was(card: CardOutput) -> None:
         card._stream._stream.time += 1000 / SAMPLE_RATE
     before = card.heard
     del card._stream._stream.time  # the clock of a dead stream must not be asked
-    card._stream._stream.finish()
+    card._stream._stream.vanish()
     assert card.lost
     assert card.heard == pytest.approx(before) == 4000
 
@@ -243,9 +197,9 @@ def test_a_card_that_is_closed_is_not_lost(card: CardOutput) -> None:
 
 
 def test_a_card_that_sleeps_is_not_lost_until_it_asks_for_nothing_for_long(
-    sounddevice: SimpleNamespace, clock: Clock
+    portaudio: FakePortAudio, clock: Clock
 ) -> None:
-    card = CardOutput(2)
+    card = CardOutput(2, clock=clock)
     card._stream._stream.ask(100)  # what it takes in advance
     clock.now += 2.5  # PulseAudio's null sink sleeps for 2 s before its first sound
     assert (card.lost, card.alive) == (False, False)
@@ -262,23 +216,23 @@ def test_a_card_that_sleeps_is_not_lost_until_it_asks_for_nothing_for_long(
 
 
 def test_a_card_is_alive_once_it_asks_for_more_than_it_takes_in_advance(
-    sounddevice: SimpleNamespace, clock: Clock
+    portaudio: FakePortAudio, clock: Clock
 ) -> None:
-    card = CardOutput(2)
+    card = CardOutput(2, clock=clock)
     card._stream._stream.ask(100)
     assert not card.alive
     clock.now += 0.2
     card._stream._stream.ask(100)
     assert card.alive
-    card._stream._stream.finish()
+    card._stream._stream.vanish()
     assert (card.alive, card.lost) == (False, True)
 
 
-def test_without_a_card_the_clock_plays(sounddevice: SimpleNamespace) -> None:
+def test_without_a_card_the_clock_plays(portaudio: FakePortAudio) -> None:
     def refuse(**_: Any) -> None:
         raise PortAudioError("Error querying device -1\nand more")
 
-    sounddevice.OutputStream = refuse
+    portaudio.OutputStream = refuse
     with pytest.raises(DeviceError, match=r"^the sound card cannot be opened \(Error querying device -1\)$"):
         CardOutput(1)
     assert isinstance(open_output(1), ClockOutput)
@@ -291,7 +245,7 @@ def test_without_portaudio_the_clock_plays(monkeypatch: pytest.MonkeyPatch) -> N
     assert isinstance(open_output(1), ClockOutput)
 
 
-def test_a_card_that_opens_and_does_not_start_is_let_go(sounddevice: SimpleNamespace) -> None:
+def test_a_card_that_opens_and_does_not_start_is_let_go(portaudio: FakePortAudio) -> None:
     made: list[FakeStream] = []
 
     class Stubborn(FakeStream):
@@ -299,6 +253,6 @@ def test_a_card_that_opens_and_does_not_start_is_let_go(sounddevice: SimpleNames
             made.append(self)
             raise PortAudioError("Unanticipated host error")
 
-    sounddevice.OutputStream = Stubborn
+    portaudio.OutputStream = partial(Stubborn, portaudio)
     assert isinstance(open_output(1), ClockOutput)
     assert made[0].closed

@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.wav import HEADER, WavEncoder, to_integers
 from phonemeengine.settings import SAMPLE_RATE
-from tests.fakes.players import wait_for
 from tests.fakes.recorders import begun, digest, samples_in, samples_of_16_bits
+from tests.waiting import wait_for
 
 FORMS = [
     (suffix, n, rate) for suffix in (".wav", ".flac") for n in (1, 2) for rate in (44_100, 48_000, 16_000, 8_000)

@@ -13,8 +13,8 @@ import pytest
 from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.audio.wav import HEADER
 from phonemeengine.errors import RecordingError
-from tests.fakes.players import wait_for
 from tests.fakes.recorders import begun, check_kept, check_sentence, samples_of_16_bits
+from tests.waiting import wait_for
 
 SUFFIXES = [".wav", ".flac"]
 RATE = 16_000

@@ -17,7 +17,7 @@ from phonemeengine.errors import BatchError, ExportError
 from phonemeengine.execution import Cancelled
 from tests.conftest import ROOT
 from tests.fakes.batch_works import SECONDS, CopyWork
-from tests.fakes.players import wait_for
+from tests.waiting import wait_for
 
 
 def jobs_in(tmp_path: Path, *names: str) -> list[Job]:

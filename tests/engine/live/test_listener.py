@@ -7,13 +7,13 @@ import pytest
 
 from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.devices import InputChoice
-from phonemeengine.live import listener as live
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
-from tests.fakes.microphones import Clock, HandDrivenMicrophone, Hear, frames_in, middle_of, offline
-from tests.fakes.players import PRESET, SPEECH, agree, frames_of, joined, wait_for
+from tests.fakes.microphones import HandDrivenMicrophone, Hear, frames_in, middle_of, offline
+from tests.fakes.players import PRESET, SPEECH, agree, frames_of, joined
 from tests.sounds import silence, tone
+from tests.waiting import Clock, wait_for
 
 DEAF = replace(
     PRESET,
@@ -109,10 +109,9 @@ def test_a_listener_tells_its_preset(hear: Hear) -> None:
     assert listener.preset is PRESET
 
 
-def test_polling_gives_the_newest_frame(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
-    Clock(monkeypatch)
+def test_polling_gives_the_newest_frame(hear: Hear, clock: Clock) -> None:
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone)
+    hearing = hear(microphone, clock=clock)
     assert hearing.listener.poll() == (Phoneme.SILENCE, 0.0, 0.0)
     microphone.give(SPEECH[: 30 * HOP])
     hearing.wait(frames_in(30 * HOP))
@@ -124,10 +123,9 @@ def test_polling_gives_the_newest_frame(hear: Hear, monkeypatch: pytest.MonkeyPa
     wait_for(lambda: hearing.listener.poll() == wanted, "the newest")
 
 
-def test_a_mouth_does_not_stay_open_when_nothing_comes_any_more(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = Clock(monkeypatch)
+def test_a_mouth_does_not_stay_open_when_nothing_comes_any_more(hear: Hear, clock: Clock) -> None:
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone)
+    hearing = hear(microphone, clock=clock)
     microphone.give(SPEECH[: 30 * HOP])
     hearing.wait(frames_in(30 * HOP))
     wait_for(lambda: hearing.listener.poll().intensity > 0, "a voice")
@@ -145,11 +143,10 @@ def test_every_block_is_told_as_soon_as_it_is_known(hear: Hear) -> None:
     assert told == frames_of(hearing.taken)
 
 
-def test_frames_that_nobody_takes_are_dropped_and_counted(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(live, "MOST_WAITING", 5)
+def test_frames_that_nobody_takes_are_dropped_and_counted(hear: Hear) -> None:
     told: list[int] = []
     microphone = HandDrivenMicrophone()
-    hearing = hear(microphone, on_analysis=lambda analysis: told.extend(frames_of([analysis])))
+    hearing = hear(microphone, on_analysis=lambda analysis: told.extend(frames_of([analysis])), most_waiting=5)
     microphone.give(SPEECH)
     wait_for(lambda: len(told) == frames_in(len(SPEECH)), "the frames")
     taken = frames_of(hearing.listener.take_analyses())
@@ -166,10 +163,9 @@ def test_the_level_is_that_of_the_channel_that_is_heard(hear: Hear) -> None:
     assert (level.held, level.clipped_ago) == (0.25, None)
 
 
-def test_the_age_of_a_frame_is_counted_from_its_middle(hear: Hear, monkeypatch: pytest.MonkeyPatch) -> None:
-    clock = Clock(monkeypatch)
+def test_the_age_of_a_frame_is_counted_from_its_middle(hear: Hear, clock: Clock) -> None:
     microphone = HandDrivenMicrophone(48_000)
-    hearing = hear(microphone)
+    hearing = hear(microphone, clock=clock)
     microphone.give(np.zeros(4800, np.float32), 480)
     wait_for(lambda: hearing.listener.seconds == pytest.approx(0.1), "the sound")
     clock.now = microphone.begun + 0.1

@@ -17,7 +17,8 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.settings import HOP, SAMPLE_RATE, AnalysisSettings, Channel
 from tests.bad_files import ODD_FILES
-from tests.fakes.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, joined, offline, wait_for
+from tests.fakes.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, joined, offline
+from tests.waiting import wait_for
 
 
 def test_playing_hands_out_every_frame_once_and_in_order_as_the_whole_file_gives_them(rig: Rig, path: Path) -> None:
@@ -90,7 +91,7 @@ def test_an_unusual_file_is_played_to_its_end(name: str, tmp_path: Path) -> None
 
 
 def test_a_player_stands_still_until_it_is_told_to_play(rig: Rig) -> None:
-    time.sleep(0.05)
+    rig.go_round()
     assert not rig.player.playing
     assert not rig.output.running
     assert (rig.player.take_analyses(), rig.player.position, rig.output.n_written) == ([], 0.0, 0)
@@ -118,7 +119,7 @@ def test_a_pause_holds_everything(rig: Rig) -> None:
     rig.player.pause()
     rig.settle()
     written, position = rig.output.n_written, rig.player.position
-    time.sleep(0.06)
+    rig.go_round()
     assert not rig.output.running
     assert not rig.player.finished
     assert (rig.output.n_written, rig.player.position, rig.player.take_analyses()) == (written, position, [])

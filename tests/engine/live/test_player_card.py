@@ -1,6 +1,5 @@
 """A sound card that comes back while a sound plays on without one: it is heard again from the same place."""
 
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -10,11 +9,10 @@ import soundfile
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.live import player as live
-from phonemeengine.live.player import Player
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.fakes.outputs import Cards, HandDrivenOutput
-from tests.fakes.players import PRESET, SPEECH, agree, frames_of, offline, wait_for
+from tests.fakes.players import PRESET, SPEECH, EagerPlayer, agree, frames_of, go_round, offline
+from tests.waiting import wait_for
 
 LONG = np.concatenate([SPEECH] * 6)
 N_FRAMES = -(-len(LONG) // HOP)
@@ -25,7 +23,7 @@ class Listening:
 
     def __init__(self, path: Path, *cards: HandDrivenOutput) -> None:
         self.cards = Cards(*cards)
-        self.player = Player(SoundReader(path), PRESET, self.cards)
+        self.player = EagerPlayer(SoundReader(path), PRESET, self.cards)
         self.taken: list[Analysis] = []
 
     def wait(self, truth: Callable[[], bool], what: str) -> None:
@@ -45,13 +43,6 @@ class Listening:
             return self.player.finished
 
         self.wait(ended, "the end")
-
-
-@pytest.fixture(autouse=True)
-def soon(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Look for a card many times a second."""
-    monkeypatch.setattr(live, "RETRY_PERIOD", 0.03)
-    monkeypatch.setattr(live, "WAKE_TIMEOUT", 0.02)
 
 
 @pytest.fixture
@@ -127,15 +118,15 @@ def test_a_card_that_opens_and_stands_still_is_let_go_and_the_clock_goes_on(star
 
 def test_nobody_looks_for_a_card_in_a_pause(start: Start) -> None:
     listening = start()
-    time.sleep(0.1)
+    go_round(listening.player)
     assert listening.cards.n_asked == 1
     listening.player.play()
     listening.wait(lambda: listening.cards.n_asked > 3, "the search")
     listening.player.pause()
-    wait_for(lambda: not listening.player._commands, "the pause")
+    go_round(listening.player)
     n = listening.cards.n_asked
-    time.sleep(0.2)
-    assert listening.cards.n_asked <= n + 1  # one search may be under way
+    go_round(listening.player)
+    assert listening.cards.n_asked == n
 
 
 def test_a_card_that_goes_after_the_end_and_one_that_comes_repeat_nothing(start: Start) -> None:
@@ -150,7 +141,7 @@ def test_a_card_that_goes_after_the_end_and_one_that_comes_repeat_nothing(start:
     listening.cards.there.append(second)
     first.lost = True
     listening.wait(lambda: first.closed and not listening.player._target, "the clock")
-    time.sleep(0.1)
+    go_round(listening.player)
     listening.wait(lambda: listening.player.finished, "the end")
     assert frames_of(listening.taken) == before
     assert listening.player.position == pytest.approx(place)

@@ -5,8 +5,10 @@ from pathlib import Path
 
 import pytest
 
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.settings import FRAME_PERIOD
-from tests.fakes.players import N_FRAMES, PATIENCE, Rig, agree, frames_of, offline, wait_for
+from tests.fakes.players import N_FRAMES, Rig, agree, frames_of, offline
+from tests.waiting import PATIENCE, wait_for
 
 
 @pytest.mark.parametrize("frame", [1, 3, 39, 40, 41, 70, 101, N_FRAMES - 1])
@@ -61,22 +63,26 @@ def test_a_seek_beyond_an_end_goes_to_that_end(seconds: float, position: float, 
     assert rig.player.position == pytest.approx(position)
 
 
-def test_a_seek_in_the_last_moment_is_not_the_end(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
+class SlowReader(SoundReader):
+    """Goes to a place when it may."""
+
+    may_go = threading.Event()
+
+    def seek(self, sample: int) -> None:
+        assert self.may_go.wait(PATIENCE)
+        super().seek(sample)
+
+
+def test_a_seek_in_the_last_moment_is_not_the_end(path: Path) -> None:
+    rig = Rig(SlowReader(path))
     rig.player.play()
     while not rig.player._at_end:
         rig.hear(1)
-    slow, go_on = rig.player.reader.seek, threading.Event()
-
-    def seek_slowly(sample: int) -> None:
-        go_on.wait(PATIENCE)
-        slow(sample)
-
-    monkeypatch.setattr(rig.player.reader, "seek", seek_slowly)
     rig.player.seek(0.2)
     wait_for(lambda: not rig.player._commands, "the seek's beginning")
     rig.output.move(1e9)
     rig.player.take_analyses()
     assert not rig.player.finished
-    go_on.set()
+    SlowReader.may_go.set()
     rig.settle()
     assert frames_of(rig.hear_all()) == list(range(20, N_FRAMES))

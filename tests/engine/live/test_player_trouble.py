@@ -1,7 +1,6 @@
 """The player when something goes wrong: it says so, and never hangs."""
 
 import threading
-import time
 from collections import deque
 from pathlib import Path
 from typing import Any
@@ -9,14 +8,15 @@ from typing import Any
 import pytest
 
 from phonemeengine.analyser import Analysis
+from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, DeviceError
-from phonemeengine.live import player as live_player
 from phonemeengine.live.player import Player
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from tests.bad_files import BAD_FILES
 from tests.fakes.outputs import Cards, HandDrivenOutput
-from tests.fakes.players import N_FRAMES, PRESET, SPEECH, Rig, agree, frames_of, offline, wait_for
+from tests.fakes.players import N_FRAMES, PRESET, SPEECH, ForgetfulPlayer, Rig, agree, frames_of, offline
+from tests.waiting import wait_for
 
 
 @pytest.mark.parametrize("name", ["not_a_number", "truncated_flac"])
@@ -45,15 +45,20 @@ def test_a_seek_into_damage_raises_and_the_beginning_still_plays(tmp_path: Path)
     rig.player.close()
 
 
-def test_a_bug_in_the_analysis_is_raised_where_it_is_taken(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fail(_samples: object) -> None:
+class Buggy(SoundReader):
+    """A sound that cannot be mixed to be analysed."""
+
+    def mono(self, block: Float32Array) -> Float32Array:
         raise ZeroDivisionError("a bug")
 
-    monkeypatch.setattr(rig.player._analyser, "push", fail)
-    rig.player.play()
-    wait_for(lambda: rig.player._error is not None, "the error")
+
+def test_a_bug_in_the_analysis_is_raised_where_it_is_taken(path: Path) -> None:
+    player = Player(Buggy(path), PRESET, Cards(HandDrivenOutput()))
+    player.play()
+    wait_for(lambda: player._error is not None, "the error")
     with pytest.raises(ZeroDivisionError):
-        rig.player.take_analyses()
+        player.take_analyses()
+    player.close()
 
 
 @pytest.mark.parametrize("name", ["not_a_sound", "missing", "empty", "list_that_hangs"])
@@ -102,8 +107,7 @@ def test_a_device_lost_in_a_pause_stays_paused_on_the_clock(rig: Rig) -> None:
     position = rig.player.position
     rig.player.take_analyses()
     wait_for(lambda: not rig.player.has_card, "the clock")
-    wait_for(lambda: not rig.player._commands, "the thread")
-    time.sleep(0.03)
+    rig.go_round()
     assert position - FRAME_PERIOD <= rig.player.position <= position
     assert rig.player.take_analyses() == []
 
@@ -156,8 +160,8 @@ def test_a_player_that_waits_says_why_there_is_no_card(path: Path) -> None:
     player.close()
 
 
-def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(live_player, "MOST_WAITING", 5)
+def test_frames_that_nobody_takes_are_dropped_and_counted(path: Path) -> None:
+    rig = Rig(path, kind=ForgetfulPlayer)
     rig.output.ahead = 10 * len(SPEECH)
     rig.player.play()
     rig.settle()
@@ -165,6 +169,7 @@ def test_frames_that_nobody_takes_are_dropped_and_counted(rig: Rig, monkeypatch:
     taken = frames_of(rig.player.take_analyses())
     assert rig.player.n_dropped == N_FRAMES - len(taken) > 0
     assert taken == list(range(N_FRAMES - len(taken), N_FRAMES))
+    rig.player.close()
 
 
 def test_closing_ends_the_thread_and_lets_file_and_device_go(path: Path) -> None:
@@ -188,13 +193,16 @@ def test_closing_ends_the_thread_and_lets_file_and_device_go(path: Path) -> None
 class SlowDeque(deque[Any]):
     """Lets the other thread have its turn between looking and taking."""
 
+    def __init__(self, player: Player) -> None:
+        self.player = player
+
     def __getitem__(self, k: Any) -> Any:
-        time.sleep(0.001)
+        wait_for(lambda: not self.player._commands, "the beginning of a seek")
         return super().__getitem__(k)
 
 
 def test_a_seek_between_looking_and_taking_trips_nobody(rig: Rig) -> None:
-    rig.player._waiting._blocks = SlowDeque()
+    rig.player._waiting._blocks = SlowDeque(rig.player)
     rig.player.play()
     for _ in range(30):
         rig.settle()

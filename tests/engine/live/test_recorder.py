@@ -16,9 +16,10 @@ from phonemeengine.recognition.segments import segments_of
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeengine.storage.files import free_path
 from tests.fakes.microphones import HandDrivenMicrophone, Hear, frames_in, offline
-from tests.fakes.players import PRESET, SPEECH, wait_for
+from tests.fakes.players import PRESET, SPEECH
 from tests.fakes.recorders import recorder_to, samples_in, samples_of_16_bits
 from tests.sounds import noise
+from tests.waiting import wait_for
 
 
 @pytest.fixture

@@ -16,8 +16,9 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, Channel
 from tests.bad_files import BAD_FILES
 from tests.fakes.outputs import HandDrivenOutput, HandDrivenSound
-from tests.fakes.players import N_FRAMES, PRESET, SPEECH, offline, wait_for
+from tests.fakes.players import N_FRAMES, PRESET, SPEECH, offline
 from tests.sounds import silence, tone
+from tests.waiting import wait_for
 
 BIN = 40
 

@@ -17,7 +17,7 @@ from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 from tests.fakes.osc_receiver import Receiver
-from tests.fakes.players import wait_for
+from tests.waiting import wait_for
 
 
 @pytest.fixture

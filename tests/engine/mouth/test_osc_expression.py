@@ -9,7 +9,7 @@ from phonemeengine import Expression, IdleMotion, MouthError, OscExpression, Per
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.osc import OscAddress
 from phonemeengine.mouth.osc_expression import FADE, KEPT
-from tests.fakes.players import wait_for
+from tests.waiting import wait_for
 
 SMILE, BROW = ARKIT.index("mouthSmileLeft"), ARKIT.index("browInnerUp")
 

@@ -23,7 +23,7 @@ from phonemeengine.performance.track import PerformanceTrack, face_table, format
 from phonemeengine.phonemes import Phoneme
 from tests.engine.performance.sentences import phones_in
 from tests.fakes.osc_receiver import Receiver
-from tests.fakes.players import wait_for
+from tests.waiting import wait_for
 
 JAW, PUCKER, TONGUE_OUT = (ARKIT.index(name) for name in ("jawOpen", "mouthPucker", "tongueOut"))
 PLAIN = PerformanceOptions(without=frozenset(PerformancePart))

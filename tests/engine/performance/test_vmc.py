@@ -8,7 +8,7 @@ from phonemeengine.mouth.osc import RATE
 from phonemeengine.performance.vmc import parse_vmc
 from tests.engine.performance.faces import osc_line, recorded_vmc
 from tests.fakes.osc_receiver import Receiver
-from tests.fakes.players import wait_for
+from tests.waiting import wait_for
 
 
 @pytest.mark.parametrize("clock", [True, False])
