@@ -20,6 +20,7 @@ from phonemeengine.inspection.averaged_spectrum import (
 )
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
+from tests.disks import refused
 from tests.sounds import Sound, noise, tone, vowel
 
 COARSE = AnalysisSettings(filters=frozenset({Filter.QUANTISE}), quantise=4, decimation=Decimation.ANTI_ALIASED)
@@ -281,15 +282,10 @@ def test_a_place_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
         save_averaged_spectrum(curve_of(SPEECH, COARSE), tmp_path / "nowhere" / "curve.csv")
 
 
-def test_an_old_curve_stays_until_the_new_one_is_complete(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_old_curve_stays_until_the_new_one_is_complete(tmp_path: Path) -> None:
     path = tmp_path / "curve.csv"
     save_averaged_spectrum(curve_of(SPEECH, COARSE, "old"), path)
-
-    def refuse(*_: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(Path, "replace", refuse)
-    with pytest.raises(CurveError, match="No space left on device"):
+    with refused(tmp_path, events={"os.rename"}), pytest.raises(CurveError, match="No space left on device"):
         save_averaged_spectrum(curve_of(SPEECH, COARSE, "new"), path)
     assert load_averaged_spectrum(path).name == "old"
     assert list(tmp_path.iterdir()) == [path]

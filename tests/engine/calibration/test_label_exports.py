@@ -1,7 +1,5 @@
 """Label files for Praat and Audacity beside takes: they follow their takes, and count for nothing."""
 
-import os
-import shutil
 from contextlib import suppress
 from pathlib import Path
 
@@ -18,6 +16,7 @@ from phonemeengine.errors import EngineError
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
+from tests.disks import refused
 from tests.sounds import noise, silence, vowel
 
 SOUND = (np.concatenate([silence(0.4), vowel((750, 1250), 1.0), silence(0.3)]) + noise(1.7, 0.001)).astype(np.float32)
@@ -160,15 +159,11 @@ def test_notes_beside_a_take_are_no_copy(project):
     assert aside.read_text() == "she had a cold\n"
 
 
-def test_a_disk_that_refuses_leaves_what_was_there(project, take, monkeypatch):
+def test_a_disk_that_refuses_leaves_what_was_there(project, take):
     mine = project.path_of(take).with_suffix(".TextGrid")
     mine.write_text("mine")
-
-    def refuse(_self, _target):
-        raise OSError(13, "Permission denied")
-
-    monkeypatch.setattr(Path, "rename", refuse)
-    with pytest.raises(EngineError, match=r"a-1\.TextGrid: this file cannot be renamed \(Permission denied\)"):
+    refusal = pytest.raises(EngineError, match=r"a-1\.TextGrid: this file cannot be renamed \(Permission denied\)")
+    with refused(project.folder, error=OSError(13, "Permission denied")), refusal:
         project.write_copies(".TextGrid")
     assert mine.read_text() == "mine"
 
@@ -179,41 +174,21 @@ class Death(BaseException):
 
 @pytest.mark.parametrize("change", ["trim", "relabel", "delete"])
 @pytest.mark.parametrize("error", [OSError(28, "No space left on device"), Death()], ids=["full", "dead"])
-def test_wherever_a_change_breaks_no_copy_says_anything_else_than_its_take(tmp_path, monkeypatch, change, error):
+def test_wherever_a_change_breaks_no_copy_says_anything_else_than_its_take(tmp_path, change, error):
     for n in range(1, 60):
         folder = tmp_path / str(n)
         with TakeProject(folder) as project:
             take = project.add(SOUND, "Ada", Phoneme.A, report=REPORT)
             for suffix in COPY_SUFFIXES:
                 project.write_copies(suffix)
-            with monkeypatch.context() as patch:
-                calls = breaking(patch, n, error)
-                with suppress(EngineError, Death):
-                    CHANGES[change](project, take)
+            with suppress(EngineError, Death), refused(folder, n, error) as refusal:
+                CHANGES[change](project, take)
         with TakeProject(folder) as again:
             for found in (*again.takes, *again.deleted):
                 beside_found = [again.path_of(found).with_suffix(suffix) for suffix in COPY_SUFFIXES]
                 for path in filter(Path.exists, beside_found):
                     assert heard(read_labels(path)) == heard(found.to_labels()), (n, path)
-        if len(calls) < n:
+        if len(refusal.changes) < n:
             assert n > 5
             return
     pytest.fail("the change has more steps than this test thought")
-
-
-def breaking(patch, n, error):
-    """Let the n-th call that changes the disk, and all later ones, fail; give the calls."""
-    calls = []
-    for owner, name in ((os, "fsync"), (Path, "replace"), (Path, "unlink"), (shutil, "copyfileobj")):
-        patch.setattr(owner, name, guarded(getattr(owner, name), calls, n, error))
-    return calls
-
-
-def guarded(call, calls, n, error):
-    def act(*args, **options):
-        calls.append(call)
-        if len(calls) >= n:
-            raise error
-        return call(*args, **options)
-
-    return act

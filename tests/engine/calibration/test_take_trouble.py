@@ -1,10 +1,7 @@
 """Projects after a crash, with damaged lists, missing sounds and full disks: nothing that was made is lost."""
 
 import json
-import os
-import shutil
 from contextlib import suppress
-from pathlib import Path
 
 import pytest
 import soundfile
@@ -13,6 +10,7 @@ from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.phonemes import Phoneme
+from tests.disks import refused
 from tests.sounds import noise, vowel
 
 SOUND = vowel((750, 1250), 0.3)
@@ -30,29 +28,6 @@ CHANGES = {
 
 class Death(BaseException):
     """The process ends here."""
-
-
-class DiesAt:
-    """Lets the n-th call and all later ones that change the disk end in death, or in an error of the disk."""
-
-    def __init__(self, monkeypatch, n, error, *, once=False):
-        self.n, self.calls, self.error, self.once = n, 0, error, once
-        for owner, name in (
-            (os, "fsync"),
-            (Path, "replace"),
-            (Path, "unlink"),
-            (shutil, "copyfileobj"),
-        ):
-            monkeypatch.setattr(owner, name, self._guarded(getattr(owner, name)))
-
-    def _guarded(self, call):
-        def guarded(*args, **options):
-            self.calls += 1
-            if self.calls == self.n or (self.calls > self.n and not self.once):
-                raise self.error
-            return call(*args, **options)
-
-        return guarded
 
 
 def made(folder):
@@ -85,7 +60,7 @@ def check_that_all_agrees(folder):
 
 @pytest.mark.parametrize("name", CHANGES)
 @pytest.mark.parametrize("n", range(1, 12))
-def test_a_death_at_any_moment_leaves_the_old_state_or_the_new_one(tmp_path, monkeypatch, name, n):
+def test_a_death_at_any_moment_leaves_the_old_state_or_the_new_one(tmp_path, name, n):
     folder = tmp_path / "p"
     made(folder)
     with TakeProject(folder) as project:
@@ -93,14 +68,13 @@ def test_a_death_at_any_moment_leaves_the_old_state_or_the_new_one(tmp_path, mon
         if name == "undo":
             first = project.relabel(first, Phoneme.O)
         old = state(project)
-        with monkeypatch.context() as patch:
-            death = DiesAt(patch, n, Death())
+        with refused(folder, n, Death()) as death:
             try:
                 CHANGES[name](project, first)
             except Death:
                 pass
             else:
-                assert death.calls < n
+                assert len(death.changes) < n
     found = check_that_all_agrees(folder)
     assert found in (old, _new_of(old, name))
 
@@ -122,7 +96,7 @@ def _new_of(old, name):
 
 @pytest.mark.parametrize("name", CHANGES)
 @pytest.mark.parametrize("n", range(1, 7))
-def test_a_disk_that_refuses_leaves_the_old_state_here_and_there(tmp_path, monkeypatch, name, n):
+def test_a_disk_that_refuses_leaves_the_old_state_here_and_there(tmp_path, name, n):
     folder = tmp_path / "p"
     made(folder)
     with TakeProject(folder) as project:
@@ -130,8 +104,7 @@ def test_a_disk_that_refuses_leaves_the_old_state_here_and_there(tmp_path, monke
         if name == "undo":
             first = project.relabel(first, Phoneme.O)
         old = state(project)
-        with monkeypatch.context() as patch:
-            DiesAt(patch, n, OSError(28, "No space left on device"))
+        with refused(folder, n):
             try:
                 CHANGES[name](project, first)
             except EngineError as error:
@@ -147,14 +120,13 @@ def test_a_disk_that_refuses_leaves_the_old_state_here_and_there(tmp_path, monke
 
 @pytest.mark.parametrize("name", CHANGES)
 @pytest.mark.parametrize("n", range(1, 8))
-def test_after_one_refusal_of_the_disk_all_files_say_what_the_project_says(tmp_path, monkeypatch, name, n):
+def test_after_one_refusal_of_the_disk_all_files_say_what_the_project_says(tmp_path, name, n):
     made(tmp_path)
     with TakeProject(tmp_path) as project:
         first = project.takes[0]
         if name == "undo":
             first = project.relabel(first, Phoneme.O)
-        with monkeypatch.context() as patch, suppress(EngineError):
-            DiesAt(patch, n, OSError(28, "No space left on device"), once=True)
+        with suppress(EngineError), refused(tmp_path, n, once=True):
             CHANGES[name](project, first)
         counted = [t for t in project.takes if not t.excluded]
         found = read_corpus(tmp_path)

@@ -7,10 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels import table as label_table
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
+from tests.disks import refused
 
 HEAD = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n'
 GRID = HEAD + '0\n2\n<exists>\n1\n"IntervalTier"\n"phones"\n0\n2\n2\n0\n1\n"a"\n1\n2\n"m"\n'
@@ -77,11 +77,10 @@ def test_a_missing_label_file_and_a_folder_are_refused(tmp_path):
             read_labels(tmp_path / name)
 
 
-def test_a_huge_file_is_refused_before_it_is_read(tmp_path, monkeypatch):
+def test_a_huge_file_is_refused_before_it_is_read(tmp_path):
     path = tmp_path / "x.csv"
     with path.open("wb") as file:
-        file.truncate(label_table.LARGEST + 1)
-    monkeypatch.setattr("pathlib.Path.read_bytes", lambda self: pytest.fail("it was read"))
+        file.truncate(1 << 40)  # more than memory takes, if it were read
     with pytest.raises(CorpusError, match="at most 64 MB"):
         read_labels(path)
 
@@ -125,16 +124,13 @@ def test_labels_are_given_in_order_of_time(tmp_path):
     assert [x.phoneme for x in read_labels(path)] == [Phoneme.A, Phoneme.M]
 
 
-def test_the_old_file_stays_when_writing_fails(tmp_path, monkeypatch):
+@pytest.mark.parametrize("event", ["open", "os.rename"])
+def test_the_old_file_stays_when_writing_fails(tmp_path, event):
     path = tmp_path / "x.csv"
     write_labels([Label(0, 1, "a", Phoneme.A)], path)
     old = path.read_bytes()
-
-    def full(fd):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr("os.fsync", full)
-    with pytest.raises(CorpusError, match=r"x\.csv: cannot be written \(No space left on device\)"):
+    refusal = pytest.raises(CorpusError, match=r"x\.csv: cannot be written \(No space left on device\)")
+    with refused(tmp_path, events={event}), refusal:
         write_labels([Label(0, 2, "m", Phoneme.M)], path)
     assert path.read_bytes() == old
     assert [p.name for p in tmp_path.iterdir()] == ["x.csv"]

@@ -17,6 +17,7 @@ from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
 from phonemeengine.settings import BIN_WIDTH, PARAMETERS, RANGES, AnalysisSettings, Decimation, Filter, WindowFunction
+from tests.disks import refused
 
 COUNTING = "0.5,0.25,3,4,0.125\n6,7,8,9\n10,11\n12,13,14,15\n16,17\n18,19,20,21\n"
 ROUND_HERTZ = ("high_pass_start", "high_pass_end")
@@ -143,15 +144,11 @@ def test_bins_come_back_bit_by_bit_at_float_precision(bounds: tuple[float, float
     assert np.float32(back.high_pass_end) == np.float32(end)
 
 
-def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+def test_a_file_that_cannot_be_written_leaves_the_old_one(tmp_path: Path):
     path = tmp_path / "mine.toml"
     save_preset(Preset("old"), path)
-
-    def full(_part: Path, _target: Path) -> Path:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(Path, "replace", full)
-    with pytest.raises(PresetError, match=r"mine\.toml: cannot be written \(No space left on device\)"):
+    refusal = pytest.raises(PresetError, match=r"mine\.toml: cannot be written \(No space left on device\)")
+    with refused(tmp_path, events={"os.rename"}), refusal:
         save_preset(Preset("new"), path)
     assert load_preset(path).name == "old"
     assert [p.name for p in tmp_path.iterdir()] == ["mine.toml"]
