@@ -6,6 +6,7 @@ import signal
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 from tests.homes import environment_of, home_of_this_run
 
@@ -140,6 +141,17 @@ def portaudio(monkeypatch: pytest.MonkeyPatch) -> Iterator[FakePortAudio]:
     yield fake
     for opened in tuple(stream._open):
         opened.close()
+
+
+@pytest.fixture
+def no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A machine without OpenGL: the package that opens one finds no library."""
+
+    def refuse(**_options: object) -> None:
+        raise ImportError("libEGL.so.1 not loaded\nand more")
+
+    door = SimpleNamespace(default_backend=lambda: refuse, get_backend_by_name=lambda _name: refuse)
+    monkeypatch.setitem(sys.modules, "glcontext", door)
 
 
 @pytest.fixture

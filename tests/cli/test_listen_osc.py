@@ -12,7 +12,7 @@ from phonemeanalyser.cli.main import main
 from phonemeengine import Expression, OscExpression, held_expression
 from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
-from phonemeengine.mouth.osc import OscAddress, OscMouth, OscSettings
+from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import SAMPLE_RATE
@@ -68,19 +68,11 @@ def test_a_program_beside_it_hears_the_phonemes_that_are_printed(
 
 
 def test_a_receiver_that_cannot_be_reached_is_said_at_the_end_and_all_is_printed(
-    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:  # fmt: skip
-    def fail(_self: OscMouth, _messages: object) -> None:
-        _self.failure = "the OSC receiver cannot be reached (no route); check its address"
-
-    monkeypatch.setattr(OscMouth, "_send", fail)
-    listen_to_speech(microphone, OscSettings(receiver.address, load_table("vrm")))
+    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+) -> None:
+    listen_to_speech(microphone, OscSettings(OscAddress("255.255.255.255", 9), load_table("vrm")))
     said = capsys.readouterr()
-    assert (
-        said.err.splitlines()[-1]
-        == "phonemeanalyser: the OSC receiver cannot be reached (no route); check its address"
-    )
+    assert said.err.splitlines()[-1].startswith("phonemeanalyser: the OSC receiver cannot be reached (")
     assert len(said.out.splitlines()) > 4
 
 

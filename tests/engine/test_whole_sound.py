@@ -113,8 +113,7 @@ def test_the_outline_goes_on_where_a_cancelled_analysis_left_it(long: Path):
     assert tracks.peaks.n_samples == SECONDS * SAMPLE_RATE + 123
 
 
-def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr("phonemeengine.inspection.whole_sound.MOST_PREVIEWED", 300)
+def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path):
     tracks, known = empty(long), []
 
     def watch(_share: float) -> bool:
@@ -123,7 +122,10 @@ def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path, monkeypatch
 
     view = FrameRange(1000, 3000)
     with pytest.raises(Cancelled):
-        analyse_whole(lambda: SoundReader(long), load_preset("thesis"), tracks, in_view=lambda: view, progress=watch)
+        analyse_whole(
+            lambda: SoundReader(long), load_preset("thesis"), tracks, in_view=lambda: view, progress=watch,
+            most_previewed=300,
+        )  # fmt: skip
     assert known[-1][1000:1300].all()
     assert not known[-1][1300:].any()
 

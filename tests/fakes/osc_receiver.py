@@ -13,23 +13,36 @@ SAME_TIME = 1e-4
 """Seconds: times come as floats of 32 bits."""
 
 
+class _Server(BlockingOSCUDPServer):
+    """Notes the size of each packet."""
+
+    sizes: list[int]
+
+    def verify_request(self, request: Any, client_address: Any) -> bool:
+        self.sizes.append(len(request[0]))
+        return super().verify_request(request, client_address)
+
+
 class Receiver:
     """A VTuber program: takes every message, with python-osc's own server.
 
     Attributes
     ----------
     messages : as they came.
+    sizes : bytes of each packet that came.
     pictures : each mouth that came, from its time to its ``Apply``: seconds of the sender, and the weights.
     """
 
     def __init__(self) -> None:
         self.messages: list[Message] = []
+        self.sizes: list[int] = []
         self.pictures: list[tuple[float, dict[str, float]]] = []
         self._coming: dict[str, float] = {}
         self._sent_at = 0.0
         dispatcher = Dispatcher()
         dispatcher.set_default_handler(self._take)
-        self._server = BlockingOSCUDPServer(("127.0.0.1", 0), dispatcher)
+        self._server = _Server(("127.0.0.1", 0), dispatcher)
+        self._server.sizes = self.sizes
         self.address = OscAddress("127.0.0.1", self._server.server_address[1])
         self._thread = threading.Thread(
             target=self._server.serve_forever, kwargs={"poll_interval": 0.02}, daemon=True

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
 from phonemeanalyser.rendering import RenderingError
-from phonemeanalyser.rendering import offscreen as offscreen_drawing
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
@@ -387,11 +386,8 @@ def test_a_picture_too_large_for_the_driver_is_refused_in_one_sentence(head: Mor
         offscreen(head, (200_000, 200_000))
 
 
-def test_a_machine_without_opengl_is_told_in_one_sentence(monkeypatch: pytest.MonkeyPatch):
-    def fail(**_kinds: object) -> None:
-        raise Exception("libEGL.so.1 not loaded\nand more")
-
-    monkeypatch.setattr(offscreen_drawing.moderngl, "create_context", fail)
+@pytest.mark.usefixtures("no_opengl")
+def test_a_machine_without_opengl_is_told_in_one_sentence():
     with pytest.raises(
         RenderingError, match=r"there is none \(libEGL.so.1 not loaded\); install a graphics"
     ) as caught:

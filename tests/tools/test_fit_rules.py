@@ -1,6 +1,5 @@
 """Extended rules and templates, fitted to labelled speech from the command line."""
 
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -44,10 +43,9 @@ def scores_on(folder: Path, preset: Preset) -> Scores:
     return scores_of(pairs)
 
 
-def test_rules_grown_from_a_small_corpus_recognise_it(small_corpus, monkeypatch, capsys):
+def test_rules_grown_from_a_small_corpus_recognise_it(small_corpus, capsys):
     out = small_corpus / "out"
-    monkeypatch.setattr(sys, "argv", ["fit", str(small_corpus), "-o", str(out), "--more", str(small_corpus)])
-    assert fit_rules.main() == 0
+    assert fit_rules.main([str(small_corpus), "-o", str(out), "--more", str(small_corpus)]) == 0
     preset = load_preset(out / "extended.toml")
     assert preset.notes in capsys.readouterr().out
     assert preset.recogniser == "rules"
@@ -57,18 +55,16 @@ def test_rules_grown_from_a_small_corpus_recognise_it(small_corpus, monkeypatch,
     assert scores.changes_per_s <= 2 * scores.label_changes_per_s
 
 
-def test_templates_of_a_small_corpus_recognise_it(small_corpus, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["templates", str(small_corpus), "-o", str(small_corpus / "out")])
-    assert fit_templates.main() == 0
+def test_templates_of_a_small_corpus_recognise_it(small_corpus, capsys):
+    assert fit_templates.main([str(small_corpus), "-o", str(small_corpus / "out")]) == 0
     preset = load_preset(small_corpus / "out" / "templates.toml")
     assert "Mean cepstra of 4 speakers" in capsys.readouterr().out
     assert scores_on(small_corpus, preset).macro_f1 > 0.8
 
 
 @pytest.mark.parametrize("module", [fit_rules, fit_templates])
-def test_a_folder_that_is_no_corpus_is_refused_in_one_sentence(module, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["fit", str(tmp_path), "-o", str(tmp_path / "out")])
-    assert module.main() == 1
+def test_a_folder_that_is_no_corpus_is_refused_in_one_sentence(module, tmp_path, capsys):
+    assert module.main([str(tmp_path), "-o", str(tmp_path / "out")]) == 1
     assert "manifest.csv" in capsys.readouterr().err
 
 

@@ -60,12 +60,12 @@ def test_only_a_sentence_counts_as_a_refusal(read: object, what: str):
     assert bool(found) == bool(what)
 
 
-def test_a_process_that_stays_at_one_file_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.setattr(running, "HANG", 0.3)
+def test_a_process_that_stays_at_one_file_is_ended(tmp_path: Path):
     now = tmp_path / "now"
     now.write_bytes(b"%12d" % 7)
-    process = subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"])
-    assert running._watch(process, now, lambda _n: None)
+    process = subprocess.Popen([sys.executable, "-c", "input()"], stdin=subprocess.PIPE)
+    assert running._watch(process, now, lambda _n: None, patience=0.3)
+    process.stdin.close()
     assert process.returncode is not None
 
 

@@ -40,9 +40,11 @@ def test_checksums_can_be_checked(tmp_path):
 
 
 def test_a_checkout_with_changes_is_refused(monkeypatch, capsys, tmp_path):
-    monkeypatch.setattr("tools.release.__main__._answer", lambda *_: " M README.md")
-    monkeypatch.setattr(sys, "argv", ["release", "-o", str(tmp_path / "release")])
-    assert main() == 1
+    subprocess.run(["git", "init", "-q", tmp_path / "checkout"], check=True)
+    (tmp_path / "checkout" / "new").touch()
+    monkeypatch.setenv("GIT_DIR", str(tmp_path / "checkout" / ".git"))
+    monkeypatch.setenv("GIT_WORK_TREE", str(tmp_path / "checkout"))
+    assert main(["-o", str(tmp_path / "release")]) == 1
     assert "commit them" in capsys.readouterr().err
     assert not (tmp_path / "release").exists()
     assert (ROOT / "pyproject.toml").is_file()

@@ -198,14 +198,14 @@ def _recognised(features: Features, rules: Rules, hysteresis: float) -> UInt8Arr
     return PhonemeSmoother(0.0, SUCCESSORS, hysteresis).smooth(codes, recogniser.deficits(features))
 
 
-def main() -> int:
+def main(argv: Sequence[str] | None = None) -> int:
     """Run the fit from the command line."""
     parser = argparse.ArgumentParser(prog="python -m tools.fit.rules", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
     parser.add_argument("--more", type=Path, metavar="FOLDER", help="further speech in the same format")
     parser.add_argument("--seed", type=int, default=1, help="of every random choice (default 1)")
-    args = parser.parse_args()
+    args = parser.parse_args(argv)
     try:
         variables = candidates()
         corpus = tuple(rule_features_of(args.corpus, variables, args.seed))

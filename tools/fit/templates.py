@@ -54,12 +54,12 @@ silence found {s.silence_recall:.3f}, false silence {s.false_silence:.3f}, {s.ch
 """
 
 
-def main() -> int:
+def main(argv: Sequence[str] | None = None) -> int:
     """Make the templates of a corpus from the command line."""
     parser = argparse.ArgumentParser(prog="python -m tools.fit.templates", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the preset")
-    args = parser.parse_args()
+    args = parser.parse_args(argv)
     try:
         utterances = read_corpus(args.corpus)
         args.out.mkdir(parents=True, exist_ok=True)

@@ -11,7 +11,7 @@ speech.
 
 import argparse
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
@@ -102,9 +102,13 @@ class PresetFitter:
     recordings : what to fit to.
     seed : of every random choice.
     n_starts : random starts of a search.
+    plain : try no high-pass and no smoothing.
     """
 
-    def __init__(self, recordings: tuple[_LabelledRecording, ...], seed: int, n_starts: int) -> None:
+    def __init__(
+        self, recordings: tuple[_LabelledRecording, ...], seed: int, n_starts: int, *, plain: bool = False
+    ) -> None:
+        self._plain = plain
         self._recordings = recordings
         self._seed = seed
         self._n_starts = n_starts
@@ -129,7 +133,7 @@ class PresetFitter:
         high_passes = [base.with_numbers(high_pass_start=low, high_pass_end=high) for low, high in HIGH_PASSES]
         smooths = [base.with_numbers(time_smooth=t, frequency_smooth=f) for t, f in SMOOTHS]
         noiseless = [s.with_numbers(denoise_threshold=DENOISE_THRESHOLD) for s in (base, *high_passes)]
-        candidates = [base, *high_passes, *smooths, *noiseless]
+        candidates = [base, noiseless[0]] if self._plain else [base, *high_passes, *smooths, *noiseless]
         scores = np.array([self._generalisation(settings) for settings in candidates])
         gains = scores - scores[0]
         return candidates[int(gains.argmax())] if gains.max() >= LEAST_GAIN else base
@@ -249,9 +253,9 @@ def _recordings_of(folder: Path, seed: int) -> Iterator[_LabelledRecording]:
         yield _LabelledRecording(utterance, frame_labels_of(utterance.labels), clean, noisy)
 
 
-def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:
+def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int, *, plain: bool) -> None:
     recordings = tuple(_recordings_of(corpus, seed))
-    fitter = PresetFitter(recordings, seed, n_starts)
+    fitter = PresetFitter(recordings, seed, n_starts, plain=plain)
     out.mkdir(parents=True, exist_ok=True)
     for variant, fitted in chain.from_iterable(fitter.fit(decimation) for decimation in PRESETS):
         save_preset(fitted, out / f"{variant.stem}.toml")
@@ -261,16 +265,17 @@ def _fit_all(corpus: Path, out: Path, seed: int, n_starts: int) -> None:
             save_preset(fitted, out / "thesis.phonemedata")
 
 
-def main() -> int:
+def main(argv: Sequence[str] | None = None) -> int:
     """Run the fit from the command line."""
     parser = argparse.ArgumentParser(prog="python -m tools.fit.thesis", description=__doc__)
     parser.add_argument("corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv")
     parser.add_argument("-o", "--out", type=Path, required=True, help="folder for the presets")
     parser.add_argument("--seed", type=int, default=1, help="of every random choice (default 1)")
     parser.add_argument("--starts", type=int, default=24, help="random starts of each search (default 24)")
-    args = parser.parse_args()
+    parser.add_argument("--plain", action="store_true", help="try no high-pass and no smoothing, in half the time")
+    args = parser.parse_args(argv)
     try:
-        _fit_all(args.corpus, args.out, args.seed, args.starts)
+        _fit_all(args.corpus, args.out, args.seed, args.starts, plain=args.plain)
     except EngineError as error:
         print(error, file=sys.stderr)
         return 1

@@ -56,7 +56,9 @@ def _run_on(begin: int, end: int, seed: str, failures: list[Failure], told: Call
         return number + 1 if number < end else end
 
 
-def _watch(process: "subprocess.Popen[bytes]", now: Path, told: Callable[[int], None]) -> bool:
+def _watch(
+    process: "subprocess.Popen[bytes]", now: Path, told: Callable[[int], None], patience: float = HANG
+) -> bool:
     """Wait for a process; kills it, and says so, if it stays at one file."""
     last, since = -1, time.monotonic()
     while process.poll() is None:
@@ -65,7 +67,7 @@ def _watch(process: "subprocess.Popen[bytes]", now: Path, told: Callable[[int], 
         told(max(number, 0))
         if number != last:
             last, since = number, time.monotonic()
-        elif time.monotonic() - since > HANG:
+        elif time.monotonic() - since > patience:
             process.kill()
             process.wait()
             return True

@@ -11,7 +11,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from tools.blender.build import build
@@ -20,11 +20,11 @@ from tools.bundle.making import make_bundle
 ROOT = Path(__file__).resolve().parents[2]
 
 
-def main() -> int:
+def main(argv: Sequence[str] | None = None) -> int:
     """Make them; returns 0, or 1 where there are changes or two makings differ."""
     parser = argparse.ArgumentParser(prog="python -m tools.release", description=__doc__)
     parser.add_argument("-o", "--out", type=Path, default=ROOT / "build" / "release", help="folder (build/release)")
-    out = parser.parse_args().out.resolve()
+    out = parser.parse_args(argv).out.resolve()
     if _answer("git", "status", "--porcelain"):
         print("This checkout has changes; commit them, so that others can make the same release.", file=sys.stderr)
         return 1

@@ -98,14 +98,16 @@ class WhisperEncoder:
     ----------
     folder : with `model.bin`, `config.json` and a vocabulary.
     n_threads : that work on a sound.
+    free_memory : bytes that programs may still take.
 
     Raises
     ------
     ModelError : ctranslate2 is not installed, the folder lacks a file, is damaged, or there is too little memory.
     """
 
-    def __init__(self, folder: Path, n_threads: int = 0) -> None:
-        self._model = _load(folder, n_threads or threads_allowed())
+    def __init__(self, folder: Path, n_threads: int = 0, free_memory: float | None = None) -> None:
+        free = _free_memory() if free_memory is None else free_memory
+        self._model = _load(folder, n_threads or threads_allowed(), free)
 
     def encode(self, samples: Float32Array) -> NDArray[np.float16]:
         """Return the states, float16, shape (n_frames, 512): frame k lies at k x 20 ms..(k + 1) x 20 ms."""
@@ -151,7 +153,7 @@ def missing_files(folder: Path) -> list[str]:
     return missing if has_vocabulary else [*missing, VOCABULARIES[-1]]
 
 
-def _load(folder: Path, n_threads: int) -> Any:
+def _load(folder: Path, n_threads: int, free: float) -> Any:
     missing = missing_files(folder)
     if missing:
         raise ModelError(
@@ -164,7 +166,7 @@ def _load(folder: Path, n_threads: int) -> Any:
         raise ModelError(
             "Whisper needs ctranslate2, which is not installed; install phonemeanalyser[whisper]"
         ) from error
-    if (free := _free_memory()) < NEEDED_MEMORY:
+    if free < NEEDED_MEMORY:
         raise ModelError(
             f"Whisper needs {NEEDED_MEMORY / 1e6:.0f} MB of memory and {free / 1e6:.0f} MB are free; "
             "close other programs"

@@ -117,6 +117,7 @@ class SoundTracks:
 def analyse_whole(
     open_sound: Callable[[], SoundReader], preset: Preset, tracks: SoundTracks, *,
     in_view: Callable[[], FrameRange] = lambda: FrameRange(0, 0), progress: Progress = no_progress,
+    most_previewed: int = MOST_PREVIEWED,
 ) -> None:  # fmt: skip
     """Analyse a whole sound into tracks, as `analyse_file` does; what is in view is found first.
 
@@ -128,8 +129,9 @@ def analyse_whole(
     open_sound : opens the sound; it is read at two places at once.
     preset : what is recognised with.
     tracks : made for this sound; what they know is outdated first.
-    in_view : asked again and again for what somebody looks at; of that, at most a minute is found ahead.
+    in_view : asked again and again for what somebody looks at.
     progress : called with the share that is done, 0..1.
+    most_previewed : frames of that which are found ahead of their turn at most.
 
     Raises
     ------
@@ -145,7 +147,7 @@ def analyse_whole(
             wanted = in_view()
             if wanted != seen:
                 seen = wanted
-                _find(ahead, preset, tracks, FrameRange(max(wanted.first, done), wanted.last))
+                _find(ahead, preset, tracks, FrameRange(max(wanted.first, done), wanted.last), most_previewed)
 
         passes = _passes_of(preset)
         for k, heard_with in enumerate(passes):
@@ -180,9 +182,9 @@ def _outlined(blocks: Iterator[Float32Array], tracks: SoundTracks) -> Iterator[F
         yield block
 
 
-def _find(reader: SoundReader, preset: Preset, tracks: SoundTracks, frames: FrameRange) -> None:
+def _find(reader: SoundReader, preset: Preset, tracks: SoundTracks, frames: FrameRange, most: int) -> None:
     """Find what is wanted of some frames ahead of their turn."""
-    first, last = max(0, frames.first), min(frames.last, frames.first + MOST_PREVIEWED, tracks.n_frames)
+    first, last = max(0, frames.first), min(frames.last, frames.first + most, tracks.n_frames)
     if last > first and not tracks.is_known(FrameRange(first, last)):
         for analysis in analyse_range(reader, first, last, preset, pitch=True):
             tracks.write(analysis)

@@ -109,9 +109,9 @@ def animation_by(performer: Performer, speech: Transcript, rate: float, *, rests
 
 
 def animation_blocks(
-    performer: Performer, speech: Transcript, rate: float, *, rests_from: float = 0.0
+    performer: Performer, speech: Transcript, rate: float, *, rests_from: float = 0.0, block: int = BLOCK
 ) -> Iterator[Animation]:
-    """Animate a face as `animation_by` does, a minute or so at a time: hours of it need not be held in memory.
+    """Animate a face as `animation_by` does, some frames at a time: hours of it need not be held in memory.
 
     Raises
     ------
@@ -125,8 +125,8 @@ def animation_blocks(
     n_frames = math.floor(speech.duration * rate + 1e-6) + 1
     n_frames = max(n_frames, math.ceil(max(_end_of(performer, spoken), rests_from) * rate - 1e-6) + 1)
     faces = _faces(performer, speech, np.arange(n_frames) / rate)
-    for first in range(0, n_frames, BLOCK):
-        n = min(BLOCK, n_frames - first)
+    for first in range(0, n_frames, block):
+        n = min(block, n_frames - first)
         weights, head = np.zeros((n, len(movestates)), np.float32), np.zeros((n, 3), np.float32)
         for frame, face in enumerate(islice(faces, n)):
             weights[frame], head[frame] = face.weights, face.head

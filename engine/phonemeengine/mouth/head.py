@@ -22,7 +22,7 @@ OWN_LIFE = ("eye", "brow")
 """States whose names begin so are not interactable: the mouth does not push eyes and brows back."""
 
 
-def load_head() -> MorphMesh:
+def load_head(path: Path = HEAD) -> MorphMesh:
     """Load the head and its movestates, whose names are those of ARKit.
 
     Raises
@@ -30,9 +30,9 @@ def load_head() -> MorphMesh:
     MeshError : the program's own file is missing or damaged.
     """
     try:
-        return _morph_mesh_of(read_npz(HEAD, LARGEST))
+        return _morph_mesh_of(read_npz(path, LARGEST))
     except (OSError, ValueError, KeyError) as error:
-        raise MeshError(f"{HEAD.name}: the program's own head cannot be read; install the program again") from error
+        raise MeshError(f"{path.name}: the program's own head cannot be read; install the program again") from error
 
 
 def _morph_mesh_of(arrays: dict[str, NDArray[Any]]) -> MorphMesh:

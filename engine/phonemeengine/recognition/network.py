@@ -6,7 +6,7 @@ it finds to what came in. In a causal network they are the newest frame and thos
 centred one, which is for sounds that are wholly known, the frame itself and those one dilation before and after it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from timeit import repeat
@@ -48,6 +48,18 @@ class Layer(ShortRepr):
         return (TAPS - 1) * self.dilation
 
 
+@lru_cache(maxsize=1)
+def vectors_pay() -> bool:
+    """Return whether a matrix of a frame's vocal tracts costs more than as many vectors, as measured once.
+
+    It costs twice as much with OpenBLAS on processors with AVX2, and two thirds of it on those with AVX-512. Where
+    both are about equal, the answer is yes, so that it is the same in all processes.
+    """
+    rows, weights = np.ones((3, 1, 384), np.float32), np.ones((384, 128), np.float32)
+    as_vectors, as_matrix = partial(np.matmul, rows, weights), partial(np.dot, rows[:, 0], weights)
+    return min(repeat(as_matrix, number=4)) > CLEARLY * min(repeat(as_vectors, number=4))
+
+
 class StreamingLayer:
     """One layer at work: remembers the frames that it looks back to.
 
@@ -56,9 +68,11 @@ class StreamingLayer:
     layer : the layer.
     before : what lay before the sound, shape (n_in,); or (n_lanes, n_in), where several sounds of equal length are
         worked on side by side.
+    pay : see `vectors_pay`.
     """
 
-    def __init__(self, layer: Layer, before: Float32Array) -> None:
+    def __init__(self, layer: Layer, before: Float32Array, pay: Callable[[], bool] = vectors_pay) -> None:
+        self._vectors_pay = pay
         self._weights, self._bias = layer.weights, layer.bias
         self._reach, self._step = layer.reach, layer.dilation
         # A layer with the dilation d looks back over 2 d frames and no further, so these are all it has to keep: a
@@ -104,7 +118,7 @@ class StreamingLayer:
         """Work on each frame alone, so that its answer is the same to the last bit however many come."""
         # A product of matrices adds in another order for another number of rows, and then the last bits depend on how
         # the sound was cut. One product for each frame, stacked, always adds in the same order.
-        n = block[..., 0].size if vectors_pay() else len(block)
+        n = block[..., 0].size if self._vectors_pay() else len(block)
         found: Float32Array = np.matmul(self.remember(block).reshape(n, -1, len(self._weights)), self._weights)
         return found.reshape(*block.shape[:-1], -1)
 
@@ -114,18 +128,6 @@ class StreamingLayer:
         self._seen[: self._reach], self._end = seen[n:], self._reach
         found: Float32Array = _taps_of(seen, self._step).reshape(-1, len(self._weights)).dot(self._weights)
         return found.reshape(*block.shape[:-1], -1)
-
-
-@lru_cache(maxsize=1)
-def vectors_pay() -> bool:
-    """Return whether a matrix of a frame's vocal tracts costs more than as many vectors, as measured once.
-
-    It costs twice as much with OpenBLAS on processors with AVX2, and two thirds of it on those with AVX-512. Where
-    both are about equal, the answer is yes, so that it is the same in all processes.
-    """
-    rows, weights = np.ones((3, 1, 384), np.float32), np.ones((384, 128), np.float32)
-    as_vectors, as_matrix = partial(np.matmul, rows, weights), partial(np.dot, rows[:, 0], weights)
-    return min(repeat(as_matrix, number=4)) > CLEARLY * min(repeat(as_vectors, number=4))
 
 
 def _taps_of(seen: Float32Array, step: int) -> Float32Array:
@@ -176,16 +178,19 @@ class Network:
     ----------
     layers : the layers, the first one on the input.
     before : the input before the sound began, shape (n_in,); or (n_lanes, n_in), see `StreamingLayer`.
+    pay : see `vectors_pay`.
 
     Attributes
     ----------
     stack : the layers at work.
     """
 
-    def __init__(self, layers: tuple[Layer, ...], before: Float32Array) -> None:
+    def __init__(
+        self, layers: tuple[Layer, ...], before: Float32Array, pay: Callable[[], bool] = vectors_pay
+    ) -> None:
         # Before the sound the first layer sees silence and all others see zeros, as where the training pads.
         nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
-        self.stack = [StreamingLayer(layer, nothing if k else before) for k, layer in enumerate(layers)]
+        self.stack = [StreamingLayer(layer, nothing if k else before, pay) for k, layer in enumerate(layers)]
 
     def forward(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of them, (n, ..., n_out)."""

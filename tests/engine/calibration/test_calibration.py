@@ -163,12 +163,9 @@ def _recognise(utterance, preset, corpus, folder):
     return frame_labels_of(utterance.labels), found
 
 
-def test_a_fit_to_a_small_corpus_recognises_it_and_writes_presets(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(fit_thesis, "HIGH_PASSES", ())
-    monkeypatch.setattr(fit_thesis, "SMOOTHS", ())
-    command = ["fit", str(write_corpus(tmp_path)), "-o", str(tmp_path / "out"), "--starts", "2", "--seed", "3"]
-    monkeypatch.setattr(sys, "argv", command)
-    assert fit_thesis.main() == 0
+def test_a_fit_to_a_small_corpus_recognises_it_and_writes_presets(tmp_path, capsys):
+    words = [str(write_corpus(tmp_path)), "-o", str(tmp_path / "out"), "--starts", "2", "--seed", "3", "--plain"]
+    assert fit_thesis.main(words) == 0
     preset = load_preset(tmp_path / "out" / "thesis.toml")
     assert "seed 3" in preset.notes
     table = ", ".join(f"{p.label} {q.label}" for p, q in preset.successors.items())
@@ -183,9 +180,8 @@ def test_a_fit_to_a_small_corpus_recognises_it_and_writes_presets(tmp_path, monk
     assert "Thesis, anti-aliased" in (tmp_path / "out" / "thesis-anti-aliased.toml").read_text()
 
 
-def test_a_fit_refuses_a_folder_that_is_no_corpus_in_one_sentence(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["fit", str(tmp_path), "-o", str(tmp_path / "out")])
-    assert fit_thesis.main() == 1
+def test_a_fit_refuses_a_folder_that_is_no_corpus_in_one_sentence(tmp_path, capsys):
+    assert fit_thesis.main([str(tmp_path), "-o", str(tmp_path / "out")]) == 1
     assert "manifest.csv" in capsys.readouterr().err
 
 

@@ -6,7 +6,6 @@ import sys
 import numpy as np
 import pytest
 
-from phonemeengine.encoder import whisper as module
 from phonemeengine.encoder.head import load_head, save_head
 from phonemeengine.encoder.model_folder import open_whisper
 from phonemeengine.encoder.whisper import STRETCH, WhisperEncoder
@@ -58,10 +57,9 @@ def test_a_damaged_model_is_refused(tmp_path, whisper_folder):
         WhisperEncoder(tmp_path / "copy")
 
 
-def test_too_little_memory_is_said(whisper_folder, monkeypatch):
-    monkeypatch.setattr(module, "_free_memory", lambda: 1e8)
+def test_too_little_memory_is_said(whisper_folder):
     with pytest.raises(ModelError, match="needs 400 MB of memory and 100 MB are free; close other programs"):
-        WhisperEncoder(whisper_folder)
+        WhisperEncoder(whisper_folder, free_memory=1e8)
 
 
 def test_without_its_library_that_is_said(whisper_folder, monkeypatch):

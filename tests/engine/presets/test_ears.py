@@ -1,5 +1,6 @@
 """What files are heard with: the model that a preset has for them, a speech encoder, or what hears live."""
 
+import sys
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,7 +23,6 @@ from phonemeengine.encoder.model_folder import FOLDER_VARIABLE
 from phonemeengine.errors import PresetError
 from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets import ears
 from phonemeengine.presets.ears import ear_in_words, for_files, while_played
 from phonemeengine.presets.files import beyond_phoneme_data, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
@@ -177,7 +177,7 @@ def test_where_the_encoder_is_damaged_the_next_best_serves_and_that_is_told(tmp_
 
 
 def test_where_no_encoder_is_installed_nobody_hears_of_it_unless_he_asks(monkeypatch):
-    monkeypatch.setattr(ears, "ENCODER_LIBRARY", "no_such_library")
+    monkeypatch.setitem(sys.modules, "ctranslate2", None)
     assert (for_files(BOTH).ear, for_files(BOTH).warnings) == (Ear.TWIN, ())
     (told,) = for_files(BOTH, Ear.WHISPER).warnings
     assert told.startswith("the speech encoder is not installed; pip install")

@@ -8,7 +8,6 @@ import pytest
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.errors import PresetError
-from phonemeengine.presets import files
 from phonemeengine.presets.files import (
     FACTORY,
     FACTORY_PRESETS,
@@ -21,6 +20,7 @@ from phonemeengine.presets.files import (
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import BUILT_IN
 from phonemeengine.settings import AnalysisSettings, Filter
+from phonemeengine.storage.paths import presets_folder
 from tests.sounds import noise, vowel
 
 SOUND = (vowel((750.0, 1250.0, 2500.0), 0.5) + noise(0.5, 0.02, seed=1)).astype(np.float32)
@@ -110,14 +110,14 @@ def test_what_a_phoneme_data_file_holds_is_nothing_beyond_it():
     assert beyond_phoneme_data(load_preset(FACTORY / "thesis.phonemedata")) == ()
 
 
-def test_a_preset_can_be_given_by_path_text_or_name(tmp_path, monkeypatch):
-    monkeypatch.setattr(files, "presets_folder", lambda: tmp_path)
-    save_preset(Preset(name="anna"), tmp_path / "anna.toml")
+def test_a_preset_can_be_given_by_path_text_or_name(home):
+    presets_folder().mkdir(parents=True)
+    save_preset(Preset(name="anna"), presets_folder() / "anna.toml")
     assert (
         load_preset("learned") == load_preset(str(FACTORY / "learned.toml")) == load_preset(FACTORY / "learned.toml")
     )
     assert load_preset("anna").name == "anna"
-    assert own_presets() == (tmp_path / "anna.toml",)
+    assert own_presets() == (presets_folder() / "anna.toml",)
     with pytest.raises(PresetError, match=r"nobody: there is no such preset; name a file, or one of .*learned"):
         load_preset("nobody")
 

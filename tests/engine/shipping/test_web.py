@@ -3,6 +3,7 @@
 import json
 import os
 import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -117,7 +118,7 @@ def test_a_module_with_its_model_is_small_and_makes_a_package(folder: Path) -> N
 
 def test_a_compiler_that_is_not_there_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    monkeypatch.setattr(targets, "find_spec", lambda name: None)
+    monkeypatch.setitem(sys.modules, "ziglang", None)
     with pytest.raises(ExportError, match=r"compiled by zig, which is not installed; install zig, or pip install"):
         ship(load_preset("thesis"), tmp_path / "new", "web-module")
     assert not (tmp_path / "new").exists()
