@@ -3,7 +3,7 @@
 import os
 import sys
 from collections.abc import Collection, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from functools import cache
 from pathlib import Path
 
@@ -18,12 +18,12 @@ class Refusal:
 
     Attributes
     ----------
-    changes : what was tried, by the names of the events.
+    changes : what was tried: the name of each event, and the path.
     """
 
     def __init__(self, folder: Path, n: int, error: BaseException, events: Collection[str], *, once: bool) -> None:
         self.folder, self.n, self.error, self.events, self.once = str(folder), n, error, events, once
-        self.changes: list[str] = []
+        self.changes: list[tuple[str, str]] = []
 
     def look(self, event: str, arguments: tuple[object, ...]) -> None:
         """Take an event, as Python tells it before it happens."""
@@ -31,7 +31,7 @@ class Refusal:
             return
         if event == "open" and not int(str(arguments[2])) & (os.O_WRONLY | os.O_RDWR | os.O_CREAT):
             return
-        self.changes.append(event)
+        self.changes.append((event, str(arguments[0])))
         n = len(self.changes)
         if n == self.n or (n > self.n and not self.once):
             raise self.error
@@ -58,6 +58,11 @@ def refused(
         yield refusal
     finally:
         _in_force.remove(refusal)
+
+
+def watched(folder: Path, events: Collection[str] = CHANGES) -> AbstractContextManager[Refusal]:
+    """Note what changes in a folder."""
+    return refused(folder, 0, events=events, once=True)
 
 
 @contextmanager

@@ -1,6 +1,5 @@
 """The log of the programs: kept where somebody asks for it, with what was refused and what crashed."""
 
-import argparse
 import logging
 import re
 import threading
@@ -9,7 +8,6 @@ from pathlib import Path
 import pytest
 
 from phonemeanalyser import logs
-from phonemeanalyser.cli import score
 from phonemeanalyser.cli.main import main
 from phonemeengine.errors import EngineError
 
@@ -46,13 +44,9 @@ def test_a_log_that_cannot_be_written_is_one_sentence(tmp_path: Path, capsys: Ca
     )
 
 
-def test_a_crash_is_logged_with_where_it_happened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def crash(_options: argparse.Namespace) -> int:
+def test_a_crash_is_logged_with_where_it_happened(tmp_path: Path) -> None:
+    with pytest.raises(ZeroDivisionError), logs.logged_to(tmp_path / "run.log"):
         raise ZeroDivisionError("a bug")
-
-    monkeypatch.setattr(score, "run", crash)
-    with pytest.raises(ZeroDivisionError):
-        main(["score", str(tmp_path), "--log", str(tmp_path / "run.log")])
     text = (tmp_path / "run.log").read_text()
     assert "ERROR phonemeanalyser.logs: the program crashed\nTraceback" in text
     assert "ZeroDivisionError: a bug" in text
@@ -66,14 +60,13 @@ def test_nothing_is_kept_after_the_end(tmp_path: Path) -> None:
     assert [line.split(": ", 1)[1] for line in lines] == ["within", "refused"]
 
 
-def test_the_window_s_log_begins_anew_before_it_grows_large(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(logs, "LARGEST", 1000)
+def test_the_window_s_log_begins_anew_before_it_grows_large(tmp_path: Path) -> None:
     with logs.logged_beside(tmp_path / "settings") as path:
         for k in range(100):
-            ENGINE.info("line %d", k)
+            ENGINE.info("%s line %d", 50_000 * "x", k)
     names = sorted(file.name for file in path.parent.iterdir())
     assert names == [path.name, *(f"{path.name}.{k}" for k in (1, 2, 3))]
-    assert all(file.stat().st_size <= 1000 for file in path.parent.iterdir())
+    assert all(file.stat().st_size <= logs.LARGEST for file in path.parent.iterdir())
     assert path.read_text().endswith("line 99\n")
 
 

@@ -127,14 +127,16 @@ def list_devices() -> None:
 
 
 def listen(
-    preset: Preset, choice: InputChoice, seconds: float | None, kind: str, osc: OscSettings | None = None
-) -> None:
+    preset: Preset, choice: InputChoice, seconds: float | None, kind: str, osc: OscSettings | None = None,
+    open_listener: Callable[..., Listener] = Listener,
+) -> None:  # fmt: skip
     """Print a line at each change of phoneme, for some seconds or until Ctrl-C.
 
     Parameters
     ----------
     kind : ``text``, or ``json`` for a JSON object on each line.
     osc : where the mouth is sent to as well.
+    open_listener : begins to listen.
 
     Raises
     ------
@@ -151,7 +153,7 @@ def listen(
                 now = time.monotonic()
                 performer.hear(timed_frames(analysis, now), now, live=True)
 
-        changes.listener = listener = Listener(preset, choice, phonemes_only=True, on_analysis=follow)
+        changes.listener = listener = open_listener(preset, choice, phonemes_only=True, on_analysis=follow)
         try:
             _attend(listener, seconds, lambda: None)
         finally:
@@ -165,7 +167,7 @@ def listen(
 
 def record(
     path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool,
-    fill_gaps: bool = False,
+    fill_gaps: bool = False, open_listener: Callable[..., Listener] = Listener,
 ) -> None:  # fmt: skip
     """Record to a file, for some seconds or until Ctrl-C; see `Recorder`.
 
@@ -178,7 +180,7 @@ def record(
     limit = math.inf if seconds is None else seconds
     recorder = Recorder(path, with_phonemes=with_phonemes, fill_gaps=fill_gaps, seconds=limit)
     with _quiet_libraries(), ended_by_signals():
-        listener = Listener(preset, choice, phonemes_only=True, recorder=recorder)
+        listener = open_listener(preset, choice, phonemes_only=True, recorder=recorder)
         try:
             _attend(listener, seconds, lambda: _check(recorder))
         finally:
@@ -256,9 +258,9 @@ def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float | 
 def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:
     """Stay until so much has been heard; say what happens to the microphone."""
     wanted = math.inf if seconds is None else seconds
-    end = time.monotonic() + wanted + PATIENCE
+    end = listener.clock() + wanted + PATIENCE
     said = ""
-    while (left := wanted - listener.seconds) > 0 and time.monotonic() < end:
+    while (left := wanted - listener.seconds) > 0 and listener.clock() < end:
         time.sleep(min(LOOK, left))
         listener.take_analyses()
         look()

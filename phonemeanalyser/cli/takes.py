@@ -3,6 +3,7 @@
 import argparse
 import sys
 from collections import Counter
+from collections.abc import Callable
 from pathlib import Path
 
 from phonemeengine import TakeError
@@ -31,8 +32,8 @@ def run(options: argparse.Namespace) -> int:
         return _empty(project, asks=not options.yes) if options.empty_deleted and project.deleted else 0
 
 
-def _empty(project: TakeProject, *, asks: bool) -> int:
-    if asks and input("Remove the deleted takes for ever? [y/N] ").strip().lower() not in {"y", "yes"}:
+def _empty(project: TakeProject, *, asks: bool, ask: Callable[[str], str] = input) -> int:
+    if asks and ask("Remove the deleted takes for ever? [y/N] ").strip().lower() not in {"y", "yes"}:
         return 1
     print(f"{project.empty_deleted()} deleted takes are removed")
     return 0

@@ -43,9 +43,15 @@ class Hearing(Protocol):
 
 
 class Turns:
-    """Gives all streams their turns, as long as something waits in any."""
+    """Gives all streams their turns, as long as something waits in any.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    looking : seconds of a turn after which no more words are looked for.
+    """
+
+    def __init__(self, looking: float = LOOKING) -> None:
+        self._looking = looking
         self._streams: dict[Hearing, None] = {}
         self._is_planned = False
 
@@ -85,7 +91,7 @@ class Turns:
             words = _safely(stream, stream.speech.look)
             if words is not None:
                 _safely(stream, partial(stream.tell_words, words))
-            if time.monotonic() - began > LOOKING:
+            if time.monotonic() - began > self._looking:
                 return
 
 

@@ -1,15 +1,15 @@
 """Listening and recording from the command line, without a sound card: words, lines, and refusals."""
 
 import csv
+import io
+import itertools
 import json
-import math
-import time
 from collections.abc import Callable
+from contextlib import redirect_stdout
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from threading import Event
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -18,7 +18,6 @@ import soundfile
 from phonemeanalyser.cli import listen as listening
 from phonemeanalyser.cli.listen import _as_json, _as_text, _Changes
 from phonemeanalyser.cli.main import main
-from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
 from phonemeengine.phonemes import Phoneme
@@ -26,20 +25,12 @@ from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.files import DEFAULT_PRESET, factory_preset, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
-from tests.fakes.microphones import Clock, HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in, offline
+from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in, offline
 from tests.fakes.players import SPEECH
 from tests.fakes.portaudio import FakePortAudio
-from tests.fakes.recorders import recorder_to
+from tests.waiting import Clock
 
 PRESET = load_preset(DEFAULT_PRESET)
-
-
-@pytest.fixture
-def portaudio(monkeypatch: pytest.MonkeyPatch) -> FakePortAudio:
-    fake = FakePortAudio()
-    monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
-    monkeypatch.setattr(stream, "_open", set())
-    return fake
 
 
 class Openers(Microphones):
@@ -61,27 +52,18 @@ def openers() -> Openers:
 
 
 @pytest.fixture
-def microphone(
-    portaudio: FakePortAudio, openers: Openers, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> HandDrivenMicrophone:
-    """A microphone that listens and records for these commands."""
+def microphone(portaudio: FakePortAudio, openers: Openers) -> HandDrivenMicrophone:
+    """The first microphone that these commands open."""
     portaudio.plug("Yeti")
     microphone = HandDrivenMicrophone(name="Yeti · ALSA")
     openers.waiting.append(microphone)
-
-    monkeypatch.setattr(listening, "Listener", partial(HandDrivenListener, openers))
-    monkeypatch.setattr(listening, "Recorder", partial(recorder_to, folder=tmp_path))
-    monkeypatch.setattr(listening, "PATIENCE", 60.0)
     return microphone
 
 
 @pytest.fixture
-def over(monkeypatch: pytest.MonkeyPatch) -> Event:
-    """The end of the time for which a command waits for sound; until it is set, no time passes."""
-    ended = Event()
-    clock = SimpleNamespace(sleep=time.sleep, monotonic=lambda: math.inf if ended.is_set() else 0.0)
-    monkeypatch.setattr(listening, "time", clock)
-    return ended
+def listener(openers: Openers, clock: Clock) -> Callable[..., HandDrivenListener]:
+    """What listens for these commands; no time passes unless the test says so."""
+    return partial(HandDrivenListener, openers, clock=clock)
 
 
 # -- wrong words ----------------------------------------------------------------------------------------------
@@ -226,10 +208,10 @@ def test_how_sure_it_is_is_not_said_where_nobody_measured_it() -> None:
 
 
 def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
-    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: pytest.CaptureFixture[str]
 ) -> None:
     microphone.give(SPEECH)
-    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json")
+    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json", open_listener=listener)
     said = capsys.readouterr()
     lines = [json.loads(line) for line in said.out.splitlines()]
     expected = expected_changes(frames_in(len(SPEECH)), for_live_use(PRESET))
@@ -238,7 +220,7 @@ def test_listening_prints_the_changes_and_says_elsewhere_what_it_listens_to(
 
 
 def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_look(
-    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str]
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], capsys: pytest.CaptureFixture[str]
 ) -> None:
     learned = factory_preset("learned")
     assert learned.model is not None
@@ -246,7 +228,7 @@ def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_l
     settings = replace(learned.settings, look_ahead=0.0, live_look_ahead=0.0).with_number("live_look_ahead", 0.05)
     microphone.give(SPEECH)
     preset = replace(learned, model=model, settings=settings)
-    listening.listen(preset, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json")
+    listening.listen(preset, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json", open_listener=listener)
     said = capsys.readouterr().err
     assert "ms late on the average (capture " in said
     assert " + look-ahead 50 + analysis " in said
@@ -254,19 +236,23 @@ def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_l
 
 
 @pytest.mark.parametrize("words", [[], ["--look-ahead", "0.04"]])
-def test_the_look_ahead_is_the_presets_or_the_users(words: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
-    heard: list[Preset] = []
-    monkeypatch.setattr(listening, "listen", lambda preset, *_: heard.append(preset))
-    assert main(["listen", "--preset", "learned", *words]) == 0
+def test_the_look_ahead_is_the_presets_or_the_users(
+    words: list[str], portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str]
+) -> None:
+    portaudio.plug("Yeti", hears=SPEECH)
+    assert main(["listen", "--preset", "learned", "--seconds", "0.5", *words]) == 0
     expected = 0.04 if words else factory_preset("learned").settings.live_look_ahead
-    assert for_live_use(heard[0]).settings.look_ahead == expected
+    assert f" + look-ahead {1000 * expected:.0f} + " in capsys.readouterr().err
 
 
 def test_recording_keeps_the_length_and_reports_it(
-    microphone: HandDrivenMicrophone, capsys: pytest.CaptureFixture[str], tmp_path: Path
+    microphone: HandDrivenMicrophone,
+    listener: Callable[..., HandDrivenListener],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
 ) -> None:
     microphone.give(SPEECH)
-    listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 1.0, with_phonemes=True)
+    listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 1.0, with_phonemes=True, open_listener=listener)
     found, rate = soundfile.read(tmp_path / "a.wav", dtype="float32")
     assert (len(found), rate) == (SAMPLE_RATE, SAMPLE_RATE)
     np.testing.assert_allclose(found, SPEECH[:SAMPLE_RATE].clip(-1, 1), atol=2**-23)
@@ -275,49 +261,57 @@ def test_recording_keeps_the_length_and_reports_it(
 
 
 @pytest.mark.usefixtures("microphone")
-def test_a_recording_of_nothing_fails_and_leaves_no_file(over: Event, tmp_path: Path) -> None:
-    over.set()
+def test_a_recording_of_nothing_fails_and_leaves_no_file(openers: Openers, tmp_path: Path) -> None:
+    seconds = itertools.count()
+    listener = partial(HandDrivenListener, openers, clock=lambda: float(next(seconds)))
     with pytest.raises(RecordingError, match=r"^a\.wav: no sound came from the microphone"):
-        listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.1, with_phonemes=True)
+        listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.1, with_phonemes=True, open_listener=listener)
     assert list(tmp_path.glob("a*")) == []
 
 
 def test_a_name_that_is_taken_ends_the_recording_with_its_sentence(
-    microphone: HandDrivenMicrophone, tmp_path: Path
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener], tmp_path: Path
 ) -> None:
     (tmp_path / "a.wav").write_bytes(b"mine")
     microphone.give(SPEECH)
     with pytest.raises(RecordingError, match=r"a\.wav: there is a file of that name"):
-        listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 60.0, with_phonemes=False)
+        listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 60.0, with_phonemes=False, open_listener=listener)
     assert (tmp_path / "a.wav").read_bytes() == b"mine"
 
 
-def test_a_bug_in_the_listening_reaches_the_caller(
-    microphone: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def fail(*_: object) -> str:
+class ClosedPipe(io.StringIO):
+    """Where nobody reads."""
+
+    def write(self, _text: str) -> int:
         raise BrokenPipeError
 
-    monkeypatch.setattr(listening, "_as_text", fail)
+
+def test_what_fails_in_the_listening_reaches_the_caller(
+    microphone: HandDrivenMicrophone, listener: Callable[..., HandDrivenListener]
+) -> None:
     microphone.give(SPEECH)
-    with pytest.raises(BrokenPipeError):
-        listening.listen(PRESET, InputChoice(), None, "text")
+    with redirect_stdout(ClosedPipe()), pytest.raises(BrokenPipeError):
+        listening.listen(PRESET, InputChoice(), None, "text", open_listener=listener)
     assert microphone.closed.is_set()
 
 
 @pytest.mark.parametrize("fill", [False, True])
 def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_gap_are(
     microphone: HandDrivenMicrophone, openers: Openers, capsys: pytest.CaptureFixture[str], tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch, fill: bool,
+    clock: Clock, listener: Callable[..., HandDrivenListener], fill: bool,
 ) -> None:  # fmt: skip
-    clock, back = Clock(monkeypatch), HandDrivenMicrophone(name="Yeti · ALSA")
+    def wait() -> None:
+        clock.now += 4.21 if openers.asked else 0.0
+
+    back = HandDrivenMicrophone(name="Yeti · ALSA")
     openers.waiting.append(back)
-    openers.wait = lambda: setattr(clock, "now", clock.now + 4.21)
+    openers.wait = wait
     microphone.give(SPEECH[: SAMPLE_RATE // 2], SAMPLE_RATE // 2)
     microphone.lost = True
     back.give(SPEECH[: SAMPLE_RATE // 2])  # each block began 10 ms before it came
-    words = ["record", str(tmp_path / "a.wav"), "--seconds", "5.15", "--phonemes"]
-    assert main([*words, *(["--fill-gaps"] if fill else [])]) == 0
+    listening.record(
+        tmp_path / "a.wav", PRESET, InputChoice(), 5.15, with_phonemes=True, fill_gaps=fill, open_listener=listener
+    )
     with (tmp_path / "a.csv").open(newline="") as table:
         (gap,) = (row for row in csv.DictReader(table) if row["phoneme"].startswith("gap of "))
     found, _ = soundfile.read(tmp_path / "a.wav")
@@ -329,13 +323,25 @@ def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_ga
 
 
 def test_a_microphone_that_vanishes_while_it_is_recorded_is_reported_as_lost(
-    microphone: HandDrivenMicrophone, over: Event, capsys: pytest.CaptureFixture[str], tmp_path: Path
-) -> None:
+    microphone: HandDrivenMicrophone, clock: Clock, listener: Callable[..., HandDrivenListener],
+    capsys: pytest.CaptureFixture[str], tmp_path: Path,
+) -> None:  # fmt: skip
+    class Closed(Event):
+        def set(self) -> None:
+            clock.now += 60.0
+
     microphone.give(SPEECH[: SAMPLE_RATE // 2])
     microphone.lost = True
-    microphone.closed = over
-    listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.9, with_phonemes=False)
+    microphone.closed = Closed()
+    listening.record(tmp_path / "a.wav", PRESET, InputChoice(), 0.9, with_phonemes=False, open_listener=listener)
     said = capsys.readouterr().err
     assert "0.50 s recorded" in said
     assert "nothing lost" not in said
     assert " s were lost on the way" in said
+
+
+def test_the_command_line_records_with_what_it_is_told(portaudio: FakePortAudio, tmp_path: Path) -> None:
+    portaudio.plug("Yeti", hears=SPEECH)
+    assert main(["record", str(tmp_path / "a.wav"), "--seconds", "0.5", "--phonemes", "--fill-gaps"]) == 0
+    assert soundfile.info(tmp_path / "a.wav").frames == SAMPLE_RATE // 2
+    assert (tmp_path / "a.csv").exists()

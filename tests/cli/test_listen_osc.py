@@ -10,7 +10,6 @@ from pythonosc.udp_client import SimpleUDPClient
 from phonemeanalyser.cli import listen as listening
 from phonemeanalyser.cli.main import main
 from phonemeengine import Expression, OscExpression, held_expression
-from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.table import USUAL_TABLE, load_table
@@ -21,7 +20,7 @@ from tests.fakes.osc_receiver import Receiver
 from tests.fakes.players import SPEECH
 from tests.fakes.portaudio import FakePortAudio
 from tests.tables import refused
-from tests.waiting import wait_for
+from tests.waiting import Clock, wait_for
 
 PRESET = load_preset(DEFAULT_PRESET)
 
@@ -34,20 +33,15 @@ def receiver() -> Iterator[Receiver]:
 
 
 @pytest.fixture
-def microphone(monkeypatch: pytest.MonkeyPatch) -> HandDrivenMicrophone:
-    fake = FakePortAudio()
-    fake.plug("Yeti")
-    monkeypatch.setattr(stream, "_sounddevice", lambda: fake)
-    monkeypatch.setattr(stream, "_open", set())
-    microphone = HandDrivenMicrophone(name="Yeti · ALSA")
-    monkeypatch.setattr(listening, "Listener", partial(HandDrivenListener, Microphones(microphone)))
-    monkeypatch.setattr(listening, "PATIENCE", 60.0)
-    return microphone
+def microphone(portaudio: FakePortAudio) -> HandDrivenMicrophone:
+    portaudio.plug("Yeti", hears=SPEECH)
+    return HandDrivenMicrophone(name="Yeti · ALSA")
 
 
 def listen_to_speech(microphone: HandDrivenMicrophone, osc: OscSettings | None) -> None:
     microphone.give(SPEECH)
-    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "text", osc)
+    listener = partial(HandDrivenListener, Microphones(microphone), clock=Clock())
+    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "text", osc, listener)
 
 
 def spoken(names: Iterable[str]) -> list[str]:
@@ -76,10 +70,8 @@ def test_a_receiver_that_cannot_be_reached_is_said_at_the_end_and_all_is_printed
     assert len(said.out.splitlines()) > 4
 
 
-def test_the_command_line_sends_too(
-    microphone: HandDrivenMicrophone, receiver: Receiver, capsys: pytest.CaptureFixture[str]
-) -> None:
-    microphone.give(SPEECH)
+@pytest.mark.usefixtures("microphone")
+def test_the_command_line_sends_too(receiver: Receiver, capsys: pytest.CaptureFixture[str]) -> None:
     to = f"{receiver.address.host}:{receiver.address.port}"
     assert main(["listen", "--seconds", "0.5", "--osc", to, "--table", "vrm"]) == 0
     wait_for(lambda: set(receiver.weights()) == {"A", "I", "U", "E", "O"}, "a face")

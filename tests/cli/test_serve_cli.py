@@ -1,6 +1,5 @@
 """``phonemeanalyser serve``, as a person types it."""
 
-import importlib
 import json
 import signal
 import subprocess
@@ -10,7 +9,6 @@ from pathlib import Path
 
 import pytest
 
-from phonemeanalyser.cli import extras
 from phonemeanalyser.cli.main import main
 
 
@@ -76,11 +74,6 @@ def test_limits_that_are_none_are_refused(words: list[str], capsys: pytest.Captu
 def test_packages_that_are_missing_are_named(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def without_aiohttp(name: str) -> object:
-        if name.endswith(".service"):
-            raise ImportError("No module named 'aiohttp'")
-        return importlib.import_module(name)
-
-    monkeypatch.setattr(extras, "importlib", type("", (), {"import_module": staticmethod(without_aiohttp)}))
+    monkeypatch.setitem(sys.modules, "phonemeanalyser.server.service", None)
     assert main(["serve"]) == 1
     assert "install them with: pip install 'phonemeanalyser[server]'" in capsys.readouterr().err

@@ -1,11 +1,10 @@
 """Takes from the command line: what there is, and deleted ones removed for ever."""
 
-import io
-import sys
 from pathlib import Path
 
 import pytest
 
+from phonemeanalyser.cli import takes
 from phonemeanalyser.cli.main import main
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.phonemes import Phoneme
@@ -38,11 +37,9 @@ def test_what_there_is_is_counted_by_phoneme(folder: Path, capsys: pytest.Captur
 
 
 @pytest.mark.parametrize(("answer", "code", "left"), [("y", 0, 2), ("YES", 0, 2), ("", 1, 3), ("no", 1, 3)])
-def test_deleted_takes_go_for_ever_if_the_user_says_yes(
-    folder: Path, monkeypatch: pytest.MonkeyPatch, answer: str, code: int, left: int
-) -> None:
-    monkeypatch.setattr(sys, "stdin", io.StringIO(answer + "\n"))
-    assert main(["takes", str(folder), "--empty-deleted"]) == code
+def test_deleted_takes_go_for_ever_if_the_user_says_yes(folder: Path, answer: str, code: int, left: int) -> None:
+    with TakeProject(folder) as project:
+        assert takes._empty(project, asks=True, ask=lambda _question: answer) == code
     assert len(sounds_in(folder)) == left
     with TakeProject(folder) as project:
         assert len(project.deleted) == left - 2

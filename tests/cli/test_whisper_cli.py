@@ -1,10 +1,12 @@
 """``phonemeanalyser whisper`` chooses a model of the speech encoder, and says which one is used."""
 
+import sys
+from types import SimpleNamespace
+
 import pytest
 
-from phonemeanalyser.cli import whisper as command
 from phonemeanalyser.cli.main import main
-from phonemeengine import ModelError, find_whisper
+from phonemeengine import find_whisper
 
 pytestmark = pytest.mark.usefixtures("home")
 
@@ -35,9 +37,9 @@ def test_what_is_no_model_is_refused(tmp_path, capsys):
 
 
 def test_fetching_is_asked_for_and_its_failure_is_said(monkeypatch, capsys):
-    def fetch():
-        raise ModelError("Whisper base cannot be fetched (no network); see to the network, or name a folder")
+    def refuse(*_arguments, **_options):
+        raise OSError("no network")
 
-    monkeypatch.setattr(command, "fetch_whisper", fetch)
+    monkeypatch.setitem(sys.modules, "huggingface_hub", SimpleNamespace(snapshot_download=refuse))
     assert main(["whisper", "--fetch"]) == 1
     assert "cannot be fetched (no network)" in capsys.readouterr().err

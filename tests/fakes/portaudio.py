@@ -21,6 +21,7 @@ class FakeStream:
         self._finish = options["finished_callback"]
         self.began = False
         self.device = portaudio.default.device[0] if options["device"] is None else options["device"]
+        self._hears = portaudio.hears_of(self.device)
         self.time = 50.0
         self.closed = False
         if portaudio.may_open is not None:
@@ -30,6 +31,8 @@ class FakeStream:
     def start(self) -> None:
         """Nothing comes before the test says so."""
         self.began = True
+        for k in range(0, len(self._hears), 441):
+            self.bring(self._hears[k : k + 441])
 
     def abort(self, ignore_errors: bool = False) -> None:
         self._finish()
@@ -64,6 +67,7 @@ class FakePortAudio:
     def __init__(self) -> None:
         self.apis = ["ALSA", "JACK"]
         self.default = SimpleNamespace(device=(-1, -1))
+        self.hears: list[NDArray[np.float32] | None] = []
         self.plugged: list[dict[str, Any]] = []
         self.streams: list[FakeStream] = []
         self.may_open: Callable[[dict[str, Any]], None] | None = None
@@ -72,12 +76,21 @@ class FakePortAudio:
         self._listed: list[dict[str, Any]] = []
         self._up = True
 
-    def plug(self, name: str, n_inputs: int = 1, *, api: int = 0, rate: float = 48_000.0) -> None:
-        """Plug a device in; it is listed after the next initialisation."""
+    def plug(
+        self, name: str, n_inputs: int = 1, *, api: int = 0, rate: float = 48_000.0,
+        hears: NDArray[np.float32] | None = None,
+    ) -> None:  # fmt: skip
+        """Plug a device in; it is listed after the next initialisation, and brings what it hears at once."""
+        self.hears.append(hears)
         self.plugged.append({
             "name": name, "hostapi": api, "max_input_channels": n_inputs, "max_output_channels": 0,
             "default_samplerate": rate,
         })  # fmt: skip
+
+    def hears_of(self, device: int) -> NDArray[np.float32]:
+        """Give what a device hears, shape (n, 1); nothing where the test brings it."""
+        hears = self.hears[device] if 0 <= device < len(self.hears) else None
+        return np.zeros((0, 1), np.float32) if hears is None else hears[:, np.newaxis]
 
     def query_hostapis(self) -> list[dict[str, str]]:
         return [{"name": name} for name in self.apis]

@@ -7,6 +7,7 @@ import os
 import pickle
 import subprocess
 import sys
+import tempfile
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import FORMATS
 from phonemeengine.batch.work import Job
 from phonemeengine.presets.files import DEFAULT_PRESET
+from tests.disks import watched
 from tests.fakes.batch_works import CopyWork
 from tests.server.conftest import RECORDING, TEXT
 from tests.server.servers import run, served
@@ -220,7 +222,7 @@ def test_a_short_file_does_not_wait_for_a_long_one_that_came_first() -> None:
         async with aiohttp.ClientSession() as session:
             long = asyncio.create_task(ask(session, address, "long", silent_flac(7200)))
             while (await (await session.get(address)).json())["files"] == 0:
-                await asyncio.sleep(0.01)
+                pass
             await ask(session, address, "short", SOUND)
             long.cancel()
             await asyncio.gather(long, return_exceptions=True)
@@ -253,10 +255,7 @@ def test_a_form_that_is_no_form_is_answered_by_a_sentence(server: str) -> None:
     assert "field" in told(run(ask(data=b"--x\r\n\r\nfoo\r\n--x--\r\n", headers=kind)))[1]
 
 
-def test_what_takes_too_long_is_given_up_and_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("TMPDIR", str(tmp_path))
-    monkeypatch.setattr("tempfile.tempdir", None)
-
+def test_what_takes_too_long_is_given_up_and_leaves_nothing() -> None:
     async def ask(address: str) -> None:
         reader, writer = await asyncio.open_connection("127.0.0.1", int(address.rsplit(":", 1)[1]))
         head = "POST /export HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; boundary=x\r\n"
@@ -265,6 +264,7 @@ def test_what_takes_too_long_is_given_up_and_leaves_nothing(tmp_path: Path, monk
         assert b"took longer than 1 s" in answer
         writer.close()
 
-    with served(ServerSettings(port=0, limits=ServerLimits(file_seconds=1))) as address:
+    made = watched(Path(tempfile.gettempdir()), {"tempfile.mkdtemp"})
+    with made as folders, served(ServerSettings(port=0, limits=ServerLimits(file_seconds=1))) as address:
         run(ask(address))
-        assert list(tmp_path.iterdir()) == []
+        assert [Path(folder).exists() for _, folder in folders.changes] == [False]

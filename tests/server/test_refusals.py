@@ -192,6 +192,12 @@ def test_a_client_that_says_nothing_is_let_go() -> None:
             assert silent.recv(100) == b""
 
 
+async def no_streams(session: aiohttp.ClientSession, address: str) -> None:
+    """Ask a server until it has no streams any more."""
+    while (await (await session.get(address)).json())["streams"]:
+        pass
+
+
 def test_there_are_no_more_streams_than_allowed() -> None:
     async def speak(address: str) -> list[int]:
         stream = f"{address}/stream"
@@ -201,8 +207,7 @@ def test_there_are_no_more_streams_than_allowed() -> None:
                 with pytest.raises(aiohttp.WSServerHandshakeError) as refused:
                     await session.ws_connect(stream)
                 codes.append(refused.value.status)
-            while (await (await session.get(address)).json())["streams"]:
-                await asyncio.sleep(0.01)
+            await no_streams(session, address)
             async with session.ws_connect(stream) as again:
                 await again.send_json(START)
                 codes.append(len(await again.receive_json()))
@@ -239,8 +244,8 @@ def test_an_address_has_no_more_connections_than_one_may_have() -> None:
         async with aiohttp.ClientSession() as session:
             async with session.ws_connect(f"{address}/stream"), session.ws_connect(f"{address}/stream"):
                 refused = (await session.get(address)).status
-            while (again := (await session.get(address)).status) != 200:
-                await asyncio.sleep(0.01)
+            while (again := (await session.get(address)).status) == 429:
+                pass  # the server has not noticed yet
             return refused, again
 
     with served(ServerSettings(port=0, limits=ServerLimits(most_per_address=2))) as address:
@@ -293,16 +298,14 @@ def test_a_client_that_takes_no_answers_is_let_go_and_no_other_one_waits(recordi
 
 
 def test_clients_that_vanish_leave_nothing_behind(recording: Sound) -> None:
-    async def vanish(address: str) -> int:
+    async def vanish(address: str) -> None:
         async with aiohttp.ClientSession() as session:
             for _ in range(10):
                 client = await session.ws_connect(f"{address}/stream")
                 await client.send_json(START)
                 await client.send_bytes(recording[:20_000].tobytes())
                 client._conn.transport.abort()
-            while (n := (await (await session.get(address)).json())["streams"]) > 0:
-                await asyncio.sleep(0.01)
-            return int(n)
+            await no_streams(session, address)
 
     with served(ServerSettings(port=0, limits=FAST)) as address:
-        assert run(vanish(address)) == 0
+        run(vanish(address))

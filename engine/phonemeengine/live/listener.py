@@ -108,7 +108,7 @@ class Listener(Closing):
         self._phonemes_only = phonemes_only
         self._on_analysis = on_analysis
         self._on_sound = on_sound
-        self._clock = clock
+        self.clock = clock
         self._source: Input | None = None
         self._ear: MicrophoneAnalyser | None = None
         self._newest: Analysis | None = None
@@ -117,7 +117,7 @@ class Listener(Closing):
         self._error: Exception | None = None
         is_card = type(self)._open_input is Listener._open_input
         self._refusal = (missing_library() if is_card else "") or "opening the microphone"
-        self._began = self._heard_at = self._clock()
+        self._began = self._heard_at = self.clock()
         self._known_at = 0.0
         self._next_frame = 0
         self._lost_before = 0.0
@@ -133,12 +133,12 @@ class Listener(Closing):
 
     def poll(self) -> Reading:
         """Return the newest phoneme and intensity; silence while nothing comes."""
-        return latest_reading(self._newest if self._clock() - self._heard_at < QUIET else None)
+        return latest_reading(self._newest if self.clock() - self._heard_at < QUIET else None)
 
     @property
     def level(self) -> Level:
         """What the level meter reads now."""
-        return self._meter.read(self._clock())
+        return self._meter.read(self.clock())
 
     def take_analyses(self) -> list[Analysis]:
         """Return what has been found since the last call, oldest first; raises what ended the listening.
@@ -167,7 +167,7 @@ class Listener(Closing):
         return status_of(
             source,
             heard=ear is not None,
-            silent=self._clock() - self._heard_at,
+            silent=self.clock() - self._heard_at,
             cancels=ear is not None and ear.cancels,
         )
 
@@ -193,7 +193,7 @@ class Listener(Closing):
     def lost_seconds(self) -> float:
         """Sound that could not be heard since the beginning: lost by the device, or while there was none; seconds."""
         ear = self._ear
-        away = self._clock() - self._heard_at if self._gap_is_loss else 0.0
+        away = self.clock() - self._heard_at if self._gap_is_loss else 0.0
         return self._lost_before + (ear.lost_seconds if ear else away)
 
     @property
@@ -205,7 +205,7 @@ class Listener(Closing):
     @property
     def known_for(self) -> float:
         """Seconds since the newest frames became known."""
-        return self._clock() - self._known_at
+        return self.clock() - self._known_at
 
     def time_of(self, frame: int) -> float:
         """Return when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
@@ -215,7 +215,7 @@ class Listener(Closing):
     def age_of(self, frame: int) -> float:
         """Return how long ago the middle of a frame sounded, seconds."""
         ear = self._ear
-        return self._clock() - ear.time_of(frame) if ear else 0.0
+        return self.clock() - ear.time_of(frame) if ear else 0.0
 
     # -- what it shall do ---------------------------------------------------------------------------------
 
@@ -303,7 +303,7 @@ class Listener(Closing):
             self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
 
     def _follow(self, source: Input, block: Float32Array) -> None:
-        now, gap = self._clock(), None
+        now, gap = self.clock(), None
         if self._ear is None:
             began = now - len(block) / source.rate
             gap = max(0.0, began - self._heard_at)
@@ -343,7 +343,7 @@ class Listener(Closing):
             with suppress(IndexError):  # `take_analyses` may have come first
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis
-        self._known_at = self._clock()
+        self._known_at = self.clock()
         self._on_analysis(analysis)
 
     def _change(self) -> None:
