@@ -4,7 +4,7 @@ import math
 from functools import cache
 
 from PySide6.QtCore import QRect, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter
+from PySide6.QtGui import QColor, QFontMetrics, QPainter
 
 AT_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 AT_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -25,7 +25,7 @@ def draw_text(
     painter: QPainter, box: QRectF | QRect, text: str, colour: str | QColor, size: int,
     align: Qt.AlignmentFlag = AT_LEFT,
 ) -> None:  # fmt: skip
-    """Write one line into a box; words that have no room end in three dots.
+    """Write one line into a box; words that have no room are shortened by `shortened`.
 
     Parameters
     ----------
@@ -34,8 +34,24 @@ def draw_text(
     set_size(painter, size)
     painter.setPen(QColor(colour))
     if size * len(text) > box.width():  # no letter is wider than high
-        text = painter.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, math.ceil(box.width()))
+        text = shortened(painter.fontMetrics(), text, math.ceil(box.width()))
     painter.drawText(box, align, text)
+
+
+def shortened(metrics: QFontMetrics, text: str, width: int) -> str:
+    """Return as much of a line as has room, pixels, with three dots at its end; nothing where these have none.
+
+    A single letter is whole or not there, and no word is told by its first letter alone: it would read as another.
+    """
+    short = metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
+    has_room = short == text or (len(text) > 1 and metrics.horizontalAdvance(short) <= width)
+    return short if has_room else ""
+
+
+def mixed(colour: QColor, other: QColor, share: float) -> QColor:
+    """Return a colour of which so much is the first one, 0..1, and the rest the other."""
+    parts = ((one.red(), one.green(), one.blue()) for one in (colour, other))
+    return QColor(*(round(share * a + (1 - share) * b) for a, b in zip(*parts, strict=True)))
 
 
 @cache

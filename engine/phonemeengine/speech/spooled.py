@@ -15,6 +15,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.dsp.waveform_peaks import WaveformPeaks
 from phonemeengine.execution import Closing
 from phonemeengine.labels.utterance import Word, shifted
 from phonemeengine.settings import SAMPLE_RATE, Channel
@@ -57,6 +58,7 @@ class SpooledSpeech(Closing):
     ----------
     n_samples : what is spoken so far.
     position : the next sample that `read` gives.
+    peaks : the outline of what is spoken so far.
     """
 
     channel = Channel.MIX
@@ -64,6 +66,7 @@ class SpooledSpeech(Closing):
 
     def __init__(self, sentences: Iterable[SpokenSentence]) -> None:
         self.n_samples = self.position = 0
+        self.peaks = WaveformPeaks()
         self._file = tempfile.TemporaryFile()  # noqa: SIM115 - `close` lets it go
         self._tracks: deque[SentenceTrack] = deque()
         self._changed = threading.Condition()
@@ -155,6 +158,7 @@ class SpooledSpeech(Closing):
             self._file.seek(self.n_samples * _WIDTH)
             self._file.write(np.asarray(sentence.samples, np.float32).tobytes())
             self.n_samples += len(sentence.samples)
+            self.peaks.push(np.asarray(sentence.samples, np.float32))
             self._changed.notify_all()
             self._changed.wait_for(lambda: self._closing or self.n_samples - self.position < AHEAD)
             return not self._closing

@@ -10,7 +10,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from phonemeanalyser.desktop.language import tr, tr_amid
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
-from phonemeengine.features.variables import Variable
+from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.files import (
@@ -30,6 +30,9 @@ from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Ear, Filter
+
+USUAL_VARIABLE = "energy"
+"""The one that is drawn while no other is chosen."""
 
 
 class _Edit(QUndoCommand):
@@ -116,6 +119,11 @@ class PresetModel(QObject):
         if not self.bypassed:
             return preset
         return replace(preset, settings=replace(preset.settings, filters=frozenset()))
+
+    @property
+    def variable_names(self) -> list[tuple[str, str]]:
+        """All variables that are measured, each as it is shown and chosen."""
+        return [(name, name) for name in (*BUILT_IN_NAMES, *(v.name for v in self.preset.variables))]
 
     @property
     def has_unsaved_changes(self) -> bool:

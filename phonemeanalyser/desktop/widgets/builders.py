@@ -114,15 +114,16 @@ def choice(items: Iterable[tuple[str, Any]], name: str = "", tip: str = "") -> Q
     return box
 
 
-def offer(box: QComboBox, items: Iterable[tuple[str, Any]], chosen: Any) -> None:
-    """Have a box offer these, where it offers others, and show what is chosen; the first, where that is not there."""
+def offer(box: QComboBox, items: Iterable[tuple[str, Any]], chosen: Any, *, usual: Any = None) -> None:
+    """Have a box offer these, where it offers others, and show what is chosen; else what is usual, or the first."""
     wanted = list(items)
     if [(box.itemText(k), box.itemData(k)) for k in range(box.count())] != wanted:
         box.clear()
         for text, value in wanted:
             box.addItem(text, value)
     values = [value for _, value in wanted]
-    box.setCurrentIndex(values.index(chosen) if chosen in values else 0)
+    shown = chosen if chosen in values else usual
+    box.setCurrentIndex(values.index(shown) if shown in values else 0)
 
 
 def slider_of_percent(name: str, tip: str) -> QSlider:

@@ -398,7 +398,7 @@ def test_a_take_is_copied_as_a_table_and_its_ends_stay_where_the_right_button_is
     click_row(calibrator, 0)
     calibrator.settle()
     wave, (take,) = calibrator.page.takes.wave, calibrator.takes
-    QTest.mousePress(wave, Qt.MouseButton.RightButton, pos=QPoint(round(wave._x_of(take.start)), 30))
+    QTest.mousePress(wave, Qt.MouseButton.RightButton, pos=QPoint(round(wave.axis.x_of(take.start)), 30))
     QTest.mouseMove(wave, QPoint(wave.width() // 2, 30))
     QTest.mouseRelease(wave, Qt.MouseButton.RightButton, pos=QPoint(wave.width() // 2, 30))
     calibrator.settle()
@@ -415,7 +415,7 @@ def test_the_ends_of_a_take_are_dragged(calibrator: Calibrator):
     calibrator.settle()
     wave = calibrator.page.takes.wave
     (take,) = calibrator.takes
-    start, end = (wave._x_of(seconds) for seconds in (take.start, take.end))
+    start, end = (wave.axis.x_of(seconds) for seconds in (take.start, take.end))
     drag(wave, start, (start + end) / 2)
     calibrator.settle()
     (trimmed,) = calibrator.takes

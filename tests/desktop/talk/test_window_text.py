@@ -336,7 +336,7 @@ def middle_of(window: MainWindow, lane: int, span: int) -> QPoint:
     timeline = panel(window).lanes.lanes
     spans = timeline.lanes[lane]
     x = timeline.x_of(float(spans.starts[span] + spans.ends[span]) / 2)
-    return QPoint(round(x), timeline._top_of(lane) + 8)
+    return QPoint(round(x), round(timeline.rows()[lane][0].top()) + 8)
 
 
 @popping_up

@@ -2,13 +2,16 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QColor
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QWheelEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.theme import LIGHT
-from phonemeanalyser.desktop.widgets.timeline import GAP, HEADING, HEIGHT, LEFT, Chapter, Lane, Timeline, TimelineView
+from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, lane_of_frames, wave_pixels
+from phonemeanalyser.desktop.widgets.timeline import GAP, HEADING, HEIGHT, LEFT, Chapter, Timeline, TimelineView
+from phonemeengine.dsp.waveform_peaks import Peaks
 from phonemeengine.settings import FRAME_PERIOD
 
 BUTTON = Qt.MouseButton.LeftButton
@@ -116,16 +119,69 @@ def test_the_playhead_is_followed_out_of_what_is_seen(view: TimelineView) -> Non
     assert colours(view, WORDS, 1.5) == [LIGHT.accent]
 
 
-def test_a_name_is_written_where_it_has_room(view: TimelineView) -> None:
-    def letters() -> bool:
-        picture, point = view.lanes.grab().toImage(), at(view, 0.35, WORDS)
-        white = [
-            picture.pixelColor(point.x() + dx, point.y() + dy).lightness()
-            for dx in range(-3, 4)
-            for dy in range(-4, 5)
-        ]
-        return max(white) > 200
+def test_a_name_is_shortened_and_vanishes_only_where_a_letter_has_no_room(view: TimelineView) -> None:
+    def letters() -> int:
+        """Return how many columns of the first word have letters."""
+        picture, y = view.lanes.grab().toImage(), at(view, 0.35, WORDS).y()
+        left, right = (round(view.lanes.x_of(seconds)) for seconds in (0.2, 0.5))
+        rows = range(y - 6, y + 7)
+        return sum(max(picture.pixelColor(x, dy).lightness() for dy in rows) > 200 for x in range(left, right))
 
-    assert letters()
-    view.lanes.scale = 0.3
-    assert not letters()
+    columns = []
+    for scale in (4.0, 0.5, 0.1):
+        view.lanes.scale = scale
+        columns.append(letters())
+    assert columns[0] > columns[1] > 0
+    assert columns[2] == 0
+
+
+def test_frames_in_a_row_that_have_one_code_are_a_span_but_for_breaks() -> None:
+    codes = np.array([0, 0, 1, 1, 1, 0])
+    lane = lane_of_frames("said", codes, ["a", "u"], np.array([7, 8], np.uint32), first=10, breaks=[4])
+    assert lane.starts.tolist() == pytest.approx([0.10, 0.12, 0.14, 0.15])
+    assert lane.ends.tolist() == pytest.approx([0.12, 0.14, 0.15, 0.16])
+    assert list(lane.texts) == ["a", "u", "u", "a"]
+    assert lane.colours.tolist() == [7, 8, 8, 7]
+    assert len(lane_of_frames("said", codes[:0], ["a"], np.zeros(1, np.uint32)).starts) == 0
+
+
+def test_a_waveform_is_painted_from_its_lowest_to_its_highest_sample_in_colours_of_columns() -> None:
+    peaks = Peaks(np.array([-1.0, 0.0, np.nan], np.float32), np.array([1.0, 0.5, np.nan], np.float32))
+    painted = wave_pixels(peaks, 1.0, 9, 7, 0) == 7
+    assert painted.sum(axis=0).tolist() == [9, 3, 0]
+    assert painted[4, 1]
+    assert not painted[5:, 1].any()
+    by_column = wave_pixels(peaks, 1.0, 9, np.array([7, 8, 9], np.uint32), 0)
+    assert by_column[4].tolist() == [7, 8, 0]
+
+
+def test_a_span_keeps_what_its_lane_says_at_least() -> None:
+    lane = Lane("", np.array([1.0]), np.array([2.0]), movable=True, least=0.25)
+    axis, drag = TimeAxis(0, 300, 0.0, 3.0), BoundaryDrag()
+    assert drag.press([(QRectF(0, 0, 300, 20), lane)], axis, QPointF(102, 5), 3.0) == (0, 0, 1.0)
+    assert drag.move(1.9) == (0, 0, 1.75)
+    assert drag.release() == (0, 0, 1.75)
+    assert drag.press([(QRectF(0, 0, 300, 20), lane)], axis, QPointF(150, 5), 3.0) is None
+
+
+def test_the_wheel_zooms_at_the_pointer_a_drag_scrolls_and_all_is_seen_in_any_width(view: TimelineView) -> None:
+    view.lanes.scale = 10.0
+    view.show_time(0.5)
+    place = QPointF(LEFT + 200, 40)
+    under = view.lanes.axis.time_at(place.x())
+    turned = QWheelEvent(
+        place, view.mapToGlobal(place), QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
+    )  # fmt: skip
+    QApplication.sendEvent(view, turned)
+    assert view.lanes.scale == pytest.approx(12.0)
+    assert view.lanes.axis.time_at(place.x()) == pytest.approx(under, abs=FRAME_PERIOD)
+    first = view.lanes.first
+    QTest.mousePress(view, BUTTON, pos=QPoint(LEFT + 300, 5))
+    QTest.mouseMove(view, QPoint(LEFT + 240, 5))
+    QTest.mouseRelease(view, BUTTON, pos=QPoint(LEFT + 240, 5))
+    assert view.lanes.first == pytest.approx(first + 5)
+    view.show_whole()
+    for width in (LEFT + 800, LEFT + 300):
+        view.resize(width, 90)
+        assert (view.lanes.axis.start, view.lanes.axis.end) == pytest.approx((0.0, 2.0))

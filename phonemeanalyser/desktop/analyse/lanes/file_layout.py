@@ -1,12 +1,17 @@
 """Where things lie in the view of a file: its rows from above, and times from left to right."""
 
+import numpy as np
 from PySide6.QtCore import QRectF
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.widgets.timeline import Lane
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.lanes import TIME_HEIGHT, Lane, TimeAxis
+from phonemeengine.labels.textgrid import Tier
+from phonemeengine.labels.tiers import SHORTEST
 
-LEFT, RIGHT, TIME_HEIGHT, GAP = 52, 8, 18, 3
+LEFT, RIGHT, GAP = 52, 8, 3
 LANE_HEIGHT, LABEL_HEIGHT = 22, 19
 LANE = 1
 """Number of the row of what is recognised."""
@@ -23,6 +28,7 @@ class FileLayout:
     ----------
     session : what is seen of the file, and its labels.
     widget : what is painted on.
+    theme : the colours of labels.
 
     Attributes
     ----------
@@ -30,10 +36,11 @@ class FileLayout:
     spoken : lanes of what is said.
     """
 
-    def __init__(self, session: Session, widget: QWidget) -> None:
-        self._session, self._widget = session, widget
+    def __init__(self, session: Session, widget: QWidget, theme: Theme) -> None:
+        self._session, self._widget, self._theme = session, widget, theme
         self.shows: set[str] = set()
         self.spoken: list[Lane] = []
+        self._lanes: dict[int, tuple[object, Lane]] = {}
 
     @property
     def width(self) -> int:
@@ -69,6 +76,21 @@ class FileLayout:
             tier: QRectF(LEFT, top + k * step, self.width, LABEL_HEIGHT) for k, tier in enumerate(self.tiers_shown())
         }
 
+    def label_lanes(self) -> list[tuple[QRectF, Lane]]:
+        """Return the tiers that are shown as lanes, whose boundaries can be dragged, and where they lie."""
+        return [(row, self._lane_of(tier)) for tier, row in self.label_rows().items()]
+
+    def _lane_of(self, number: int) -> Lane:
+        state, chosen = self._session.labels.state, self._session.labels.chosen
+        tier = state.tiers[number]
+        mark = chosen.label if chosen is not None and chosen.tier == number else None
+        known, lane = self._lanes.get(number, (None, None))
+        shown = (tier, mark, number == state.said)
+        if lane is None or not isinstance(known, tuple) or known[0] is not tier or known[1:] != shown[1:]:
+            lane = _lane_of_tier(tier, mark, self._theme, duration=self._session.labels.duration, said=shown[2])
+            self._lanes[number] = shown, lane
+        return lane
+
     def tiers_shown(self) -> tuple[int, ...]:
         """Return the tiers that are shown, as many as leave the sonagram room; what a microphone heard has none."""
         most = max(1, int(MOST_LANES * self._widget.height()) // (LABEL_HEIGHT + 1))
@@ -92,11 +114,35 @@ class FileLayout:
             for k, lane in enumerate(self.spoken_shown())
         ]
 
+    @property
+    def axis(self) -> TimeAxis:
+        """Where times lie."""
+        seen = self._session.view.seen
+        return TimeAxis(LEFT, self.width, seen.start, max(seen.seconds, 1e-9))
+
     def x_of(self, seconds: float) -> float:
         """Return where a time lies, pixels from the left."""
-        seen = self._session.view.seen
-        return LEFT + (seconds - seen.start) / max(seen.seconds, 1e-9) * self.width
+        return self.axis.x_of(seconds)
 
     def time_at(self, x: float) -> float:
         """Return the time that lies so many pixels from the left, seconds."""
-        return self._session.view.seen.start + (x - LEFT) / self.width * self._session.view.seen.seconds
+        return self.axis.time_at(x)
+
+
+def _lane_of_tier(tier: Tier, chosen: int | None, theme: Theme, *, duration: float, said: bool) -> Lane:
+    """Return a tier as a lane; a point reaches to the next one, and those of what is said stand out."""
+    starts, ends = (np.array([getattr(raw, edge) for raw in tier.raw_labels], float) for edge in ("start", "end"))
+    colours = np.full(len(starts), QColor(theme.field).rgb(), np.uint32)
+    if chosen is not None:
+        colours[chosen : chosen + 1] = QColor(theme.accent).rgb()
+    return Lane(
+        tier.name,
+        starts,
+        np.append(starts[1:], max(duration, starts[-1])) if tier.points and len(starts) else ends,
+        [raw.name for raw in tier.raw_labels],
+        colours,
+        movable=not tier.points,
+        outline=theme.faint if said else theme.line,
+        are_points=tier.points,
+        least=SHORTEST,
+    )

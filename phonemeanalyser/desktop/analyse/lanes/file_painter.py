@@ -1,40 +1,34 @@
 """How the view of a file is painted: sonagram, phonemes, labels, waveform, and the course of a variable."""
 
 import math
-from bisect import bisect_right
 
 import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPaintEngine, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, TIME_HEIGHT, FileLayout
-from phonemeanalyser.desktop.analyse.lanes.file_rows import (
-    course_of,
-    lane_pixels,
-    usual_course_of,
-    usual_of,
-    wave_pixels,
-    wide_runs,
-)
-from phonemeanalyser.desktop.analyse.lanes.sonagram import LETTER, NARROWEST_LETTER
+from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, format_clock, letters_on, set_size
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, mixed, set_size
 from phonemeanalyser.desktop.session.formant_track import MOST_SECONDS
+from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
+from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.lanes import (
+    lane_of_frames,
+    paint_lane,
+    paint_name,
+    paint_times,
+    paint_wave,
+)
 from phonemeanalyser.desktop.widgets.plot import broken_line
-from phonemeanalyser.desktop.widgets.timeline import Lane
-from phonemeengine.arrays import Float32Array, UInt32Array
+from phonemeengine.arrays import Float32Array, Float64Array, UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-SPACINGS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
-"""Between two marks of time, seconds."""
-LEAST_SPACING = 70
-"""Pixels between two marks of time."""
 FREQUENCY_MARKS = (500, 1000, 2000, 4000, 6000, 8000)
 LEVELS, PITCHES = (-80.0, 0.0), (0.0, 500.0)
 """Decibels and Hz of the sonagram's lower and upper edge, for the lines over it."""
@@ -42,8 +36,8 @@ FORMANT_COLOUR, PITCH_COLOUR, LEVEL_COLOUR = "#ff5050", "#50b4ff", "#ffe060"
 """As in Praat: red dots, a blue and a yellow line."""
 OUTDATED = 0.43
 """How much of its colour is left of what was found with other settings."""
-LEAST_BOX = 4
-"""Pixels of a label from which on its border is strong: of narrower ones, nothing else would be seen."""
+NOTE_ALPHA = 215
+"""How opaque the ground of words over the sonagram is, 0..255."""
 DOTS_APART = 3
 """Pixels between two dots of a formant at least."""
 LETTERS_APART = 11
@@ -68,13 +62,12 @@ class FilePainter:
     def __init__(self, session: Session, theme: Theme, layout: FileLayout, widget: QWidget) -> None:
         self._session, self._labels, self._view = session, session.labels, session.view
         self._theme, self._layout, self._widget = theme, layout, widget
-        self.variable = "energy"
+        self.variable = USUAL_VARIABLE
         self._colours: UInt32Array = np.zeros(256, np.uint32)
         self._images: dict[int, tuple[Tile, tuple[float, float], QImage]] = {}
-        self._pixels = [QColor(PHONEME_COLOURS[p]) for p in Phoneme]
-        self._letters = [letters_on(colour.name()) for colour in self._pixels]
-        self._lane_colours = _lane_colours(self._pixels, QColor(theme.base))
-        self._names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
+        self._lane_colours = _lane_colours(QColor(theme.base))
+        names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
+        self._names = [name if state is not FrameState.UNKNOWN else "" for state in FrameState for name in names]
 
     def set_colours(self, colours: UInt32Array) -> None:
         """Choose the colours of the levels, 256 RGB values."""
@@ -96,19 +89,20 @@ class FilePainter:
             if not self._session.seen.looks_back:
                 self._paint_errors(painter, rows[LANE], tracks)
             self._paint_second(painter, rows[LANE])
-            self._paint_wave(painter, rows[2], tracks)
+            peaks = self._session.waveform.outline_in(self._view.seen, tracks.peaks, self._layout.width)
+            paint_wave(painter, rows[2], peaks, self._theme)
             self._paint_course(painter, rows[3], tracks)
             self._paint_over(painter, rows[0], tracks)
-        for tier, row in self._layout.label_rows().items():
-            self._paint_labels(painter, row, tier)
-        for row, lane in self._layout.spoken_rows():
-            self._paint_spoken(painter, row, lane)
-        self._paint_times(painter, rows[3].bottom())
+        for row, lane in (*self._layout.label_lanes(), *self._layout.spoken_rows()):
+            paint_name(painter, row, lane.name, self._theme)
+            paint_lane(painter, row, lane, self._layout.axis, self._theme)
+        paint_times(painter, rows[3].bottom(), self._layout.axis, self._theme, self._widget.width())
         self._paint_selection(painter, rows[3].bottom())
         x = self._layout.x_of(self._session.source.position)
         if LEFT <= x <= LEFT + self._layout.width and not self._session.seen.looks_back:
             painter.fillRect(QRectF(x - 0.5, 0, 1.5, rows[3].bottom()), QColor(self._theme.accent))
-        self._paint_reading(painter, rows[0], reading)
+        if reading:
+            self._paint_note(painter, rows[0], reading, above=True)
 
     def _paint_sonagram(self, painter: QPainter, row: QRectF) -> None:
         painter.save()
@@ -147,15 +141,10 @@ class FilePainter:
         return image
 
     def _paint_lane(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
-        seen, n = self._view.seen, self._layout.width
-        pixels = lane_pixels(tracks, seen, n, self._lane_colours)
-        painter.drawImage(row, QImage(pixels.data, n, 1, 4 * n, QImage.Format.Format_RGB32))
-        runs = wide_runs(tracks, seen, NARROWEST_LETTER / n * seen.seconds)
-        for start, end, code in zip(*(values.tolist() for values in runs), strict=True):
-            left, right = self._layout.x_of(start), self._layout.x_of(end)
-            if right - left >= LETTER * len(self._names[code]):
-                place = QRectF(left, row.top(), right - left, row.height())
-                draw_text(painter, place, self._names[code], self._letters[code], 11, CENTRED)
+        first, last = self._frames_seen(tracks)
+        codes = tracks.states[first:last].astype(np.intp) * len(Phoneme) + tracks.phonemes[first:last]
+        lane = lane_of_frames("", codes, self._names, self._lane_colours, first=first)
+        paint_lane(painter, row, lane, self._layout.axis, self._theme)
 
     def _paint_second(self, painter: QPainter, first: QRectF) -> None:
         """Paint what the second preset hears, and the names of both."""
@@ -165,11 +154,8 @@ class FilePainter:
         painter.fillRect(row, QColor(self._theme.base))
         if tracks is not None:
             self._paint_lane(painter, row, tracks)
-        set_size(painter, 10)
         for place, name in zip((first, row), self._session.second.names, strict=True):
-            words = painter.fontMetrics().elidedText(name, Qt.TextElideMode.ElideRight, LEFT - 8)
-            left = QRectF(0, place.top(), LEFT - 7, place.height())
-            draw_text(painter, left, words, self._theme.faint, 10, AT_RIGHT)
+            paint_name(painter, place, name, self._theme)
 
     def _paint_errors(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         """Hatch where something else was recognised than the labels say."""
@@ -179,70 +165,6 @@ class FilePainter:
             if error.start < seen.end and seen.start < error.end:
                 left, right = (self._layout.x_of(min(max(t, seen.start), seen.end)) for t in (error.start, error.end))
                 painter.fillRect(QRectF(left, row.top(), right - left, row.height()), brush)
-
-    def _paint_labels(self, painter: QPainter, row: QRectF, tier: int) -> None:
-        """Paint a tier: a box for each label, with as much of its name as fits."""
-        seen, state = self._view.seen, self._labels.state
-        shown = state.tiers[tier]
-        says = tier == state.said
-        painter.fillRect(row, QColor(self._theme.base))
-        draw_text(painter, QRectF(0, row.top(), LEFT - 7, row.height()), shown.name, self._theme.faint, 10, AT_RIGHT)
-        set_size(painter, 11)
-        labels = shown.raw_labels
-        first = bisect_right(labels, seen.start, key=lambda raw: raw.end)
-        drawn = LEFT - 1.0
-        for k in range(first, len(labels)):
-            raw = labels[k]
-            if raw.start > seen.end:
-                break
-            left, right = (self._layout.x_of(min(max(t, seen.start), seen.end)) for t in (raw.start, raw.end))
-            if right < drawn + 0.5 and not shown.points:
-                continue  # lies within a pixel that is painted already
-            drawn = right
-            box = QRectF(left, row.top(), max(1.0, right - left), row.height())
-            chosen = self._labels.chosen == (tier, k)
-            strong = says and box.width() >= LEAST_BOX
-            painter.fillRect(box, QColor(self._theme.faint if strong else self._theme.line))
-            painter.fillRect(box.adjusted(1, 1, 0, -1), QColor(self._theme.accent if chosen else self._theme.field))
-            if box.width() >= NARROWEST_LETTER or shown.points:
-                words = painter.fontMetrics().elidedText(raw.name, Qt.TextElideMode.ElideRight, int(box.width()))
-                draw_text(painter, box, words, self._theme.on_colour if chosen else self._theme.text, 11, CENTRED)
-
-    def _paint_spoken(self, painter: QPainter, row: QRectF, lane: Lane) -> None:
-        """Paint words, syllables, phones, letters or units: a coloured box each, with its name where that fits."""
-        seen = self._view.seen
-        painter.fillRect(row, QColor(self._theme.base))
-        draw_text(painter, QRectF(0, row.top(), LEFT - 7, row.height()), lane.name, self._theme.faint, 10, AT_RIGHT)
-        set_size(painter, 11)
-        first = int(np.searchsorted(lane.ends, seen.start))
-        last = int(np.searchsorted(lane.starts, seen.end))
-        drawn = LEFT - 1.0
-        for k in range(first, last):
-            left, right = (
-                self._layout.x_of(min(max(t, seen.start), seen.end)) for t in (lane.starts[k], lane.ends[k])
-            )
-            if right < drawn + 0.5:
-                continue  # lies within a pixel that is painted already
-            drawn = right
-            box = QRectF(left, row.top(), max(1.0, right - left - 1), row.height())
-            colour = QColor(int(lane.colours[k]))
-            painter.fillRect(box, colour)
-            if k in lane.marked:
-                painter.fillRect(box, QBrush(QColor(self._theme.bad), Qt.BrushStyle.BDiagPattern))
-            if box.width() >= NARROWEST_LETTER:
-                words = painter.fontMetrics().elidedText(lane.texts[k], Qt.TextElideMode.ElideRight, int(box.width()))
-                draw_text(painter, box, words, letters_on(colour.name()), 11, CENTRED)
-
-    def _paint_wave(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
-        seen = self._view.seen
-        peaks = self._session.waveform.outline_in(seen, tracks.peaks, self._layout.width)
-        loudest = max(0.05, float(np.nanmax([np.abs(peaks.low), np.abs(peaks.high), np.zeros(self._layout.width)])))
-        colour, base = (QColor(name).rgb() for name in (self._theme.signal, self._theme.base))
-        height = max(3, round(row.height()))
-        pixels = wave_pixels(peaks, loudest, height, colour, base)
-        painter.drawImage(
-            row, QImage(pixels.data, self._layout.width, height, 4 * self._layout.width, QImage.Format.Format_RGB32)
-        )
 
     def _paint_course(self, painter: QPainter, row: QRectF, tracks: SoundTracks) -> None:
         first, last = self._frames_seen(tracks)
@@ -300,15 +222,18 @@ class FilePainter:
                     if not math.isnan(frequency):
                         painter.drawEllipse(QPointF(x, self._y_of(frequency, row)), 1.6, 1.6)
         if "formants" in self._layout.shows and self._view.seen.seconds > MOST_SECONDS:
-            self._paint_hint(painter, row, tr("Formants: zoom in to {n:.0f} s or less").format(n=MOST_SECONDS))
+            words = tr("Formants: zoom in to {n:.0f} s or less").format(n=MOST_SECONDS)
+            self._paint_note(painter, row, words, above=False)
         painter.restore()
 
-    def _paint_hint(self, painter: QPainter, row: QRectF, words: str) -> None:
-        """Say at the lower left of the sonagram why something is not drawn."""
+    def _paint_note(self, painter: QPainter, row: QRectF, words: str, *, above: bool) -> None:
+        """Write words over a row: at its right upper edge, or at its left lower one."""
         set_size(painter, 11)
         width = painter.fontMetrics().horizontalAdvance(words) + 14
-        box = QRectF(row.left() + 4, row.bottom() - 22, width, 18)
-        painter.fillRect(box, QColor(self._theme.base))
+        left, top = (row.right() - width - 4, row.top() + 4) if above else (row.left() + 4, row.bottom() - 22)
+        box, background = QRectF(left, top, width, 18), QColor(self._theme.base)
+        background.setAlpha(NOTE_ALPHA)
+        painter.fillRect(box, background)
         draw_text(painter, box, words, self._theme.text, 11, CENTRED)
 
     def _paint_line(
@@ -326,31 +251,6 @@ class FilePainter:
         share = float(np.interp(frequency, frequencies, np.linspace(0, 1, len(frequencies)), -1, 2))
         return row.bottom() - share * row.height()
 
-    def _paint_reading(self, painter: QPainter, row: QRectF, words: str) -> None:
-        """Tell what lies under the mouse."""
-        if not words:
-            return
-        set_size(painter, 11)
-        width = painter.fontMetrics().horizontalAdvance(words) + 14
-        box = QRectF(row.right() - width - 4, row.top() + 4, width, 18)
-        background = QColor(self._theme.base)
-        background.setAlpha(215)
-        painter.fillRect(box, background)
-        draw_text(painter, box, words, self._theme.text, 11, CENTRED)
-
-    def _paint_times(self, painter: QPainter, top: float) -> None:
-        seen = self._view.seen
-        per_pixel = seen.seconds / self._layout.width
-        spacing = next((s for s in SPACINGS if s / per_pixel >= LEAST_SPACING), SPACINGS[-1])
-        for k in range(int(seen.start / spacing), int(seen.end / spacing) + 1):
-            x = self._layout.x_of(k * spacing)
-            if LEFT <= x <= LEFT + self._layout.width:
-                painter.fillRect(QRectF(x, top, 1, 4), QColor(self._theme.faint))
-                place = QRectF(
-                    min(x - 40, self._widget.width() - 62), top + 3, 80, TIME_HEIGHT - 3
-                )  # the last one is whole
-                draw_text(painter, place, _clock(k * spacing, spacing), self._theme.faint, 10, CENTRED)
-
     def _paint_selection(self, painter: QPainter, bottom: float) -> None:
         selection = self._view.selection
         if selection is None:
@@ -365,17 +265,11 @@ class FilePainter:
         return max(0, int(seen.start / FRAME_PERIOD)), min(tracks.n_frames, int(seen.end / FRAME_PERIOD) + 1)
 
 
-def _lane_colours(colours: list[QColor], base: QColor) -> UInt32Array:
-    """Return the colours of phonemes by state: none where nothing is known, paler where that is outdated."""
-    table = np.full((len(FrameState), len(colours)), base.rgb(), np.uint32)
-    for k, colour in enumerate(colours):
-        table[FrameState.KNOWN, k] = colour.rgb()
-        shares = zip(
-            (colour.red(), colour.green(), colour.blue()), (base.red(), base.green(), base.blue()), strict=True
-        )
-        pale = QColor(*(round(OUTDATED * a + (1 - OUTDATED) * b) for a, b in shares))
-        table[FrameState.OUTDATED, k] = pale.rgb()
-    return table
+def _lane_colours(base: QColor) -> UInt32Array:
+    """Return the colours of all phonemes by state: none where nothing is known, paler where that is outdated."""
+    shares = {FrameState.UNKNOWN: 0.0, FrameState.OUTDATED: OUTDATED, FrameState.KNOWN: 1.0}
+    colours = [mixed(QColor(PHONEME_COLOURS[p]), base, shares[state]) for state in FrameState for p in Phoneme]
+    return np.array([colour.rgb() for colour in colours], np.uint32)
 
 
 def _cut(image: QImage, left: float, right: float, row: QRectF) -> tuple[QImage, float, float]:
@@ -386,12 +280,57 @@ def _cut(image: QImage, left: float, right: float, row: QRectF) -> tuple[QImage,
     return image.copy(first, 0, max(1, last - first), image.height()), left + first * column, left + last * column
 
 
-def _rgb_of(colour: QColor) -> tuple[int, int, int]:
-    return colour.red(), colour.green(), colour.blue()
+# The course of a variable: as many points as pixels, however many frames lie under each.
 
 
-def _clock(seconds: float, spacing: float) -> str:
-    """Write a time as finely as marks so far apart need it."""
-    if spacing < 0.1:
-        return f"{format_clock(seconds - seconds % 60, False)[:-2]}{seconds % 60:05.2f}"
-    return format_clock(seconds, spacing < 1)
+def course_of(values: Float32Array, first: int, seen: TimeSpan, n_columns: int) -> tuple[Float64Array, Float64Array]:
+    """Return the course of a variable as a line: times in seconds, and values; NaN where it is broken.
+
+    Where several frames lie under a column, it goes through the lowest and the highest of them: no peak is lost.
+
+    Parameters
+    ----------
+    values : of the frames from `first` on, shape (n,).
+    """
+    times: Float64Array = (first + np.arange(len(values), dtype=np.float64) + 0.5) * FRAME_PERIOD
+    if len(values) <= 2 * n_columns:
+        return times, values.astype(np.float64)
+    columns = ((times - seen.start) / seen.seconds * n_columns).astype(np.int64)
+    starts = np.concatenate(([0], np.flatnonzero(np.diff(columns)) + 1))
+    low, high = np.fmin.reduceat(values, starts), np.fmax.reduceat(values, starts)
+    middle: Float64Array = np.repeat(seen.start + (columns[starts] + 0.5) / n_columns * seen.seconds, 2)
+    return middle, np.stack((low, high), axis=1).ravel().astype(np.float64)
+
+
+def usual_course_of(
+    values: Float32Array, first: int, seen: TimeSpan, n_columns: int
+) -> tuple[Float64Array, Float64Array]:
+    """Return the course of a variable as one line, however many frames lie under a column: see `usual_of`.
+
+    Times in seconds, and values; NaN where it is broken. Parameters are those of `course_of`.
+    """
+    per_point = max(1, int(np.ceil(seen.seconds / FRAME_PERIOD / n_columns)))
+    usual = usual_of(values[:, np.newaxis], per_point, first)[:, 0]
+    times: Float64Array = (
+        (first // per_point + np.arange(len(usual), dtype=np.float64) + 0.5) * per_point * FRAME_PERIOD
+    )
+    return times, usual.astype(np.float64)
+
+
+def usual_of(values: Float32Array, n: int, first: int) -> Float32Array:
+    """Return the median of every `n` frames, shape (n_groups, n_values); NaN where most of them have no value.
+
+    Groups begin at multiples of `n`, so that they stay the same while the view scrolls.
+
+    Parameters
+    ----------
+    values : of the frames from `first` on, shape (n_frames, n_values).
+    """
+    if n == 1 or not len(values):
+        return values
+    before, after = first % n, -(first + len(values)) % n
+    groups = np.pad(values, ((before, after), (0, 0)), constant_values=np.nan).reshape(-1, n, values.shape[1])
+    known = np.isfinite(groups).sum(axis=1)
+    groups = np.sort(groups, axis=1)  # NaN comes last
+    middle = np.take_along_axis(groups, np.maximum(known - 1, 0)[:, np.newaxis] // 2, axis=1)[:, 0]
+    return np.where(2 * known >= n, middle, np.float32(np.nan)).astype(np.float32)

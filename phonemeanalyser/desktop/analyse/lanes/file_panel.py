@@ -10,13 +10,21 @@ from PySide6.QtWidgets import QComboBox, QLabel, QMenu, QWidget
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
 from phonemeanalyser.desktop.analyse.lanes.sonagram import add_colour_maps, colours_of
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE, PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import choice, column, open_at_once, row, toggle_button, tool_button
+from phonemeanalyser.desktop.widgets.builders import (
+    choice,
+    column,
+    offer,
+    open_at_once,
+    row,
+    silent,
+    toggle_button,
+    tool_button,
+)
 from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
 from phonemeengine.dsp.sonagram import FrequencyAxis
-from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.inspection.whole_sound import FrameRange
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -147,11 +155,10 @@ class FilePanel(QWidget):
 
     def _list_variables(self) -> None:
         chosen = self.variable.currentText() or self.view.variable
-        names = [*BUILT_IN_NAMES, *(v.name for v in self._preset.preset.variables)]
-        if names != [self.variable.itemText(k) for k in range(self.variable.count())]:
-            self.variable.clear()
-            self.variable.addItems(names)
-            self.variable.setCurrentText(chosen if chosen in names else "energy")
+        with silent(self.variable):
+            offer(self.variable, self._preset.variable_names, chosen, usual=USUAL_VARIABLE)
+        if self.variable.currentText() != self.view.variable:
+            self.view.show_variable(self.variable.currentText())
 
     def _show_state(self) -> None:
         self.live.setVisible(self._session.seen.looks_back)

@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.timeline import Lane
+from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Drag, Lane
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.phonemes import Phoneme
@@ -47,13 +47,13 @@ class FileView(QWidget):
         self._session = session
         self._labels = session.labels
         self._view = session.view
-        self._layout = FileLayout(session, self)
+        self._layout = FileLayout(session, self, theme)
         self._painter = FilePainter(session, theme, self._layout, self)
         self._mouse: QPointF | None = None
         self._pressed: QPointF | None = None
         self._dragged_from = TimeSpan(0.0, 0.0)
         self._selects = False
-        self._boundary: tuple[ChosenLabel, bool] | None = None
+        self._boundary = BoundaryDrag()
         self.setMinimumSize(260, 200)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -159,8 +159,8 @@ class FileView(QWidget):
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed, self._dragged_from = event.position(), self._view.seen
             self._selects = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            self._boundary = None if self._selects else self._boundary_at(event.position())
-            if self._boundary is not None:
+            held = None if self._selects else self._catch(event.position())
+            if held is not None:
                 self._labels.begin_move()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -176,33 +176,22 @@ class FileView(QWidget):
                 return self._labels.label_at(tier, self._layout.time_at(place.x()))
         return None
 
-    def _boundary_at(self, place: QPointF) -> tuple[ChosenLabel, bool] | None:
-        """Return the label whose boundary lies there, and whether it is its end."""
-        for tier, row in self._layout.label_rows().items():
-            if row.contains(place):
-                labels = self._labels.tiers[tier].raw_labels
-                ends = [
-                    (abs(self._layout.x_of(time) - place.x()), ChosenLabel(tier, k), end)
-                    for k, raw in enumerate(labels)
-                    if self._view.seen.start <= raw.end and raw.start <= self._view.seen.end
-                    for end, time in ((True, raw.end), (False, raw.start))
-                ]
-                nearest = min(ends, key=lambda found: found[0], default=None)
-                if nearest is not None and nearest[0] <= GRAB + 1:
-                    return nearest[1], nearest[2]
-        return None
+    def _catch(self, place: QPointF) -> Drag | None:
+        layout = self._layout
+        return self._boundary.press(layout.label_lanes(), layout.axis, place, self._view.duration)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Scroll, or select; with no button, tell what lies there."""
         self._mouse = event.position()
         if self._pressed is None:
-            at_boundary = self._boundary_at(event.position()) is not None
-            self.setCursor(Qt.CursorShape.SplitHCursor if at_boundary else Qt.CursorShape.ArrowCursor)
+            over = self._boundary.boundary_at(self._layout.label_lanes(), self._layout.axis, event.position())
+            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
             self.update()
             return
-        if self._boundary is not None:
-            label, end = self._boundary
-            self._labels.move(label, self._layout.time_at(event.position().x()), end=end)
+        held = self._boundary.move(self._layout.time_at(event.position().x()))
+        if held is not None:
+            label = ChosenLabel(self._layout.tiers_shown()[held.lane], held.boundary // 2)
+            self._labels.move(label, held.seconds, end=bool(held.boundary % 2))
             return
         moved = event.position().x() - self._pressed.x()
         if self._selects:
@@ -218,7 +207,8 @@ class FileView(QWidget):
         if self._pressed is None:
             return
         clicked = abs(event.position().x() - self._pressed.x()) <= GRAB and not self._selects
-        self._pressed = self._boundary = None
+        self._pressed = None
+        self._boundary.release()
         if not clicked:
             return
         label = self._label_at(event.position())

@@ -19,13 +19,14 @@ from phonemeanalyser.desktop.analyse.lanes.sonagram import (
 )
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE, PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     choice,
     column,
     label,
     named,
+    offer,
     row,
     silent,
     toggle_button,
@@ -37,7 +38,7 @@ from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve,
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.still_label import StillLabel
 from phonemeengine.arrays import Float32Array
-from phonemeengine.features.variables import BUILT_IN_NAMES, unit_of
+from phonemeengine.features.variables import unit_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
 
@@ -227,13 +228,8 @@ class ScrollView(QWidget):
     # -- the variable -------------------------------------------------------------------------------------
 
     def _list_variables(self) -> None:
-        chosen = self.variable.currentText()
-        names = [*BUILT_IN_NAMES, *(v.name for v in self._preset.preset.variables)]
-        if names != [self.variable.itemText(k) for k in range(self.variable.count())]:
-            with silent(self.variable):
-                self.variable.clear()
-                self.variable.addItems(names)
-                self.variable.setCurrentText(chosen if chosen in names else "energy")
+        with silent(self.variable):
+            offer(self.variable, self._preset.variable_names, self.variable.currentText(), usual=USUAL_VARIABLE)
         self._choose_variable()
 
     def _choose_variable(self) -> None:

@@ -4,15 +4,17 @@ from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter
+from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.painting import draw_text, mixed
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, wave_pixels
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.dsp.waveform_peaks import Peaks
 from phonemeengine.settings import SAMPLE_RATE
 
 HEADING = 15
@@ -21,6 +23,10 @@ NEAR = 8
 """Pixels from an end within which it is taken hold of."""
 LEAST = 0.03
 """What counts lasts at least so long, seconds."""
+SHARE = 0.92
+"""Of the height, that the loudest sample takes."""
+THINNED = 60 / 255
+"""How much of its colour is seen behind what counts."""
 
 
 class TakeWaveform(QWidget):
@@ -38,7 +44,7 @@ class TakeWaveform(QWidget):
         self._takes = takes
         self._theme = theme
         self.ends: tuple[float, float] | None = None
-        self._held: int | None = None
+        self._drag = BoundaryDrag(NEAR)
         self.setMinimumSize(120, 64)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -61,39 +67,35 @@ class TakeWaveform(QWidget):
             painter.setPen(QColor(self._theme.faint))
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, tr("choose a take to hear and trim it"))
             return
-        left, right = (self._x_of(end) for end in self.ends)
+        left, right = (self.axis.x_of(end) for end in self.ends)
         counting = QColor(PHONEME_COLOURS[take.phoneme])
-        painter.fillRect(QRectF(left, HEADING, right - left, self.height() - HEADING), _thinned(counting))
-        self._paint_sound(painter, left, right)
+        self._paint_sound(painter, left, right, counting)
         for x in (left, right):
             painter.fillRect(QRectF(x - 1, HEADING, 2, self.height() - HEADING), counting)
             painter.fillRect(QRectF(x - 4, (self.height() + HEADING) / 2 - 8, 8, 16), counting)
-        painter.setPen(QColor(self._theme.text))
-        set_size(painter, 10)
         words = f"{take.name}   " + tr("{start:.2f} – {end:.2f} s of {duration:.2f} s").format(
             start=self.ends[0], end=self.ends[1], duration=take.duration
         )
-        painter.drawText(self.rect().adjusted(6, 2, -4, 0), Qt.AlignmentFlag.AlignLeft, words)
+        draw_text(painter, QRectF(6, 0, self.width() - 10, HEADING), words, self._theme.text, 10)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take hold of the nearer end."""
         self.setFocus()
         if event.button() == Qt.MouseButton.LeftButton:
-            self._held = self._end_near(event.position().x())
+            self._drag.press(self._rows(), self.axis, event.position(), self._duration)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Move the end that is held."""
-        x = event.position().x()
-        if self._held is None:
-            shape = Qt.CursorShape.ArrowCursor if self._end_near(x) is None else Qt.CursorShape.SizeHorCursor
-            self.setCursor(shape)
+        held = self._drag.move(round(self.axis.time_at(event.position().x()), 3))
+        if held is None:
+            over = self._drag.boundary_at(self._rows(), self.axis, event.position())
+            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
         else:
-            self._move(self._held, self._seconds_at(x))
+            self._put(held.boundary, held.seconds)
 
     def mouseReleaseEvent(self, _event: QMouseEvent) -> None:
         """Let what was dragged count."""
-        if self._held is not None and self.ends is not None:
-            self._held = None
+        if self._drag.release() is not None and self.ends is not None:
             self.trimmed.emit(*self.ends)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -103,58 +105,50 @@ class TakeWaveform(QWidget):
             super().keyPressEvent(event)
             return
         end = int(bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier))
-        self._move(end, self.ends[end] + steps[Qt.Key(event.key())])
+        low, high = self._rows()[0][1].room_of(end, self._duration)
+        self._put(end, min(max(self.ends[end] + steps[Qt.Key(event.key())], low), high))
         self.trimmed.emit(*self.ends)
 
     def _show(self) -> None:
         take = self._takes.take(self._takes.selected) if self._takes.selected is not None else None
-        if self._held is None:
+        if self._drag.held is None:
             self.ends = (take.start, take.end) if take is not None else None
         self.update()
 
-    def _move(self, end: int, seconds: float) -> None:
-        if self.ends is None:
-            return
-        start, stop = self.ends
-        if end == 0:
-            start = min(max(0.0, seconds), stop - LEAST)
-        else:
-            stop = max(min(self._duration, seconds), start + LEAST)
-        self.ends = max(0.0, start), min(stop, self._duration)
-        self.update()
+    def _put(self, end: int, seconds: float) -> None:
+        if self.ends is not None:
+            self.ends = (self.ends[0], seconds) if end else (seconds, self.ends[1])
+            self.update()
 
     def _columns(self) -> dict[str, Float32Array | Float64Array]:
         sound = self._takes.sound
         return {tr("time (s)"): np.arange(len(sound)) / SAMPLE_RATE, "amplitude": sound}
 
-    def _paint_sound(self, painter: QPainter, left: float, right: float) -> None:
-        sound, width = self._takes.sound, max(1, self.width())
+    def _paint_sound(self, painter: QPainter, left: float, right: float, counting: QColor) -> None:
+        sound, width, height = self._takes.sound, max(1, self.width()), max(3, self.height() - HEADING)
         edges = np.linspace(0, len(sound), width + 1).astype(int)[:-1]
-        high, low = np.maximum.reduceat(sound, edges), np.minimum.reduceat(sound, edges)
-        scale = 0.46 * (self.height() - HEADING) / max(float(np.abs(sound).max()), 1e-4)
-        middle = (self.height() + HEADING) / 2
-        inside, outside = QColor(self._theme.signal), QColor(self._theme.faint)
-        for x, (top, bottom) in enumerate(zip(high.tolist(), low.tolist(), strict=True)):
-            painter.setPen(inside if left <= x <= right else outside)
-            painter.drawLine(x, round(middle - scale * top), x, round(middle - scale * bottom))
+        peaks = Peaks(np.minimum.reduceat(sound, edges), np.maximum.reduceat(sound, edges))
+        loudest = max(float(np.abs(sound).max()), 1e-4) / SHARE
+        columns, base = np.arange(width), QColor(self._theme.base)
+        counts = (left <= columns) & (columns <= right)
+        colour = np.where(counts, QColor(self._theme.signal).rgb(), QColor(self._theme.faint).rgb())
+        background = np.where(counts, mixed(counting, base, THINNED).rgb(), base.rgb())
+        pixels = wave_pixels(peaks, loudest, height, colour.astype(np.uint32), background.astype(np.uint32))
+        image = QImage(pixels.data, width, height, 4 * width, QImage.Format.Format_RGB32)
+        painter.drawImage(0, HEADING, image)
 
     @property
     def _duration(self) -> float:
         return max(len(self._takes.sound) / SAMPLE_RATE, 1e-3)
 
-    def _x_of(self, seconds: float) -> float:
-        return seconds / self._duration * self.width()
+    @property
+    def axis(self) -> TimeAxis:
+        """Where times lie."""
+        return TimeAxis(0, max(1, self.width()), 0.0, self._duration)
 
-    def _seconds_at(self, x: float) -> float:
-        return round(x / max(1, self.width()) * self._duration, 3)
-
-    def _end_near(self, x: float) -> int | None:
+    def _rows(self) -> list[tuple[QRectF, Lane]]:
+        """Return what counts as a lane of one span, whose ends can be dragged anywhere on the widget."""
         if self.ends is None:
-            return None
-        distances = [abs(self._x_of(end) - x) for end in self.ends]
-        nearest = distances.index(min(distances))
-        return nearest if distances[nearest] <= NEAR else None
-
-
-def _thinned(colour: QColor) -> QColor:
-    return QColor(colour.red(), colour.green(), colour.blue(), 60)
+            return []
+        starts, ends = (np.array([end]) for end in self.ends)
+        return [(QRectF(self.rect()), Lane("", starts, ends, movable=True, least=LEAST))]

@@ -8,15 +8,15 @@ from PySide6.QtGui import QColor
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.lanes import Lane, lane_of_frames
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.desktop.widgets.timeline import Chapter, Lane, Timeline, TimelineView
-from phonemeengine.arrays import IndexArray, UInt8Array
+from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 NAMES = (tr_noop("said"), tr_noop("recognised"))
-LABELS = np.array([phoneme.label for phoneme in Phoneme], object)
+LABELS = [phoneme.label for phoneme in Phoneme]
 
 
 class ConfusionLanes(Timeline):
@@ -32,16 +32,10 @@ class ConfusionLanes(Timeline):
     def lanes_of(self, confusion: Confusion) -> list[Lane]:
         """Return both lanes."""
         lines = (confusion.labels.phonemes, confusion.predicted)
-        return [self._lane_of(name, codes, confusion.edges) for name, codes in zip(NAMES, lines, strict=True)]
-
-    def _lane_of(self, name: str, codes: UInt8Array, edges: IndexArray) -> Lane:
-        """Return the stretches of equal phonemes in each recording."""
-        first = np.concatenate(([True], codes[1:] != codes[:-1])) if len(codes) else np.zeros(0, bool)
-        first[edges[:-1][edges[:-1] < len(codes)]] = True
-        begins = np.flatnonzero(first)
-        times = np.append(begins, len(codes)) * FRAME_PERIOD
-        said = codes[begins]
-        return Lane(tr(name), times[:-1], times[1:], LABELS[said].tolist(), self._colours[said])
+        return [
+            lane_of_frames(tr(name), codes, LABELS, self._colours, breaks=confusion.edges[:-1].tolist())
+            for name, codes in zip(NAMES, lines, strict=True)
+        ]
 
 
 class ConfusionTimeline(TimelineView):
@@ -60,7 +54,7 @@ class ConfusionTimeline(TimelineView):
         self.menu = PlotMenu(
             self.lanes, "said and recognised", lambda _at: table_of(self._columns()), self.show_whole
         )
-        self.setToolTip(tr("Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms"))
+        self.setToolTip(tr("Click a stretch to hear it; the wheel zooms at the pointer, a drag scrolls"))
         self.setAccessibleName(tr("said and recognised"))
         self.span_clicked.connect(self._choose)
 

@@ -28,6 +28,7 @@ from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, SoundWord
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
+from phonemeengine.dsp.waveform_peaks import Peaks, WaveformPeaks
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress
 from phonemeengine.labels.boundaries import LabelUnit, with_boundary
@@ -38,6 +39,7 @@ from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.storage.files import printable
@@ -144,6 +146,15 @@ class TextModel(QObject):
         if self.editable:
             return self.words.utterance
         return None if self._speech is None else self._speech.utterance
+
+    def outline_in(self, seen: TimeSpan, n_columns: int) -> Peaks | None:
+        """Return the waveform of a part of the sound in hand in so many columns, as far as it is known."""
+        peaks: WaveformPeaks | None = None
+        if self._session.source is SoundSource.FILE and self._session.whole.tracks is not None:
+            peaks = self._session.whole.tracks.peaks
+        elif self._session.source is SoundSource.TEXT and self._speech is not None:
+            peaks = self._speech.speech.peaks
+        return None if peaks is None else peaks.between(seen.start * SAMPLE_RATE, seen.end * SAMPLE_RATE, n_columns)
 
     @property
     def editable(self) -> bool:

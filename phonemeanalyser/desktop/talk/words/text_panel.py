@@ -25,9 +25,9 @@ NOTATION = tr_noop(
     "Take speakers’ names, [directions], *emphasis*, <tags> and &entities; of a script as words; otherwise they are "
     "not spoken"
 )
-EDITABLE = tr_noop("Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms")
+EDITABLE = tr_noop("Click a word to hear it; drag a boundary; the wheel zooms at the pointer, a drag scrolls")
 FIXED = tr_noop(
-    "Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag "
+    "Click a word to hear it; the wheel zooms at the pointer, a drag scrolls. The times are the voice’s own: to move "
     "boundaries, save the spoken text and open that"
 )
 
@@ -110,6 +110,7 @@ class TextPanel(QWidget):
         self.say = spoken_button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
+        self.whole = spoken_button(tr("all"), tr("See the whole sound"), self.lanes.show_whole)
         self._lay_out()
         self._connect()
         self._show_state()
@@ -124,7 +125,7 @@ class TextPanel(QWidget):
         column(
             self.field,
             row(self.script, self.speaker, self.language, self.lexicon, self.literal, 1, spacing=6),
-            row(self.voice, self.align, self.say, (self.state, 1), spacing=6),
+            row(self.voice, self.align, self.say, (self.state, 1), self.whole, spacing=6),
             row(self.anyway, (self.refusal, 1), spacing=6),
             self.lanes,
             on=self,
@@ -147,6 +148,7 @@ class TextPanel(QWidget):
         texts.changed.connect(self._show_state)
         texts.voice.changed.connect(self._show_state)
         session.transport_changed.connect(self._show_state)
+        session.whole.changed.connect(self.lanes.lanes.update)
 
     def _choose_speaker(self, name: str) -> None:
         if name in self._texts.speakers:
@@ -176,6 +178,7 @@ class TextPanel(QWidget):
         self.state.setText(texts.progress or lack)
         self.state.setToolTip(self.state.text())
         self.lanes.setVisible(texts.utterance is not None)
+        self.whole.setVisible(texts.utterance is not None)
         self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
 
     def _show_speakers(self) -> None:

@@ -6,10 +6,12 @@ import numpy as np
 from PySide6.QtGui import QColor
 
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.words.text_model import TextModel, fits_badly
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.lanes import Lane
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.desktop.widgets.timeline import Chapter, Lane, Timeline, TimelineView
+from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.labels.boundaries import LabelUnit
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
@@ -31,22 +33,23 @@ UNIT_COLOURS = {
 }  # fmt: skip
 """Of the sets, from the longest units to the shortest."""
 HEARD = tr_noop("Click to hear and see it as it was recorded, twice for the whole recording")
-SCALE = 2.0
-"""Pixels of a frame to begin with: most phones have room for their names."""
+SEEN = 4.0
+"""Seconds of a longer sound that are seen at first."""
 SHADE = 130
 """By how much the colours of phonemes are darker here, %, so that letters are read on them."""
 
 
 class WordsTimeline(TimelineView):
-    """The lanes of what is said in the sound in hand, with their scroll bar.
+    """The lanes of what is said in the sound in hand, its waveform and its times, with their scroll bar.
 
     A click plays a word, a syllable or a phone, or what a unit of a recorded face was taken from, and a double click
     all of its recording; a boundary can be dragged.
     """
 
     def __init__(self, texts: TextModel, theme: Theme) -> None:
-        super().__init__(Timeline(theme))
-        self.lanes.scale = SCALE
+        super().__init__(
+            Timeline(theme, lambda axis: texts.outline_in(TimeSpan(axis.start, axis.end), round(axis.width)))
+        )
         self._texts = texts
         self._shown: tuple[object, ...] = ()
         self._units: list[UsedUnit] = []
@@ -64,7 +67,7 @@ class WordsTimeline(TimelineView):
         letters, units = texts.drivers.letters, texts.drivers.performance.units
         known = (texts.utterance, letters, units, texts.editable)
         if self._shown and all(one is other for one, other in zip(known, self._shown, strict=True)):
-            self.lanes.drag = None
+            self.lanes.drag.release()
             self.lanes.update()
             return
         self._shown = known
@@ -75,6 +78,8 @@ class WordsTimeline(TimelineView):
             lanes = lanes_of(utterance, letters, movable=texts.editable)
             self._units = _in_a_row(units)
             lanes += [_lane_of_units(self._units)] if units else []
+            if utterance.duration != self.lanes.duration:
+                self.fill(min(utterance.duration, SEEN))
             self.show_lanes(lanes, utterance.duration, [Chapter(0.0, texts.summary)])
 
     def show_position(self, seconds: float) -> None:
