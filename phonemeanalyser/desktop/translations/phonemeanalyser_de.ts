@@ -1000,18 +1000,18 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
-            <source>Click a stretch to hear it; the wheel scrolls, with Ctrl it zooms</source>
-            <translation>Eine Strecke anklicken, um sie zu hören; das Rad verschiebt, mit Strg zoomt es</translation>
+            <source>Click a stretch to hear it; the wheel zooms at the pointer, a drag scrolls</source>
+            <translation>Klick auf ein Stück spielt es; das Rad zoomt am Mauszeiger, Ziehen rollt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Click a word to hear it; drag a boundary; the wheel scrolls, with Ctrl it zooms</source>
-            <translation>Ein Wort anklicken, um es zu hören; eine Grenze ziehen; das Rad verschiebt, mit Strg zoomt es</translation>
+            <source>Click a word to hear it; drag a boundary; the wheel zooms at the pointer, a drag scrolls</source>
+            <translation>Klick auf ein Wort spielt es; Grenzen lassen sich ziehen; das Rad zoomt am Mauszeiger, Ziehen rollt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Click a word to hear it; the wheel scrolls, with Ctrl it zooms. The times are the voice’s own: to drag boundaries, save the spoken text and open that</source>
-            <translation>Ein Wort anklicken, um es zu hören; das Rad verschiebt, mit Strg zoomt es. Die Zeiten gibt die Stimme vor: um Grenzen zu ziehen, den gesprochenen Text speichern und öffnen</translation>
+            <source>Click a word to hear it; the wheel zooms at the pointer, a drag scrolls. The times are the voice’s own: to move boundaries, save the spoken text and open that</source>
+            <translation>Klick auf ein Wort spielt es; das Rad zoomt am Mauszeiger, Ziehen rollt. Die Zeiten sind die der Stimme: Um Grenzen zu ziehen, den gesprochenen Text speichern und öffnen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
@@ -4624,6 +4624,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>See the whole file</source>
             <translation>Die ganze Datei zeigen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
+            <source>See the whole sound</source>
+            <translation>Den ganzen Klang sehen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
