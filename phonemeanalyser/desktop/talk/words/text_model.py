@@ -150,9 +150,9 @@ class TextModel(QObject):
     def outline_in(self, seen: TimeSpan, n_columns: int) -> Peaks | None:
         """Return the waveform of a part of the sound in hand in so many columns, as far as it is known."""
         peaks: WaveformPeaks | None = None
-        if self._session.source is SoundSource.FILE and self._session.whole.tracks is not None:
+        if self.editable and self._session.whole.tracks is not None:
             peaks = self._session.whole.tracks.peaks
-        elif self._session.source is SoundSource.TEXT and self._speech is not None:
+        elif not self.editable and self._speech is not None:
             peaks = self._speech.speech.peaks
         return None if peaks is None else peaks.between(seen.start * SAMPLE_RATE, seen.end * SAMPLE_RATE, n_columns)
 
