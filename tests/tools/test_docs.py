@@ -34,7 +34,7 @@ from tests.conftest import ROOT
 DOCS = ROOT / "docs"
 PAGES = [*sorted(DOCS.glob("*.md")), *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"))]
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-FENCE = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
+FENCE = re.compile(r"^ *```.*?^ *```", re.MULTILINE | re.DOTALL)
 NAME = re.compile(r"`([A-Z][a-z]\w*)\.(\w+)`")
 PLACE = re.compile(r"`((?:engine|phonemeanalyser|tests|tools|examples|docs|presets|screenshots|\.github)/[\w./-]+)`")
 PRESETS = (DOCS / "presets.md").read_text(encoding="utf-8")
