@@ -5,7 +5,7 @@ frames, and the result does not depend on how the sound was cut.
 """
 
 import math
-from collections import defaultdict, deque
+from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
@@ -20,7 +20,7 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
 from phonemeengine.execution import Progress, no_progress, report_progress
-from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, concatenate
+from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, LookAheadBuffer, concatenate
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
@@ -129,32 +129,6 @@ class Analysis(ShortRepr):
             confidences=self.confidences[first:last],
             viseme_scores=None if self.viseme_scores is None else self.viseme_scores[first:last],
         )
-
-
-class LookAheadBuffer:
-    """Holds measured frames until the recogniser has said what they are."""
-
-    def __init__(self) -> None:
-        self._blocks: deque[FrameBlock] = deque()
-
-    def delay(self, block: FrameBlock, n: int) -> FrameBlock:
-        """Take a block, and give the oldest `n` frames of all."""
-        if len(block):
-            self._blocks.append(block)
-        taken = []
-        while n > 0:
-            oldest = self._blocks.popleft()
-            if len(oldest) > n:
-                self._blocks.appendleft(oldest.part(slice(n, None)))
-                oldest = oldest.part(slice(n))
-            taken.append(oldest)
-            n -= len(oldest)
-        return taken[0] if len(taken) == 1 else concatenate(taken) if taken else block.part(slice(0))
-
-    def clear(self) -> FrameBlock | None:
-        """Return up all frames."""
-        taken, self._blocks = [*self._blocks], deque()
-        return concatenate(taken) if taken else None
 
 
 class Analyser:

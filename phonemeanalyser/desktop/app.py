@@ -153,6 +153,12 @@ class Desktop:
             window.join_calibration(self._calibration)
         return window
 
+    def greet(self) -> None:
+        """Show what one could begin with, at the first start only."""
+        if not read(self._settings, "greeted", False):
+            keep(self._settings, "greeted", True)
+            self.window.welcome.show_cards()
+
     def _show_demo(self) -> None:
         self.window.show_page(0)
         if self.demo is not None and self.window.dialogs.open_sound(self.demo):
@@ -273,7 +279,7 @@ def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Chann
     if channel is not None:
         desktop.session.set_channel(channel)
     desktop.window.dialogs.offer_unfinished()
-    desktop.window.greet()
+    desktop.greet()
 
 
 def screenshot(

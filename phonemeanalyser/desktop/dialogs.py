@@ -22,7 +22,7 @@ from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeanalyser.desktop.settings import keep, read, read_paths
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeanalyser.desktop.widgets.plot_menu import save_picture
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
@@ -406,13 +406,8 @@ class Dialogs(QObject):
         """Ask what is to become of unsaved changes; says whether to go on."""
         if not self._preset.has_unsaved_changes:
             return True
-        buttons = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self._window, tr("Unsaved changes"),
-            tr("Save the changes to the preset {preset}?").format(preset=self._preset.preset.name),
-            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
-        )  # fmt: skip
-        return self.save() if answer == buttons.Save else answer == buttons.Discard
+        question = tr("Save the changes to the preset {preset}?").format(preset=self._preset.preset.name)
+        return ask_to_save(self._window, tr("Unsaved changes"), question, self.save)
 
     def record(self) -> None:
         """Begin or end a recording; a file in hand is left only when that is wanted."""

@@ -27,7 +27,6 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
@@ -266,11 +265,9 @@ class MainWindow(QMainWindow):
         self.status.chips.open_again_asked.connect(dialogs.open_again)
         self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
         self.switch.chosen.connect(self.show_page)
-        told = (session.labels, session.microphone, session.writer, self._talking.text, self.selection, dialogs)
-        for signal in (source.info for source in told):
-            signal.connect(self.banner.show_info)
-        refused = (self._talking.error, session.error, self.selection.error, dialogs.rejected, preset.rejected)
-        for signal in refused:
+        for part in (session.labels, session.microphone, session.writer, self._talking.text, self.selection, dialogs):
+            part.info.connect(self.banner.show_info)
+        for signal in (self._talking.error, session.error, self.selection.error, dialogs.rejected, preset.rejected):
             signal.connect(self.banner.show_error)
         self.analysis.averaged.measure.toggled.connect(lambda _on: self._lend_keys())
         self.what_is_this.page_asked.connect(self.show_manual)
@@ -374,12 +371,6 @@ class MainWindow(QMainWindow):
         dialog = ManualDialog(self)
         dialog.show_page(page)
         dialog.show()
-
-    def greet(self) -> None:
-        """Show what one could begin with, at the first start only."""
-        if not read(self._settings, "greeted", False):
-            keep(self._settings, "greeted", True)
-            self.welcome.show_cards()
 
     def _show_spoken(self) -> None:
         self.analysis.file.view.show_spoken(spoken_lanes(self._talking.text))

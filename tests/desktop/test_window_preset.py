@@ -6,7 +6,6 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QMessageBox
 
-from phonemeanalyser.desktop import dialogs
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, parse_phoneme_data, save_preset
 from tests.desktop.hands import FileAnswers, answer, click, press, shown, type_number
 
@@ -35,7 +34,7 @@ def asked(monkeypatch):
             return self.answer
 
     asked = Asked()
-    monkeypatch.setattr(dialogs.QMessageBox, "question", asked)
+    monkeypatch.setattr(QMessageBox, "question", asked)
     return asked
 
 

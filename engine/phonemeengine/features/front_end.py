@@ -1,5 +1,6 @@
 """The way of a block from samples to measured variables: transform, filters, meters."""
 
+from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
@@ -208,3 +209,29 @@ def concatenate(blocks: list[FrameBlock]) -> FrameBlock:
         waveforms=np.concatenate([b.waveforms for b in blocks]),
         features=Features(blocks[0].features.names, np.concatenate([b.features.values for b in blocks])),
     )
+
+
+class LookAheadBuffer:
+    """Holds measured frames until the recogniser has said what they are."""
+
+    def __init__(self) -> None:
+        self._blocks: deque[FrameBlock] = deque()
+
+    def delay(self, block: FrameBlock, n: int) -> FrameBlock:
+        """Take a block, and give the oldest `n` frames of all."""
+        if len(block):
+            self._blocks.append(block)
+        taken = []
+        while n > 0:
+            oldest = self._blocks.popleft()
+            if len(oldest) > n:
+                self._blocks.appendleft(oldest.part(slice(n, None)))
+                oldest = oldest.part(slice(n))
+            taken.append(oldest)
+            n -= len(oldest)
+        return taken[0] if len(taken) == 1 else concatenate(taken) if taken else block.part(slice(0))
+
+    def clear(self) -> FrameBlock | None:
+        """Return all frames, and hold none; None where there are none."""
+        taken, self._blocks = [*self._blocks], deque()
+        return concatenate(taken) if taken else None

@@ -29,7 +29,7 @@ from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack
 from phonemeengine.performance.gltf_face import read_gltf_face
 from phonemeengine.performance.livelink import read_livelink
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
-from phonemeengine.performance.table_file import TableAbout, check_fits, write_table
+from phonemeengine.performance.table_file import TableAbout, write_table
 from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from phonemeengine.storage.files import printable_name
@@ -328,7 +328,7 @@ class _CorpusReading:
             try:
                 performance, notes = read_performance(recording, synthetic=self._corpus.synthetic)
                 first = first or performance
-                check_fits(performance, first)
+                performance.check_beside(first)
             except (AudioError, CorpusError, PerformanceError) as error:
                 self.left_out.append(str(error))
                 continue

@@ -88,6 +88,22 @@ class Performance:
         """How long it lasts, seconds."""
         return self.phones[-1].end
 
+    def check_beside(self, first: "Performance") -> None:
+        """Refuse to go into one table with another one.
+
+        Raises
+        ------
+        PerformanceError : the channels or the rate differ, or the name of a phone is not one word.
+        """
+        if self.channels != first.channels or self.rate != first.rate:
+            raise PerformanceError(
+                f"{self.name}: the recordings of a table must have the same channels and rate as {first.name} "
+                f"({len(first.channels)} at {first.rate:g} frames a second), found {len(self.channels)} at "
+                f"{self.rate:g}; export it again, or leave it out"
+            )
+        if bad := next((phone.name for phone in self.phones if not phone.name or " " in phone.name), None):
+            raise PerformanceError(f"{self.name}: the name of a phone is one word, found {bad[:20]!r}; correct it")
+
     def _fault(self) -> str:
         shape = self.weights.shape
         if len(shape) != 2 or not shape[0] or shape[1] != len(self.channels) or not np.isfinite(self.weights).all():

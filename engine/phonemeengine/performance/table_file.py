@@ -344,7 +344,7 @@ class _Writing:
         first: Performance | None = None
         for number, performance in enumerate(performances, 1):
             first = first or performance
-            check_fits(performance, first)
+            performance.check_beside(first)
             self._add(number, performance)
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
@@ -443,23 +443,6 @@ def _check(connection: sqlite3.Connection) -> None:
     rows = connection.execute("SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL LIMIT ?", (len(SCHEMA) + 1,))
     if {sql for (sql,) in rows} != {*SCHEMA}:
         raise _DamageError("its tables are not those of this program")
-
-
-def check_fits(performance: Performance, first: Performance) -> None:
-    """Refuse a performance that does not go into the table of another one.
-
-    Raises
-    ------
-    PerformanceError : its channels or its rate differ, or a phone's name is not one word.
-    """
-    if performance.channels != first.channels or performance.rate != first.rate:
-        raise PerformanceError(
-            f"{performance.name}: the recordings of a table must have the same channels and rate as {first.name} "
-            f"({len(first.channels)} at {first.rate:g} frames a second), found {len(performance.channels)} at "
-            f"{performance.rate:g}; export it again, or leave it out"
-        )
-    if bad := next((phone.name for phone in performance.phones if not phone.name or " " in phone.name), None):
-        raise PerformanceError(f"{performance.name}: the name of a phone is one word, found {bad[:20]!r}; correct it")
 
 
 def _about(connection: sqlite3.Connection) -> TableAbout:

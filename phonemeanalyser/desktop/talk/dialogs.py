@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, QSettings
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 
 MESHES = tr_noop("Meshes and movestates ({endings})")
@@ -117,13 +117,8 @@ class TalkDialogs(QObject):
         words = self._talking.text.words
         if not words.has_unsaved_changes or words.sound is None:
             return True
-        buttons = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self._window, tr("Unsaved words"),
-            tr("Save the words of {sound}, whose boundaries you moved?").format(sound=words.sound.name),
-            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
-        )  # fmt: skip
-        return self.ask_save_words() if answer == buttons.Save else answer == buttons.Discard
+        question = tr("Save the words of {sound}, whose boundaries you moved?").format(sound=words.sound.name)
+        return ask_to_save(self._window, tr("Unsaved words"), question, self.ask_save_words)
 
     def save(self) -> None:
         """Keep what was chosen for the next start."""

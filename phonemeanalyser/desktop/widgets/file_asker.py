@@ -1,11 +1,11 @@
-"""Which file or folder the user wants: the dialogs of the system, and the folders where he looked last."""
+"""Which file or folder the user wants, by the dialogs of the system; and what becomes of what is in no file yet."""
 
 import re
 from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QSettings
-from PySide6.QtWidgets import QApplication, QFileDialog
+from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
 
 from phonemeengine.storage.files import free_path
 
@@ -84,6 +84,14 @@ class FileAsker:
         if paths and kind:
             self.remember(kind, paths[0].parent)
         return paths, chosen
+
+
+def ask_to_save(window: QWidget, title: str, question: str, save: Callable[[], bool]) -> bool:
+    """Ask what is to become of what is in no file yet; return whether to go on."""
+    buttons = QMessageBox.StandardButton
+    offered = buttons.Save | buttons.Discard | buttons.Cancel
+    answer = QMessageBox.question(window, title, question, offered, buttons.Save)
+    return save() if answer == buttons.Save else answer == buttons.Discard
 
 
 def _endings_of(filters: str) -> list[str]:

@@ -1,7 +1,6 @@
 """Expressions on the page of the head: sliders, what speech leaves of them, and what the network is sent."""
 
 import socket
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
@@ -12,7 +11,6 @@ from pythonosc.udp_client import SimpleUDPClient
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.theme import LIGHT
@@ -20,18 +18,8 @@ from phonemeengine.mouth.exports.livelink import lines_of
 from tests.desktop.stage import Stage
 from tests.engine.performance.faces import ramp
 from tests.fakes.osc_receiver import Receiver
-from tests.fakes.outputs import Outputs
 
 SMILE, BROW = "mouthSmileLeft", "browOuterUpLeft"
-
-
-@pytest.fixture
-def stage(session: Session, outputs: Outputs, qtbot: QtBot, tmp_path: Path) -> Iterator[Stage]:
-    stage = Stage(session, outputs, qtbot)
-    stage.open(tmp_path)
-    stage.look()
-    yield stage
-    stage.talking.close()
 
 
 @pytest.fixture

@@ -1,6 +1,5 @@
 """The talking head without a window: it says what is heard, in step with the sound."""
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -9,49 +8,21 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
-from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.audio.files import SoundReader
+from phonemeengine.analyser import Analysis
 from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
-from phonemeengine.mouth.animation import animation_of
-from phonemeengine.mouth.files.io import save_morph_targets
-from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.idle_motion import HeadPose
-from phonemeengine.mouth.morph_mesh import MorphTargets
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.movestate import Mode, movestate_of
-from phonemeengine.mouth.performer import MOUTH_ALONE
-from phonemeengine.mouth.table import load_table
-from phonemeengine.mouth.transcript import transcript_of, transcript_of_utterance
+from phonemeengine.mouth.movestate import Mode
+from phonemeengine.mouth.transcript import transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import SAMPLE_RATE
-from tests.desktop.conftest import STEP
 from tests.desktop.sessions import settled
-from tests.desktop.stage import AN_A, BEGINS, ENDS, LONG, START, Stage
-from tests.fakes.osc_receiver import Receiver
+from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
 from tests.fakes.outputs import Outputs
-from tests.glb_faces import face_with_targets
 from tests.sounds import silence, vowel
 
 HANG = 30_000
 """Milliseconds that only a hang reaches."""
-
-
-@pytest.fixture
-def stage(session: Session, outputs: Outputs, qtbot: QtBot, tmp_path: Path) -> Iterator[Stage]:
-    stage = Stage(session, outputs, qtbot)
-    stage.open(tmp_path)
-    stage.look()
-    yield stage
-    stage.talking.close()
-
-
-@pytest.fixture
-def receiver() -> Iterator[Receiver]:
-    receiver = Receiver()
-    yield receiver
-    receiver.close()
 
 
 # -- in step with the sound ---------------------------------------------------------------------------
@@ -357,240 +328,3 @@ def test_a_still_face_is_not_drawn_anew(stage: Stage) -> None:
     revision = stage.talking.head.revision
     stage.wait(3.0)
     assert stage.talking.head.revision == revision
-
-
-# -- whose face it is ---------------------------------------------------------------------------------
-
-
-def test_a_mesh_with_other_movestates_is_moved_by_the_table_that_fits(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
-    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
-    stage.settle()
-    assert stage.talking.table_name == "vrm"
-    assert stage.talking.face.name == "own.glb"
-    stage.play(0.9)
-    assert stage.talking.percentages["A"] > 20
-    assert not stage.failed
-
-
-def test_movestates_are_named_alike_whoever_wrote_them(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("jaw_open", "Mouth Close")))
-    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
-    stage.settle()
-    stage.talking.press(Phoneme.A)
-    stage.wait(0.5)
-    assert stage.talking.percentages["jaw_open"] > 20
-
-
-def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("smile",)))
-    mesh = stage_mesh(tmp_path / "own.glb")
-    state = movestate_of("jawOpen", [[0, 1, 0]] * len(mesh))
-    save_morph_targets(MorphTargets((state,), state.numbers, mesh[state.numbers]), tmp_path / "own.3dm")
-    stage.talking.face.load(FaceFiles(tmp_path / "own.glb", tmp_path / "own.3dm"))
-    stage.settle()
-    assert list(stage.talking.percentages) == ["jawOpen"]
-    assert not stage.failed
-
-
-def stage_mesh(path: Path):
-    from phonemeengine.mouth.files.io import load_morph_mesh
-
-    return load_morph_mesh(path).mesh.positions
-
-
-def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "bad.glb").write_bytes(b"glTF" + bytes(40))
-    before = stage.talking.face.morph_mesh
-    stage.talking.face.load(FaceFiles(tmp_path / "bad.glb"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert sentence.startswith("bad.glb: ")
-    assert "\n" not in sentence
-    assert stage.talking.face.morph_mesh is before
-    assert stage.talking.face.is_shipped
-
-
-def test_a_mesh_without_movestates_is_refused_with_what_to_do(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "still.glb").write_bytes(face_with_targets(()))
-    stage.talking.face.load(FaceFiles(tmp_path / "still.glb"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert ".3dm" in sentence
-
-
-def test_movestates_that_no_table_knows_are_told(stage: Stage, tmp_path: Path) -> None:
-    (tmp_path / "odd.glb").write_bytes(face_with_targets(("grumpy", "wide")))
-    stage.talking.face.load(FaceFiles(tmp_path / "odd.glb"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert "grumpy" in sentence
-
-
-def test_a_table_that_moves_nothing_in_the_face_is_refused(stage: Stage) -> None:
-    stage.talking.set_table("oculus")
-    (sentence,) = stage.failed
-    assert "arkit" in sentence
-    assert stage.talking.table_name == "arkit"
-
-
-def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
-    text = (Path(load_head.__code__.co_filename).parent / "tables" / "five.toml").read_text()
-    (tmp_path / "mine.toml").write_text(text.replace('name = "Five mouth shapes"', 'name = "mine"'))
-    stage.talking.set_table(str(tmp_path / "mine.toml"))
-    stage.settle()
-    assert stage.talking.table.name == "mine"
-    stage.talking.set_table(str(tmp_path / "none.toml"))
-    stage.settle()
-    (sentence,) = stage.failed
-    assert sentence.startswith("none.toml: ")
-    assert stage.talking.table.name == "mine"
-
-
-# -- over the network ---------------------------------------------------------------------------------
-
-
-def test_what_is_heard_is_sent_and_the_mouth_closes_at_the_end(
-    stage: Stage, receiver: Receiver, qtbot: QtBot
-) -> None:
-    osc = stage.talking.osc
-    osc.set_address(f"127.0.0.1:{receiver.address.port}")
-    osc.set_on(True)
-    qtbot.waitUntil(lambda: osc.words.startswith("sending"))
-    stage.play(1.0)
-    qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
-    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
-    osc.set_on(False)
-    qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] < 0.01)
-    assert osc.words == "off"
-    assert not stage.failed
-
-
-def test_a_pause_holds_the_mouth_that_is_sent_as_it_holds_the_head(stage: Stage) -> None:
-    talking = stage.talking
-    stage.play(0.9)
-    stage.session.pause()
-    stage.wait(1.0)
-    now = stage.now - START
-    shown, sent = talking.performer.at(now).weights, talking.osc.performer.at(now).weights
-    np.testing.assert_array_equal(sent, shown)
-    assert shown[talking.table.movestates.index("jawOpen")] > 0.15
-
-
-@pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", ":9", ""])
-def test_a_wrong_address_switches_it_off_with_one_sentence(stage: Stage, address: str) -> None:
-    stage.talking.osc.set_address(address)
-    stage.talking.osc.set_on(True)
-    (sentence,) = stage.failed
-    assert "HOST:PORT" in sentence
-    assert not stage.talking.osc.on
-
-
-def test_a_receiver_that_nobody_knows_is_told(stage: Stage, qtbot: QtBot) -> None:
-    stage.talking.osc.set_address("nobody.invalid:39539")
-    stage.talking.osc.set_on(True)
-    qtbot.waitUntil(lambda: bool(stage.failed))
-    assert "nobody.invalid" in stage.failed[0]
-    assert not stage.talking.osc.on
-
-
-def test_another_set_is_sent_under_its_own_names(stage: Stage, receiver: Receiver, qtbot: QtBot) -> None:
-    osc = stage.talking.osc
-    osc.set_address(f"127.0.0.1:{receiver.address.port}")
-    osc.set_on(True)
-    osc.set_table("vrm")
-    qtbot.waitUntil(lambda: "A" in receiver.weights())
-
-
-@pytest.mark.parametrize("own_table", [False, True])
-def test_a_receiver_moves_by_the_table_of_the_head_and_as_fast(stage: Stage, own_table: bool) -> None:
-    talking, osc = stage.talking, stage.talking.osc
-    osc.set_table("vrm" if own_table else "head")
-    talking.set_table("five")
-    talking.set_speed(3.0, 2.0)
-    talking.set_random(False)
-    talking.set_detail(Detail.TWO_STATES)
-    shown, head = osc.performer, talking.performer
-    assert talking.table.name == "Five mouth shapes"
-    assert (shown.table.times, shown.table.motion) == (head.table.times, head.table.motion)
-    assert shown.idle.detail is Detail.TWO_STATES
-    assert shown.table.shapes == (load_table("vrm") if own_table else talking.table).shapes
-
-
-def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qtbot: QtBot, tmp_path: Path) -> None:
-    """The same sound as the frames of a film, on the head in the window, and as it arrives at a receiver."""
-    sound = np.concatenate((AN_A, vowel((300, 2300, 3000), 0.4), silence(0.5)))
-    stage.open(tmp_path, sound)
-    path, session, talking = stage.session.path, stage.session, stage.talking
-    assert path is not None
-    with SoundReader(path) as reader:
-        analyses = analyse_blocks(reader.blocks(SAMPLE_RATE), session.preset.in_force, pitch=True)
-        utterance = transcript_of(analyses, "", reader.duration)
-    film = animation_of(utterance, talking.table, SAMPLE_RATE / STEP, MOUTH_ALONE)
-    talking.osc.set_address(f"127.0.0.1:{receiver.address.port}")
-    talking.osc.set_on(True)
-    qtbot.waitUntil(lambda: talking.osc.words.startswith("sending"))
-    session.play()
-    qtbot.waitUntil(lambda: stage.outputs.last.n_written >= len(sound))
-    shown, sent = [], []
-
-    def look() -> None:
-        if session.source.playing:
-            now = stage.now - START
-            qtbot.waitUntil(lambda: receiver.weights_at(now) is not None)  # older mouths may still be on their way
-            weights = receiver.weights_at(now) or {}
-            shown.append(talking.performer.at(now).weights)
-            sent.append([weights.get(name, 0.0) for name in film.movestates])
-
-    stage.play(3.0, look)
-    expected = film.weights[1 : len(shown) + 1]
-    assert len(shown) > 100
-    np.testing.assert_allclose(shown, expected, atol=1e-5)
-    np.testing.assert_allclose(sent, np.clip(expected, 0, 1), atol=1e-5)
-    assert expected[:, film.movestates.index("jawOpen")].max() > 0.2
-
-
-def test_a_receiver_that_is_switched_off_stays_so_whatever_moves_the_head(stage: Stage) -> None:
-    stage.talking.set_table("five")
-    stage.talking.set_speed(3.0, 2.0)
-    assert not stage.talking.osc.on
-    assert not stage.talking.osc._work.busy
-
-
-def test_the_receiver_is_told_how_far_the_speech_goes_on(stage: Stage) -> None:
-    talking, visemes = stage.talking, stage.talking.osc.performer.visemes
-    talking.set_mode(Mode.INTERACT)
-    talking.set_viseme("u", 0.25)
-    assert (visemes.phonemes, visemes.speech) == ({Phoneme.U: 0.25}, 0.75)
-    talking.press(Phoneme.A)
-    assert (visemes.phonemes, visemes.speech) == ({Phoneme.A: 1.0}, 0.0)
-    talking.release()
-    assert (visemes.phonemes, visemes.speech) == ({Phoneme.U: 0.25}, 0.75)
-    talking.clear_visemes()
-    assert (visemes.phonemes, visemes.speech) == ({}, 1.0)
-
-
-@pytest.mark.parametrize("asked_first", [False, True])
-def test_keys_and_sliders_move_the_receivers_mouth_too(
-    stage: Stage, receiver: Receiver, qtbot: QtBot, asked_first: bool
-) -> None:
-    osc, talking = stage.talking.osc, stage.talking
-    osc.set_address(f"127.0.0.1:{receiver.address.port}")
-    osc.set_table("vrm")
-    if asked_first:
-        talking.press(Phoneme.U)
-    osc.set_on(True)
-    qtbot.waitUntil(lambda: "U" in receiver.weights())
-    talking.press(Phoneme.U)
-    stage.wait(0.5)
-    qtbot.waitUntil(lambda: receiver.weights()["U"] > 0.5)
-    qtbot.waitUntil(lambda: ("u", 1.0) in receiver.of("/phoneme"))
-    talking.release()
-    talking.set_viseme("a", 0.5)
-    stage.wait(0.5)
-    qtbot.waitUntil(lambda: receiver.weights()["U"] < 0.01 and receiver.weights()["A"] > 0.2)
-    qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("A", 0.5))
-    talking.clear_visemes()
-    stage.wait(0.5)
-    qtbot.waitUntil(lambda: receiver.weights()["A"] < 0.01)
-    osc.set_on(False)

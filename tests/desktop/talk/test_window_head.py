@@ -1,13 +1,6 @@
 """The head in the window, by mouse and keyboard."""
 
-import json
-import os
-import shutil
-import subprocess
-import sys
-from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -24,56 +17,17 @@ from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.mouth.files.io import save_morph_targets
 from phonemeengine.mouth.gaze import EYES
-from phonemeengine.mouth.mesh import mesh_of
-from phonemeengine.mouth.morph_mesh import morph_targets_of
-from phonemeengine.mouth.movestate import Mode, movestate_of
+from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
-from tests.conftest import ROOT
-from tests.desktop.hands import LEFT, FileAnswers, button, click, press, shown, wav
+from tests.desktop.hands import LEFT, FileAnswers, click, press, shown, wav
 from tests.desktop.stage import AN_A
-from tests.fakes.osc_receiver import Receiver
-from tests.glb_faces import face_with_targets
-from tests.graphics import context_or_skip
-from tests.sounds import silence, vowel
+from tests.desktop.talk.desk import drawn
+from tests.sounds import vowel
 
-LONG_A = np.concatenate((silence(0.6), vowel((700, 1200, 2500), 2.5), silence(0.6)))
-"""Says an a so long that a slow window sees it as well."""
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
-
-
-@pytest.fixture
-def graphics() -> None:
-    """OpenGL without a window."""
-    context_or_skip().release()
-
-
-@pytest.fixture
-def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, graphics: None) -> MainWindow:
-    """The window with its page of the head, and an a in hand."""
-    return talking(desktop, qtbot, tmp_path)
-
-
-@pytest.fixture
-def receiver() -> Iterator[Receiver]:
-    receiver = Receiver()
-    yield receiver
-    receiver.close()
-
-
-def talking(desktop: Desktop, qtbot: QtBot, folder: Path) -> MainWindow:
-    window = shown(desktop, qtbot, wav(folder, LONG_A))
-    press(window, Qt.Key.Key_3, CONTROL)
-    seen(window.talk.head, qtbot)
-    return window
-
-
-def seen(head: HeadView, qtbot: QtBot) -> None:
-    """Wait until a head is drawn."""
-    qtbot.waitUntil(lambda: head.surface is not None and head.surface.n_drawn > 0)
 
 
 def picture(head: HeadView) -> np.ndarray:
@@ -106,7 +60,7 @@ def test_the_dock_is_hidden_at_first_and_f7_shows_and_hides_it(desktop, qtbot, g
     assert not dock(window).isVisible()
     press(window, Qt.Key.Key_F7)
     assert dock(window).isVisible()
-    seen(window.head, qtbot)
+    drawn(window.head, qtbot)
     press(window, Qt.Key.Key_F7)
     assert not dock(window).isVisible()
     qtbot.waitUntil(lambda: not desktop.talking.watched)
@@ -149,7 +103,7 @@ def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
     camera = window.talk.head.camera
     desktop.set_theme("dark")
     head = desktop.window.talk.head
-    seen(head, qtbot)
+    drawn(head, qtbot)
     assert desktop.window.pages.currentIndex() == 2
     assert head.camera == camera
     assert head.wireframe
@@ -389,112 +343,6 @@ def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, t
     desktop.talking.set_table(str(tmp_path / "mine.toml"))
     qtbot.waitUntil(lambda: times.milliseconds(Phoneme.A) == ("300", "400"))
     assert times.milliseconds(Phoneme.M) == ("87", "300")
-
-
-# -- whose face it is ---------------------------------------------------------------------------------
-
-
-def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, tmp_path):
-    (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
-    window.files.show = FileAnswers(tmp_path / "bad.obj")
-    click(button(window.talk, "Own Mesh…"))
-    qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
-    assert desktop.talking.face.is_shipped
-    assert window.talk.choices.face.text() == "the program's own head"
-
-
-def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
-    window.files.show = FileAnswers(tmp_path / "own.glb")
-    click(window.talk.choices.own)
-    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "own.glb")
-    assert window.talk.choices.table.currentData() == "vrm"
-    assert [name for name, _ in window.talk.bars.rows] == ["A", "I", "U", "E", "O"]
-    n_drawn = window.talk.head.surface.n_drawn
-    qtbot.waitUntil(lambda: window.talk.head.surface.n_drawn > n_drawn)
-    click(window.talk.choices.shipped)
-    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "the program's own head")
-    assert "jawOpen" in desktop.talking.percentages
-
-
-def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):
-    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I")))
-    window.talking_dialogs.open([tmp_path / "own.glb"])
-    qtbot.waitUntil(lambda: desktop.talking.face.name == "own.glb")
-
-
-def test_a_mesh_that_cannot_be_seen_is_told_and_another_one_is_shown(window, desktop, qtbot, tmp_path):
-    points = mesh_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
-    save_morph_targets(morph_targets_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
-    head = window.talk.head
-    window.talking_dialogs.open([tmp_path / "points.glb"])
-    qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))
-    click(window.talk.choices.shipped)
-    qtbot.waitUntil(lambda: not head.trouble)
-    seen(head, qtbot)
-
-
-def test_a_window_with_opengl_draws_the_head_with_it(graphics):
-    if shutil.which("xvfb-run") is None:
-        pytest.skip("there is no Xvfb")
-    command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", sys.executable, "-m", "tests.desktop.talk.gl_window"]
-    environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
-    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    answer = json.loads(done.stdout)
-    assert answer["software"]  # Xvfb has no graphics card, so the program would rather draw pictures
-    for seen, brightness in zip(answer["seen"], (200, 0), strict=True):
-        red, green, blue = seen["middle"]
-        assert seen["kind"] == "GlSurface"
-        assert red > green > blue  # skin
-        assert brightness <= min(seen["corner"]) <= brightness + 60
-
-
-# -- over the network ---------------------------------------------------------------------------------
-
-
-def type_address(window: MainWindow, text: str) -> None:
-    box = window.talk.osc.address
-    box.setFocus()
-    box.selectAll()
-    QTest.keyClicks(box, text)
-
-
-def test_the_switch_sends_the_mouth_to_the_address_that_was_typed(window, desktop, qtbot, receiver):
-    type_address(window, f"127.0.0.1:{receiver.address.port}")
-    click(window.talk.osc.switch)
-    qtbot.waitUntil(lambda: window.talk.osc.state.text().startswith("sending"))
-    press(window, Qt.Key.Key_Escape)
-    desktop.session.play()
-    qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
-    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
-    click(window.talk.osc.switch)
-    assert window.talk.osc.state.text() == "off"
-    assert not window.talk.osc.switch.isChecked()
-
-
-def test_test_keys_and_sliders_reach_the_receiver_too(window, qtbot, receiver):
-    type_address(window, f"127.0.0.1:{receiver.address.port}")
-    click(window.talk.osc.switch)
-    qtbot.waitUntil(lambda: receiver.weights().get("jawOpen") == 0)
-    window.talk.head.setFocus()
-    QTest.keyPress(window.talk.head, Qt.Key.Key_A)
-    qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] > 0.5)
-    qtbot.waitUntil(lambda: ("a", 1.0) in receiver.of("/phoneme"))
-    QTest.keyRelease(window.talk.head, Qt.Key.Key_A)
-    window.talk.keys.settling.timeout.emit()
-    window.talk.visemes.sliders["u"].setValue(60)
-    qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] > 0.3 > receiver.weights()["jawOpen"])
-    qtbot.waitUntil(lambda: receiver.of("/viseme")[-1] == ("u", pytest.approx(0.6)))
-    click(window.talk.visemes.leave)
-    qtbot.waitUntil(lambda: receiver.weights()["mouthPucker"] < 0.01)
-
-
-def test_a_wrong_address_is_told_and_the_switch_goes_back(window, desktop):
-    type_address(window, "somewhere")
-    click(window.talk.osc.switch)
-    assert "HOST:PORT" in window.banner.label.text()
-    assert not window.talk.osc.switch.isChecked()
 
 
 # -- the next start -----------------------------------------------------------------------------------

@@ -76,3 +76,10 @@ class FakeAligner:
         self.asked.append(script)
         progress(0.5)
         return self.found
+
+
+def syllable(text: str, pinyin: str, start: float, end: float) -> Word:
+    """A Chinese character: one syllable of an h and an a."""
+    turn = (start + end) / 2
+    phones = (Phone(start, turn, "x", Phoneme.UNIDENTIFIED), Phone(turn, end, "aʊ", Phoneme.A))
+    return Word(text, (Syllable(phones, 0, pinyin),))

@@ -1,7 +1,7 @@
 """What the user is asked about the labels of a file: names, tiers, files, and what becomes of changes."""
 
 from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QDialog, QInputDialog, QListWidget, QListWidgetItem, QMessageBox, QWidget
+from PySide6.QtWidgets import QDialog, QInputDialog, QListWidget, QListWidgetItem, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
@@ -9,7 +9,7 @@ from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, column, dialog_buttons, label, named
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 
 LABEL_FILTER = tr_noop("Labels (*.TextGrid *.txt *.csv)")
 NONE = tr_noop("none")
@@ -147,13 +147,8 @@ class LabelDialogs(QObject):
         sound = self._session.path
         if not self._labels.has_unsaved_changes or sound is None:
             return True
-        buttons = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self._window, tr("Unsaved labels"),
-            tr("Save the labels of {sound}, which you changed?").format(sound=sound.name),
-            buttons.Save | buttons.Discard | buttons.Cancel, buttons.Save,
-        )  # fmt: skip
-        return self.save() if answer == buttons.Save else answer == buttons.Discard
+        question = tr("Save the labels of {sound}, which you changed?").format(sound=sound.name)
+        return ask_to_save(self._window, tr("Unsaved labels"), question, self.save)
 
 
 class TiersDialog(QDialog):

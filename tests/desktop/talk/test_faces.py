@@ -1,0 +1,169 @@
+"""Whose face the head has: meshes of one's own, their movestates, and the tables that move them."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
+from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.mesh import mesh_of
+from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
+from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.phonemes import Phoneme
+from tests.conftest import ROOT
+from tests.desktop.hands import FileAnswers, button, click
+from tests.desktop.stage import Stage
+from tests.desktop.talk.desk import drawn
+from tests.glb_faces import face_with_targets
+
+# -- without a window ---------------------------------------------------------------------------------
+
+
+def test_a_mesh_with_other_movestates_is_moved_by_the_table_that_fits(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+    stage.settle()
+    assert stage.talking.table_name == "vrm"
+    assert stage.talking.face.name == "own.glb"
+    stage.play(0.9)
+    assert stage.talking.percentages["A"] > 20
+    assert not stage.failed
+
+
+def test_movestates_are_named_alike_whoever_wrote_them(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("jaw_open", "Mouth Close")))
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb"))
+    stage.settle()
+    stage.talking.press(Phoneme.A)
+    stage.wait(0.5)
+    assert stage.talking.percentages["jaw_open"] > 20
+
+
+def test_movestates_may_lie_in_a_file_of_their_own(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("smile",)))
+    mesh = stage_mesh(tmp_path / "own.glb")
+    state = movestate_of("jawOpen", [[0, 1, 0]] * len(mesh))
+    save_morph_targets(MorphTargets((state,), state.numbers, mesh[state.numbers]), tmp_path / "own.3dm")
+    stage.talking.face.load(FaceFiles(tmp_path / "own.glb", tmp_path / "own.3dm"))
+    stage.settle()
+    assert list(stage.talking.percentages) == ["jawOpen"]
+    assert not stage.failed
+
+
+def stage_mesh(path: Path):
+    from phonemeengine.mouth.files.io import load_morph_mesh
+
+    return load_morph_mesh(path).mesh.positions
+
+
+def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "bad.glb").write_bytes(b"glTF" + bytes(40))
+    before = stage.talking.face.morph_mesh
+    stage.talking.face.load(FaceFiles(tmp_path / "bad.glb"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert sentence.startswith("bad.glb: ")
+    assert "\n" not in sentence
+    assert stage.talking.face.morph_mesh is before
+    assert stage.talking.face.is_shipped
+
+
+def test_a_mesh_without_movestates_is_refused_with_what_to_do(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "still.glb").write_bytes(face_with_targets(()))
+    stage.talking.face.load(FaceFiles(tmp_path / "still.glb"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert ".3dm" in sentence
+
+
+def test_movestates_that_no_table_knows_are_told(stage: Stage, tmp_path: Path) -> None:
+    (tmp_path / "odd.glb").write_bytes(face_with_targets(("grumpy", "wide")))
+    stage.talking.face.load(FaceFiles(tmp_path / "odd.glb"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert "grumpy" in sentence
+
+
+def test_a_table_that_moves_nothing_in_the_face_is_refused(stage: Stage) -> None:
+    stage.talking.set_table("oculus")
+    (sentence,) = stage.failed
+    assert "arkit" in sentence
+    assert stage.talking.table_name == "arkit"
+
+
+def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
+    text = (Path(load_head.__code__.co_filename).parent / "tables" / "five.toml").read_text()
+    (tmp_path / "mine.toml").write_text(text.replace('name = "Five mouth shapes"', 'name = "mine"'))
+    stage.talking.set_table(str(tmp_path / "mine.toml"))
+    stage.settle()
+    assert stage.talking.table.name == "mine"
+    stage.talking.set_table(str(tmp_path / "none.toml"))
+    stage.settle()
+    (sentence,) = stage.failed
+    assert sentence.startswith("none.toml: ")
+    assert stage.talking.table.name == "mine"
+
+
+# -- in the window ---------------------------------------------------------------------------------
+
+
+def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, tmp_path):
+    (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
+    window.files.show = FileAnswers(tmp_path / "bad.obj")
+    click(button(window.talk, "Own Mesh…"))
+    qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
+    assert desktop.talking.face.is_shipped
+    assert window.talk.choices.face.text() == "the program's own head"
+
+
+def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I", "U", "E", "O")))
+    window.files.show = FileAnswers(tmp_path / "own.glb")
+    click(window.talk.choices.own)
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "own.glb")
+    assert window.talk.choices.table.currentData() == "vrm"
+    assert [name for name, _ in window.talk.bars.rows] == ["A", "I", "U", "E", "O"]
+    n_drawn = window.talk.head.surface.n_drawn
+    qtbot.waitUntil(lambda: window.talk.head.surface.n_drawn > n_drawn)
+    click(window.talk.choices.shipped)
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "the program's own head")
+    assert "jawOpen" in desktop.talking.percentages
+
+
+def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):
+    (tmp_path / "own.glb").write_bytes(face_with_targets(("A", "I")))
+    window.talking_dialogs.open([tmp_path / "own.glb"])
+    qtbot.waitUntil(lambda: desktop.talking.face.name == "own.glb")
+
+
+def test_a_mesh_that_cannot_be_seen_is_told_and_another_one_is_shown(window, desktop, qtbot, tmp_path):
+    points = mesh_of([[0, 0, 0], [1, 0, 0], [0, 1, 0]])
+    save_morph_targets(morph_targets_of(points, [movestate_of("jawOpen", [[0, 1, 0]] * 3)]), tmp_path / "points.glb")
+    head = window.talk.head
+    window.talking_dialogs.open([tmp_path / "points.glb"])
+    qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))
+    click(window.talk.choices.shipped)
+    qtbot.waitUntil(lambda: not head.trouble)
+    drawn(head, qtbot)
+
+
+def test_a_window_with_opengl_draws_the_head_with_it(graphics):
+    if shutil.which("xvfb-run") is None:
+        pytest.skip("there is no Xvfb")
+    command = ["xvfb-run", "-a", "-s", "-screen 0 1400x900x24", sys.executable, "-m", "tests.desktop.talk.gl_window"]
+    environment = {name: value for name, value in os.environ.items() if name != "QT_QPA_PLATFORM"}
+    done = subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    answer = json.loads(done.stdout)
+    assert answer["software"]  # Xvfb has no graphics card, so the program would rather draw pictures
+    for seen, brightness in zip(answer["seen"], (200, 0), strict=True):
+        red, green, blue = seen["middle"]
+        assert seen["kind"] == "GlSurface"
+        assert red > green > blue  # skin
+        assert brightness <= min(seen["corner"]) <= brightness + 60
