@@ -257,7 +257,7 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
     keeper.close()
     desktop.close()
     collector.close()
-    end_promptly()
+    end_promptly(code)
     return code
 
 

@@ -1,8 +1,12 @@
 """Endings that nobody was asked about: a signal of the system, and the end of the user's session."""
 
 import gc
+import logging
+import os
 import signal
 import socket
+import sys
+import threading
 from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QObject, QSocketNotifier, Signal
@@ -13,12 +17,23 @@ from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 ENDING_SIGNALS = ("SIGTERM", "SIGINT", "SIGHUP")
 
 
-def end_promptly() -> None:
-    """Have the process look for no garbage any more, now that all is closed.
+def end_promptly(code: int) -> None:
+    """Prepare the end of the process, now that all is closed; where a background thread still works, end it here.
 
-    Python would go through every object once again: a second, in which nothing is freed that the system does not take
+    Python's end stops such a thread in the middle of its C++ code, which may crash the process: a daemon thread that
+    wants the lock of the interpreter then is unwound through code that allows no exception. Without such threads,
+    only the last garbage collection is left out: a second, in which nothing is freed that the system does not take
     back at once.
+
+    Parameters
+    ----------
+    code : the exit code.
     """
+    if any(thread.daemon for thread in threading.enumerate()):
+        logging.shutdown()
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(code)
     gc.disable()
     gc.freeze()
 

@@ -2,15 +2,18 @@
 
 The second word names the sound that is waited for; further words are the program's own. A signal's name ends it by
 that signal; ``kill`` waits until the edits are on the disk. ``look`` edits nothing, and prints what the window shows.
-Exits with 9 and says why where a dialog appears that nobody asked for.
+With ``busy``, threads still work when it ends. Exits with 9 and says why where a dialog appears that nobody asked for.
 """
 
 import json
 import os
 import signal
 import sys
+import threading
 from pathlib import Path
 
+import numpy as np
+import scipy.fft
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication, QDockWidget, QMessageBox
 
@@ -19,6 +22,7 @@ from phonemeanalyser.desktop.app import make_application
 from phonemeanalyser.desktop.window import MainWindow
 
 DIALOG = 9
+N_BUSY = 4
 LOOK_EVERY_MS = 20
 CALIBRATE = 1
 CLOSED = "Thresholds"
@@ -86,9 +90,19 @@ class User(QTimer):
             window().menus.actions["Quit"].trigger()
         elif self._way == "frame":
             window().close()
+        elif self._way == "busy":
+            for _ in range(N_BUSY):
+                threading.Thread(target=transform_for_ever, daemon=True).start()
+            window().close()
         elif self._way == "look":
             show()
             window().close()
+
+
+def transform_for_ever() -> None:
+    """Work in C++ that lets the interpreter's lock go and takes it again."""
+    while True:
+        scipy.fft.rfft(np.ones((64, 512), np.float32))
 
 
 def die(*words: object) -> None:

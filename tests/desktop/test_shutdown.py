@@ -42,7 +42,7 @@ def seen_at_the_next_start(home: Path) -> dict[str, Any]:
     return shown
 
 
-@pytest.mark.parametrize("way", ["menu", "frame"])
+@pytest.mark.parametrize("way", ["menu", "frame", "busy"])
 def test_it_ends_cleanly_after_edits_every_time(tmp_path, way):
     homes = [tmp_path / str(k) for k in range(N_ENDS)]
     with ThreadPoolExecutor(AT_ONCE) as pool:
