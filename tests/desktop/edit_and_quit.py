@@ -2,7 +2,7 @@
 
 The second word names the sound that is waited for; further words are the program's own. A signal's name ends it by
 that signal; ``kill`` waits until the edits are on the disk. ``look`` edits nothing, and prints what the window shows.
-With ``busy``, threads still work when it ends. Exits with 9 and says why where a dialog appears that nobody asked for.
+With ``busy``, threads still work at its end. Exits with 9 and says why where a dialog appears that nobody asked for.
 """
 
 import json

@@ -351,13 +351,23 @@ def test_what_was_done_with_takes_can_be_undone_after_another_preset_was_loaded(
 def test_a_take_in_place_of_another_is_two_changes(calibrator: Calibrator):
     calibrator.keep(Phoneme.A)
     samples = in_room(said(Phoneme.A, 0.8))[:, np.newaxis]
-    calibrator.model.takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=1)
+    calibrator.model.takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=lambda: 1)
     calibrator.settle()
     assert [take.name for take in calibrator.takes] == ["a-2"]
     for names in (["a-1", "a-2"], ["a-1"]):
         press(calibrator.booth.window, Qt.Key.Key_Z, CONTROL)
         calibrator.settle()
         assert [take.name for take in calibrator.takes] == names
+
+
+def test_a_take_makes_room_that_was_not_yet_kept_when_the_next_one_was_said(calibrator: Calibrator):
+    takes, numbers = calibrator.model.takes, []
+    takes.added.connect(numbers.append)
+    samples = in_room(said(Phoneme.A, 0.8))[:, np.newaxis]
+    for _ in range(2):
+        takes.add(samples, SAMPLE_RATE, Phoneme.A, "Desk", instead_of=lambda: numbers[-1] if numbers else None)
+    calibrator.settle()
+    assert [take.name for take in calibrator.takes] == ["a-2"]
 
 
 def test_what_was_done_in_one_project_is_not_undone_in_another(calibrator: Calibrator, tmp_path: Path):

@@ -7,6 +7,7 @@ comes, not by a clock: where the microphone stands still, so does the guide.
 
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import partial
 
 from PySide6.QtCore import QObject, Signal
 
@@ -409,9 +410,8 @@ class GuideModel(QObject):
         if phoneme is Phoneme.SILENCE:
             faults += self._measure_room(mono)
         if not faults:
-            self._takes.add(
-                samples, rate, phoneme, self._session.microphone.name, instead_of=self.numbers.get(self.index)
-            )
+            before = partial(self.numbers.get, self.index)
+            self._takes.add(samples, rate, phoneme, self._session.microphone.name, instead_of=before)
             self._awaited.append(self.index)
         self._tell_checked(faults[0] if faults else "")
 

@@ -166,9 +166,20 @@ class TakesModel(QObject):
     # -- changes ------------------------------------------------------------------------------------------
 
     def add(
-        self, samples: Float32Array, rate: int, phoneme: Phoneme, device: str, *, instead_of: int | None = None
-    ) -> None:  # fmt: skip
-        """Keep a new take, shape (n, n_channels), and check it; it may take the place of another."""
+        self,
+        samples: Float32Array,
+        rate: int,
+        phoneme: Phoneme,
+        device: str,
+        *,
+        instead_of: Callable[[], int | None] = lambda: None,
+    ) -> None:
+        """Keep a new take, shape (n, n_channels), and check it.
+
+        Parameters
+        ----------
+        instead_of : gives the number of a take that makes room; asked when all takes before this one are kept.
+        """
         if len(samples) < LEAST_SECONDS * rate:
             self.error.emit(
                 tr("Hold {phoneme} for as long as you say the sound: {seconds:.2f} s were heard.").format(
@@ -182,8 +193,8 @@ class TakesModel(QObject):
             report = check_take(to_mono_44k(samples, rate), self._noise_now(project), phoneme)
             take = project.add(samples, speaker, phoneme, rate=rate, report=report, device=device)
             self._reports[take.number] = report
-            if instead_of is not None:
-                project.delete(next(t for t in project.takes if t.number == instead_of))
+            for older in [t for t in project.takes if t.number == instead_of()]:
+                project.delete(older)
             return take
 
         self._change(act, self._tell_added)
