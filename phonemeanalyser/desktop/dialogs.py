@@ -179,9 +179,10 @@ class Dialogs(QObject):
         chosen = list(sounds) or ([] if path is None else [path])
         preset, channel = self._preset.in_force, self._session.channel
         others = chain.from_iterable(self.preset_sections().values())
-        words = self._talking.text.words
-        known = {words.sound: words.utterance} if words.sound is not None and words.utterance is not None else {}
-        ExportDialog(preset, channel, chosen, self._settings, self._window, others, known).open()
+        face = self._talking.in_use
+        if sounds:
+            face = replace(face, speech=None)
+        ExportDialog(preset, channel, chosen, self._settings, self._window, others, face, self._files).open()
 
     # -- recordings ---------------------------------------------------------------------------------------
 

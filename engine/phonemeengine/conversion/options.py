@@ -345,6 +345,24 @@ class ConversionOptions:
         return Expression(streams, _share(speech, self.priority), _share(other, self.priority) if other else None)
 
 
+WEIGHTED = ("detail", "attack", "release", "steady", "seed")
+"""Options that say how the weights of movestates move."""
+FACIAL = (
+    "no-blinks",
+    "no-head",
+    "expression",
+    "priority",
+    "text-driver",
+    "pinyin-table",
+    "spring",
+    "performance",
+    "use",
+    "choice",
+    "without",
+    "keywords",
+    "units",
+)
+"""Those that say what a whole face does."""
 OPTIONS: dict[str, Option] = {
     each.name.replace("_", "-"): each.metadata["option"] for each in fields(ConversionOptions)
 }

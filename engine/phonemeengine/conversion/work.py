@@ -13,13 +13,13 @@ from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Act, Job, JobState, Made, Say, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
-from phonemeengine.conversion.options import ConversionOptions
+from phonemeengine.conversion.options import FACIAL, WEIGHTED, ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
 from phonemeengine.errors import ExportError, remedy
 from phonemeengine.execution import Progress, no_progress
 from phonemeengine.inspection.analysis_tables import TABLES
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.exports.formats import FORMATS, Format
 from phonemeengine.mouth.transcript import Script
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
@@ -38,21 +38,26 @@ class Conversion:
     words : what it is, for people.
     ending : of its files.
     owns : says which files are of this kind and ours; None where those of other programs look alike.
-    moves_mouth : whether `ExportOptions` say how it is written.
-    has_cues : whether it holds mouth cues, of which one may be too short.
+    options : the names of the options that say how it is written; a face moves only where there are some.
+    has_words : whether it is another file where the words are known.
     """
 
     name: str
     words: str
     ending: str
     owns: Owns | None
-    moves_mouth: bool
-    has_cues: bool = False
+    options: frozenset[str] = frozenset()
+    has_words: bool = True
+
+    @property
+    def moves_mouth(self) -> bool:
+        """Whether `ExportOptions` say how it is written."""
+        return bool(self.options)
 
 
 def _conversions() -> dict[str, Conversion]:
     tables = [
-        Conversion(f"phonemes-{kind}", f"phonemes as {words}", TABLES[kind].ending, TABLES[kind].owns, False)
+        Conversion(f"phonemes-{kind}", f"phonemes as {words}", TABLES[kind].ending, TABLES[kind].owns)
         for kind, words in _TABLE_WORDS.items()
     ]
     frames = [
@@ -61,13 +66,28 @@ def _conversions() -> dict[str, Conversion]:
             f"every frame of 10 ms with all variables, {kind.upper()}",
             form.ending,
             form.owns,
-            False,
+            has_words=False,
         )
         for kind, form in TABLES.items()
         if form.write_frames is not None
     ]
-    mouths = [Conversion(name, f.words, f.full_ending, f.owns, True, f.has_cues) for name, f in FORMATS.items()]
+    mouths = [Conversion(name, f.words, f.full_ending, f.owns, _options_of(f)) for name, f in FORMATS.items()]
     return {c.name: c for c in (*tables, *frames, *mouths)}
+
+
+def _options_of(form: Format) -> frozenset[str]:
+    """Return the names of the options that say how a format is written."""
+    return frozenset(
+        {
+            "table",
+            "anticipation",
+            *(("fps",) if form.rate else ()),
+            *(("minimum",) if form.has_cues else ()),
+            *(WEIGHTED if form.moves_head or form.movestates else ()),
+            *(FACIAL if form.moves_head else ()),
+            *(("mesh",) if form.moves_mesh else ()),
+        }
+    )
 
 
 _TABLE_WORDS = {"csv": "a table", "json": "JSON", "textgrid": "a TextGrid of Praat", "audacity": "labels of Audacity"}
@@ -133,7 +153,7 @@ class ConversionWork:
 
     def __post_init__(self) -> None:
         check_options(self.kind, self.options)
-        if self.kind.startswith("frames-") and self.texts != NO_TEXTS:
+        if not CONVERSIONS[self.kind].has_words and self.texts != NO_TEXTS:
             raise ExportError("a table of frames has no place for words; leave the text out, or choose phonemes")
 
     @classmethod

@@ -1,8 +1,8 @@
 """What the window makes of sounds: all that the engine converts them to, clips of a head, and reports."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr_noop
@@ -11,18 +11,61 @@ from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say, Work
+from phonemeengine.batch.work import Act, Job, Made, Say, Work, say_nothing
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
+from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice
+from phonemeengine.conversion.options import FACIAL, WEIGHTED
+from phonemeengine.conversion.speech_files import SpeechFiles
 from phonemeengine.conversion.spoken_texts import BESIDE, NO_TEXTS, SpokenTexts
-from phonemeengine.conversion.work import CONVERSIONS, ConversionWork
-from phonemeengine.execution import Progress
+from phonemeengine.conversion.work import CONVERSIONS, Conversion, ConversionWork
+from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.files import LABEL_SUFFIXES
-from phonemeengine.mouth.exports.exporter import ExportOptions
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
+from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.storage.replacing import Guard, write_guarded
+
+
+@dataclass(frozen=True)
+class TextToSay:
+    """A text that a voice says.
+
+    Attributes
+    ----------
+    text, language : what is said.
+    speak : has the voice say it, sentence by sentence.
+    """
+
+    text: str
+    language: str
+    speak: Callable[[], Iterator[SpokenSentence]] = field(compare=False, repr=False)
+
+
+@dataclass(frozen=True)
+class FaceInUse:
+    """What the page Talk holds, so that files are made as the head is seen.
+
+    Attributes
+    ----------
+    table : the name of the mouth table.
+    options : how mouth and face move, by that table.
+    movestates : those of the mesh of the options, where they are in a file of their own.
+    driver : what moves the face where the words are known.
+    words : what is said, by the sound's file, as far as it is known.
+    speech : the text in hand, where it is no sound.
+    """
+
+    table: str = USUAL_TABLE
+    options: ExportOptions = field(default_factory=ExportOptions)
+    movestates: Path | None = None
+    driver: DriverChoice = USUAL_DRIVER
+    words: Mapping[Path, Utterance] = field(default_factory=dict)
+    speech: TextToSay | None = None
 
 
 @dataclass(frozen=True)
@@ -36,6 +79,9 @@ class ExportOrder:
     options : how mouths move.
     channel : what is recognised of files of several channels.
     texts : what is said in the sounds; None where that lies beside each of them.
+    driver : what moves a face.
+    movestates : those of the mesh of the options, where they are in a file of their own.
+    speech : the text that is turned into a file in place of sounds.
     overwrite : whether to replace whatever is there, not only what the same order made.
     """
 
@@ -44,29 +90,10 @@ class ExportOrder:
     options: ExportOptions
     channel: Channel = Channel.MIX
     texts: SpokenTexts | None = NO_TEXTS
+    driver: DriverChoice = USUAL_DRIVER
+    movestates: Path | None = None
+    speech: TextToSay | None = None
     overwrite: bool = False
-
-
-@dataclass(frozen=True)
-class ExportKind:
-    """A kind of file that a sound can be turned into.
-
-    Attributes
-    ----------
-    words : what it is, for people.
-    ending : of its files.
-    moves_mouth : whether the order's options say how it is made.
-    is_text : whether its beginning tells what it will be.
-    has_cues : whether it holds mouth cues, of which one may be too short.
-    has_words : whether it may be made of words that are known.
-    """
-
-    words: str
-    ending: str
-    moves_mouth: bool
-    is_text: bool = True
-    has_cues: bool = False
-    has_words: bool = True
 
 
 def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
@@ -77,10 +104,10 @@ def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
     EngineError : a file beside a sound cannot be read.
     """
     texts = order.texts
-    if not EXPORT_KINDS[order.kind].has_words:
+    if not EXPORT_KINDS[order.kind].has_words or order.speech is not None:
         texts = NO_TEXTS
     elif texts is None:
-        texts = NO_TEXTS.of_script(BESIDE, sounds, lambda _name, _note: None)
+        texts = NO_TEXTS.of_script(BESIDE, sounds, say_nothing)
     return replace(order, texts=texts)
 
 
@@ -91,18 +118,62 @@ def work_of(order: ExportOrder) -> Work:
     ------
     EngineError : a format or a table cannot do what the options say.
     """
-    texts = order.texts if order.texts is not None and EXPORT_KINDS[order.kind].has_words else NO_TEXTS
+    kind = EXPORT_KINDS[order.kind]
+    if order.speech is not None:
+        return SpeechWork(order, order.speech)
+    texts = order.texts if order.texts is not None and kind.has_words else NO_TEXTS
     if order.kind in CONVERSIONS:
         return ConversionWork(
-            order.kind, order.preset, order.options, order.channel, texts, overwrite=order.overwrite
-        )  # fmt: skip
-    if not EXPORT_KINDS[order.kind].moves_mouth:
+            order.kind, order.preset, order.options, order.channel, texts, order.driver, overwrite=order.overwrite
+        )
+    if not kind.moves_mouth:
         return ReportWork(order)
-    from phonemeanalyser.rendering.clip import ClipWork, check_clip  # noqa: PLC0415 - no window waits 150 ms for it
+    from phonemeanalyser.rendering.clip import ClipWork, ShownFace, check_clip  # noqa: PLC0415 - no window waits for it
 
-    look = USUAL_CLIP if order.options.rate is None else ClipOptions(rate=order.options.rate)
-    check_clip(Path("clip" + EXPORT_KINDS[order.kind].ending), look.size)
-    return ClipWork(order.options, order.preset, order.channel, texts, look=look, overwrite=order.overwrite)
+    options, look = order.options, ClipOptions(rate=order.options.rate or USUAL_CLIP.rate)
+    check_clip(Path("clip" + kind.ending), look.size)
+    face = ShownFace(None if options.mesh is None else Path(options.mesh), order.movestates)
+    return ClipWork(options, order.preset, order.channel, texts, order.driver, face, look, overwrite=order.overwrite)
+
+
+@dataclass(frozen=True)
+class SpeechWork:
+    """Has a voice say the text of an order, and writes how a face says it, as the command `speak` does."""
+
+    order: ExportOrder
+    speech: TextToSay
+
+    def __post_init__(self) -> None:
+        Exporter(self.order.kind, self.order.options)
+
+    def fingerprint(self) -> str:
+        """Return what tells it from other work."""
+        return fingerprint_of("speech", self.order.kind, self.order.options, self.speech)
+
+    def known_of(self, _job: Job) -> str:
+        """Return nothing: nothing is known of a text besides."""
+        return ""
+
+    @contextmanager
+    def opened(self) -> Iterator[Act]:
+        """Open what moves the face, and give what writes the file."""
+        with self.order.driver.opened() as driving:
+
+            def act(job: Job, say: Say, progress: Progress) -> Made:
+                exporter = Exporter(self.order.kind, self.order.options)
+                files = SpeechFiles(None, None, job.target, None, exporter, driving, say, self.order.overwrite)
+                files.write_spoken(self._spoken(progress), self.speech.language, self.speech.text)
+                return Made(language=self.speech.language)
+
+            yield act
+
+    def _spoken(self, progress: Progress) -> Iterator[SpokenSentence]:
+        """Return sentences as they come, and tell how much of the text they are."""
+        n = 0
+        for sentence in self.speech.speak():
+            n += len(sentence.text)
+            report_progress(progress, min(1.0, n / max(1, len(self.speech.text))))
+            yield sentence
 
 
 @dataclass(frozen=True)
@@ -136,15 +207,15 @@ class ReportWork:
         return Made(duration)
 
 
-EXPORT_KINDS: dict[str, ExportKind] = {
-    **{
-        name: ExportKind(c.words, c.ending, c.moves_mouth, True, c.has_cues, not name.startswith("frames-"))
-        for name, c in CONVERSIONS.items()
-    },
-    "clip-mp4": ExportKind(tr_noop("a clip of the head with its sound"), ".mp4", True, is_text=False),
-    "clip-gif": ExportKind(tr_noop("a clip of the head"), ".gif", True, is_text=False),
-    "report-html": ExportKind(
-        tr_noop("how right it is, by the labels beside it"), ".report.html", False, has_words=False
-    ),
+CLIP_OPTIONS = frozenset({"table", "fps", "anticipation", "mesh", *WEIGHTED, *FACIAL})
+EXPORT_KINDS: dict[str, Conversion] = CONVERSIONS | {
+    kind.name: kind
+    for kind in (
+        Conversion("clip-mp4", tr_noop("a clip of the head with its sound"), ".mp4", None, CLIP_OPTIONS),
+        Conversion("clip-gif", tr_noop("a clip of the head"), ".gif", None, CLIP_OPTIONS),
+        Conversion(
+            "report-html", tr_noop("how right it is, by the labels beside it"), ".report.html", None, has_words=False
+        ),
+    )
 }
 """All kinds, by name."""

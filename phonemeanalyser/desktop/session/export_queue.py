@@ -17,7 +17,7 @@ from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.audio.files import SoundReader, sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.runner import in_the_way as jobs_in_the_way
-from phonemeengine.batch.work import Job, JobState, Outcome
+from phonemeengine.batch.work import Job, JobState, Outcome, say_nothing
 from phonemeengine.conversion.work import CONVERSIONS
 from phonemeengine.execution import Progress
 from phonemeengine.inspection.measurement import save_stretch
@@ -148,6 +148,7 @@ class ExportQueue(QObject):
                 self._put(job, state=ExportState.WORKING)
             return progress(found.share)
 
+        folder = None if order.speech is not None else folder  # a text is no file of which it could be noted
         options = BatchOptions(folder=folder)
         known = with_texts(order, [job.source for job in jobs])
         if order.texts is None and known.texts is not None:
@@ -192,12 +193,13 @@ def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | Non
 
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
-    if not EXPORT_KINDS[order.kind].is_text:
+    if order.kind.startswith("clip-"):
         return tr("A clip is seen once it is made; the page Talk shows the same head at once.")
     with TemporaryDirectory() as folder:
-        with SoundReader(source) as reader:
-            is_long = reader.duration > SECONDS_PREVIEWED
-        order = with_texts(order, [source])
+        order, is_long = with_texts(order, [source]), False
+        if order.speech is None:
+            with SoundReader(source) as reader:
+                is_long = reader.duration > SECONDS_PREVIEWED
         has_words = order.texts is not None and order.texts.knows(source)
         if is_cut := is_long and order.kind in CONVERSIONS and not has_words:
             beginning = Path(folder) / f"{source.stem}.wav"
@@ -205,7 +207,7 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
             source, order = beginning, replace(order, channel=Channel.MIX)
         target = Path(folder) / f"{source.stem}{EXPORT_KINDS[order.kind].ending}"
         with work_of(order).opened() as act:
-            act(Job(source, target), lambda _name, _note: None, progress)
+            act(Job(source, target), say_nothing, progress)
         content = target.read_bytes()
     try:
         text = content.decode()

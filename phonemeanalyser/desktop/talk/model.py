@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
@@ -17,6 +18,7 @@ from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode
@@ -108,6 +110,19 @@ class TalkModel(QObject):
     def percentages(self) -> dict[str, float]:
         """How far each movestate of the face is on, %; nothing before there is a face."""
         return self.face.states.percentages if self.face.states is not None else {}
+
+    @property
+    def in_use(self) -> FaceInUse:
+        """What files are made by, so that they are as the head is seen."""
+        words, files = self.text.words, self.face.files
+        known = {words.sound: words.utterance} if words.sound is not None and words.utterance is not None else {}
+        idle = replace(self.idle, expression=self.expression.exported)
+        options = ExportOptions(
+            mesh=files.mesh, idle=idle, attack=self.attack_factor, release=self.release_factor, random=self.random
+        )
+        return FaceInUse(
+            self.table_name, options, files.movestates, self.text.drivers.exported, known, self.text.to_say
+        )
 
     # -- what is chosen -----------------------------------------------------------------------------------
 

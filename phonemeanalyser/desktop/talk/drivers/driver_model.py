@@ -4,6 +4,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound, PerformanceModel
+from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
@@ -57,6 +58,14 @@ class DriverModel(QObject):
         if self.chosen is not FaceDriver.AUTO:
             return self.chosen
         return usual_driver(has_table=self.performance.table is not None, has_letters=self.letters is not None)
+
+    @property
+    def exported(self) -> DriverChoice:
+        """The same for a file; a table that is not open moves none."""
+        table = self.performance.chosen
+        if table is None or self.chosen not in {FaceDriver.AUTO, FaceDriver.TABLE}:
+            return DriverChoice(FaceDriver.AUTO if self.chosen is FaceDriver.TABLE else self.chosen)
+        return DriverChoice(self.chosen, performance=(table,), choice=self.performance.choice)
 
     @property
     def wants_table(self) -> bool:

@@ -67,9 +67,17 @@ class ExpressionModel(QObject):
     @property
     def expression(self) -> Expression | None:
         """What is expressed; None for nothing."""
+        return self._of(self._recorded, self.input.stream)
+
+    @property
+    def exported(self) -> Expression | None:
+        """The same for a file: recordings begin with its sound, and what other programs send now is not in it."""
+        return self._of(None if self._recorded is None else self._recorded.stream)
+
+    def _of(self, *more: ExpressionStream | None) -> Expression | None:
         asked = {name: share for name, share in self.shares.items() if share}
         held = held_expression(asked) if asked else None
-        streams = tuple(stream for stream in (held, self._recorded, self.input.stream) if stream is not None)
+        streams = tuple(stream for stream in (held, *more) if stream is not None)
         if not streams:
             return None
         return Expression(streams, None if self.priority == USUAL_PRIORITY else self.priority)

@@ -8,6 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_count
+from phonemeanalyser.desktop.session.export_kinds import TextToSay
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind, SpokenText
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -188,6 +189,14 @@ class TextModel(QObject):
         if not self.editable:
             return tr("{said}; boundaries fixed by the voice").format(said=said)
         return f"{said}, " + tr_count("{n} fits badly", "{n} fit badly", n_bad) if n_bad else said
+
+    @property
+    def to_say(self) -> TextToSay | None:
+        """The text, where a voice says it and no sound file is in hand."""
+        if self._session.source.kind is not SourceKind.TEXT or not self.text.strip():
+            return None
+        text, language, voice = self.text, self._language_of_text, self._voice
+        return TextToSay(text, language, lambda: self.tools.speak(text, language, voice))
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
