@@ -535,6 +535,16 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>as on Talk</source>
+            <translation>wie unter Sprechen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>as on Talk: {name}</source>
+            <translation>wie unter Sprechen: {name}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>as the format has it</source>
             <translation>wie im Format üblich</translation>
         </message>
@@ -1519,12 +1529,12 @@
             <translation>Exportieren…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Expression</source>
             <translation>Ausdruck</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Face</source>
             <translation>Gesicht</translation>
         </message>
@@ -3145,6 +3155,11 @@
             <translation>Das Licht nach rechts bewegen (.)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>Moved by</source>
+            <translation>Bewegt durch</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Movestates</source>
             <translation>Movestates</translation>
@@ -3233,6 +3248,11 @@
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
             <source>no clipping</source>
             <translation>nicht übersteuert</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>no expression</source>
+            <translation>kein Ausdruck</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
@@ -5476,6 +5496,11 @@
             <translation>der mitgelieferte Kopf</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>the program’s own head</source>
+            <translation type="unfinished" />
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>The recogniser {name} cannot use variables of your own; {why}</source>
             <translation>Der Erkenner {name} kann eigene Variablen nicht benutzen; {why}</translation>
@@ -5584,6 +5609,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>The text is right: find its words, though another text seems to be said</source>
             <translation>Der Text stimmt: seine Wörter suchen, auch wenn ein anderer gesprochen scheint</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
+            <source>the text on Talk</source>
+            <translation>der Text unter Sprechen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/unsaved.py" />
