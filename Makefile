@@ -6,7 +6,7 @@ BIN = .venv/bin
 
 setup: .venv/ready
 
-.venv/ready: pyproject.toml constraints.txt .ci/system-packages
+.venv/ready: pyproject.toml engine/phonemeengine/__init__.py constraints.txt .ci/system-packages
 	.ci/system-packages
 	$(PYTHON) -m venv .venv
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -c constraints.txt -e '.[desktop,preview,server,speech,test]'

@@ -83,7 +83,7 @@ import logging
 
 import lazy_loader
 
-__version__ = "0.1.0"
+__version__ = "0.9.0"
 
 # A name is imported when it is first asked for, so that who analyses files does not wait for meshes. The names, their
 # modules and their types stand in __init__.pyi alone.

@@ -1,4 +1,4 @@
-; The installer for Windows, by Inno Setup: iscc /DVersion=0.1.0 tools\bundle\installer.iss
+; The installer for Windows, by Inno Setup: iscc /DVersion=0.9.0 tools\bundle\installer.iss
 [Setup]
 AppId=PhonemeAnalyser
 AppName=PhonemeAnalyser
