@@ -47,6 +47,19 @@ def test_lines_that_stand_twice_are_found_however_they_are_laid_out(n: int, foun
     assert repeated(texts, n) == found
 
 
+def test_no_import_hides_from_the_program() -> None:
+    files = [path for folder in (*PRODUCT, "tests", "tools") for path in (ROOT / folder).rglob("*.py")]
+    names = {str(path): ast.walk(ast.parse(path.read_text(encoding="utf-8"))) for path in files}
+    hiding = [path for path, nodes in names.items() for node in nodes if "TYPE_CHECKING" in _names_in(node)]
+    assert hiding == []
+
+
+def _names_in(node: ast.AST) -> set[str]:
+    if isinstance(node, ast.ImportFrom):
+        return {alias.name for alias in node.names}
+    return {getattr(node, "id", ""), getattr(node, "attr", "")}
+
+
 def too_long(texts: dict[str, str]) -> list[str]:
     """Give the names of all texts with more lines than a file may have."""
     return [name for name, text in texts.items() if len(text.splitlines()) > LONGEST]
