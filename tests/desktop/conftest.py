@@ -23,7 +23,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.features.variables import Variable
-from phonemeengine.live import listener, player
+from phonemeengine.live import player
 from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import WINDOW
@@ -169,19 +169,13 @@ def own_desktop(
 
 
 @pytest.fixture
-def retry(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Try again sooner."""
-    monkeypatch.setattr(listener, "RETRY_PERIOD", 0.05)
-
-
-@pytest.fixture
 def mic() -> HandDrivenMicrophone:
     """The first microphone that is opened."""
     return HandDrivenMicrophone(name=DESK.label)
 
 
 @pytest.fixture
-def open_studio(qapp: QApplication, retry: None, tmp_path: Path) -> Iterator[Callable[..., Studio]]:
+def open_studio(qapp: QApplication, tmp_path: Path) -> Iterator[Callable[..., Studio]]:
     """Makes studios of microphones that are opened in turn."""
     studios: list[Studio] = []
 
