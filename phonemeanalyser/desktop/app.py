@@ -1,5 +1,6 @@
 """The desktop program: the only place where its objects are made and joined."""
 
+import gc
 import logging
 import sys
 import tempfile
@@ -26,7 +27,6 @@ from PySide6.QtGui import QFileOpenEvent, QIcon, QSurfaceFormat
 from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
 
 from phonemeanalyser.desktop import calibrate
-from phonemeanalyser.desktop.garbage import WindowThreadCollector
 from phonemeanalyser.desktop.language import SYSTEM, language_of, tr, use_language
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
@@ -42,6 +42,40 @@ from phonemeanalyser.logs import logged_beside
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.errors import EngineError
 from phonemeengine.settings import Channel
+
+COLLECT_EVERY_MS = 1000
+
+
+class WindowThreadCollector(QObject):
+    """Collects garbage while the event loop runs, in the thread in which it was made; nothing else does until closed.
+
+    Python collects in whichever thread allocates when it is due. Qt's objects must be destroyed in the thread in
+    which they live: one that a thread of the analysis collects may wait for ever for the window, which waits for
+    that thread.
+
+    What was there before it was made is taken for needed for ever, so that each collection is short.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        gc.disable()
+        gc.freeze()
+        self._timer = QTimer(self, interval=COLLECT_EVERY_MS)
+        self._timer.timeout.connect(self.collect)
+        self._timer.start()
+
+    def collect(self) -> None:
+        """Collect what is due, as Python would: the oldest generation whose count is above its threshold."""
+        due = [count > threshold for count, threshold in zip(gc.get_count(), gc.get_threshold(), strict=True)]
+        if any(due):
+            gc.collect(max(generation for generation, is_due in enumerate(due) if is_due))
+
+    def close(self) -> None:
+        """Leave collecting to Python again."""
+        self._timer.stop()
+        gc.unfreeze()
+        gc.enable()
+
 
 AFTER_PAINTING_MS = 20
 """The window is to be seen before the sound card is awake."""

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
 from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.analyse.transport.output_button import SPEEDS, next_speed
+from phonemeanalyser.desktop.analyse.transport.transport import SPEEDS, next_speed
 from phonemeanalyser.desktop.dialogs import Dialogs
 from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
 from phonemeanalyser.desktop.menus import Command, Menus

@@ -11,7 +11,7 @@ from PySide6.QtCore import QFileSystemWatcher, QObject, QSettings, QUrl, Signal
 from PySide6.QtGui import QDesktopServices
 from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
 
-from phonemeanalyser.desktop.analyse.recognition.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -109,7 +109,8 @@ class Dialogs(QObject):
         if not self._session.open(path):
             return False
         if self._session.file is not None and self._session.file.cut_off:
-            self.info.emit(tr_engine(f"{path.name}: {self._session.file.cut_off}"))
+            told = f"{path.name}: {self._session.file.cut_off}"
+            self.info.emit(tr_engine(told))
         self._remember_recent("recent", path)
         self.sound_opened.emit()
         return True

@@ -8,8 +8,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.widgets.builders import column
-from phonemeanalyser.desktop.widgets.scrolled import Scrolled
+from phonemeanalyser.desktop.widgets.builders import Scrolled, column
 
 
 class Docks(QObject):

@@ -32,7 +32,7 @@ from phonemeanalyser.desktop.talk.mouth_table.choices_panel import DETAILS
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, row
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.table_copy import let_copy
+from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice
 from phonemeengine.conversion.options import OPTIONS
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts

@@ -6,12 +6,12 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 from phonemeanalyser.desktop import calibrate
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
-from phonemeanalyser.desktop.analyse.recognition.look_ahead_slider import LookAheadSlider
+from phonemeanalyser.desktop.analyse.recognition.filter_column import LookAheadSlider
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport.transport import Transport
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.talk.head.heads import Heads
+from phonemeanalyser.desktop.talk.page import Heads
 from phonemeanalyser.desktop.widgets.pages import LazyPage, PageStack
 
 FRAME_MS = 16

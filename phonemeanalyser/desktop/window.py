@@ -31,9 +31,8 @@ from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
-from phonemeanalyser.desktop.talk.head.heads import Heads
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.talk.page import Heads, TalkPage
 from phonemeanalyser.desktop.talk.words.words_view import spoken_lanes
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.welcome import WelcomeCards

@@ -16,8 +16,7 @@ from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.app import Desktop, WindowThreadCollector
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session

@@ -7,8 +7,7 @@ import weakref
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication
 
-from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.garbage import WindowThreadCollector
+from phonemeanalyser.desktop.app import Desktop, WindowThreadCollector
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeengine.audio.output import ClockOutput
 from tests.desktop.hands import shown

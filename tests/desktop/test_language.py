@@ -12,10 +12,10 @@ from PySide6.QtWidgets import QApplication, QDialogButtonBox, QDoubleSpinBox, QS
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
-from phonemeanalyser.desktop.analyse.recognition.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.engine_words import SPOKEN, tr_engine
 from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language

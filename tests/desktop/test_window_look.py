@@ -9,7 +9,7 @@ from PySide6.QtGui import QAction, QImage
 from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget, QMessageBox
 
 from phonemeanalyser.desktop.app import Desktop
-from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput

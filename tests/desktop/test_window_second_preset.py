@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.desktop.session.second_preset import NO_SECOND
+from phonemeanalyser.desktop.session.whole_file import NO_SECOND
 from phonemeengine import difference, load_preset
 from phonemeengine.presets.files import preset_path
 from tests.desktop.hands import CARDS, FileAnswers, click, press, shown

@@ -2,17 +2,56 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtCore import QObject, QSettings, Qt
+from PySide6.QtWidgets import QComboBox, QDialog, QGridLayout, QMessageBox, QScrollArea, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
-from phonemeanalyser.desktop.calibrate.workbench.compare_panel import ComparePanel
-from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
+from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import preset_filter
 from phonemeanalyser.desktop.settings import keep, read
+from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, column, dialog_buttons, label, leave_wheel
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeengine.phonemes import Phoneme
+
+
+class MappingDialog(QDialog):
+    """A row for each name; what is left at "unidentified" counts for no figure."""
+
+    def __init__(self, counts: dict[str, int], parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Names in the labels"))
+        self.boxes: dict[str, QComboBox] = {}
+        intro = label(
+            tr(
+                "These names stand for no sound that is known here. Say what each one is; what stays unidentified "
+                "counts neither as right nor as wrong."
+            ),
+            wraps=True,
+        )
+        body = QWidget()
+        grid = QGridLayout(body)
+        phonemes = [(phoneme.label, phoneme) for phoneme in Phoneme]
+        for row, (name, count) in enumerate(sorted(counts.items(), key=lambda entry: -entry[1])):
+            words = label(name)
+            words.setTextFormat(Qt.TextFormat.PlainText)
+            self.boxes[name] = box = choice(phonemes, tr("sound of {name}").format(name=name))
+            box.setCurrentIndex(box.findData(Phoneme.UNIDENTIFIED))
+            for k, widget in enumerate((words, label(f"{count} ×"), box)):
+                grid.addWidget(widget, row, k)
+        grid.setRowStretch(len(counts), 1)
+        leave_wheel(body)
+        scroll = QScrollArea()
+        scroll.setWidget(body)
+        scroll.setWidgetResizable(True)
+        column(intro, scroll, dialog_buttons(self, OK, CANCEL), on=self, margins=None)
+        self.resize(380, 420)
+
+    def mapping(self) -> dict[str, Phoneme]:
+        """Return what each name stands for."""
+        return {name: Phoneme(box.currentData()) for name, box in self.boxes.items()}
+
 
 PROJECT, SPEAKER = "calibration/project", "calibration/speaker"
 

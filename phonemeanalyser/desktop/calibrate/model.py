@@ -8,8 +8,7 @@ from phonemeanalyser.desktop.calibrate.guide.guide_model import GuideModel, Phas
 from phonemeanalyser.desktop.calibrate.takes.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakeEdit, TakesModel
 from phonemeanalyser.desktop.calibrate.workbench.fit_model import ComparisonModel, FitModel
-from phonemeanalyser.desktop.calibrate.workbench.recordings_model import RecordingsModel
-from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.calibrate.workbench.workbench_model import RecordingsModel, WorkbenchModel
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel

@@ -7,11 +7,10 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.session.formant_track import FormantTrack
 from phonemeanalyser.desktop.session.preset import PresetModel
-from phonemeanalyser.desktop.session.second_preset import SecondPreset
 from phonemeanalyser.desktop.session.sonagram_tiles import SonagramTiles
 from phonemeanalyser.desktop.session.time_view import TimeView
 from phonemeanalyser.desktop.session.waveform_track import WaveformTrack
-from phonemeanalyser.desktop.session.whole_file import WholeFile
+from phonemeanalyser.desktop.session.whole_file import SecondPreset, WholeFile
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.inspection.whole_sound import FrameRange
 from phonemeengine.settings import FRAME_PERIOD, Channel

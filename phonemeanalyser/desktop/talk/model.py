@@ -12,8 +12,7 @@ from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
-from phonemeanalyser.desktop.talk.head.face_model import FaceModel
-from phonemeanalyser.desktop.talk.head.moving_head import MovingHead
+from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis

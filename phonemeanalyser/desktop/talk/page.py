@@ -1,26 +1,25 @@
-"""The page of the head: the head and its text at the left, and what it does at the right."""
+"""The page of the head: the head and its text at the left, what it does at the right; and the heads of a window."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup
+from PySide6.QtGui import QAction, QActionGroup, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QCheckBox, QMenu, QScrollArea, QSizePolicy, QSplitter, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel
-from phonemeanalyser.desktop.talk.expression.osc_panel import OscPanel
+from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
-from phonemeanalyser.desktop.talk.head.head_view import HINT, LIGHT_STEP
+from phonemeanalyser.desktop.talk.head.head_view import HINT, LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
-from phonemeanalyser.desktop.talk.head.phoneme_chip import PhonemeChip
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import (
     column,
     heading,
     label,
+    leave_wheel,
     line,
     named,
     open_at_once,
@@ -28,10 +27,54 @@ from phonemeanalyser.desktop.widgets.builders import (
     scrolling,
     spoken_button,
 )
-from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
-from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.phonemes import Phoneme
+
+WIDTH, HEIGHT, EDGE = 96, 24, 4
+
+
+class PhonemeChip(QWidget):
+    """Paints the phoneme on its colour, and its intensity as a line below it.
+
+    Attributes
+    ----------
+    phoneme, intensity : what is shown.
+    """
+
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
+        super().__init__()
+        self._talking = talking
+        self._theme = theme
+        self.phoneme, self.intensity = Phoneme.SILENCE, 0.0
+        self.setFixedSize(WIDTH, HEIGHT)
+        self.setToolTip(tr("The phoneme that is heard now, and its intensity"))
+        self.setAccessibleName(tr("the phoneme that is heard"))
+
+    def refresh(self) -> None:
+        """Show what is heard now."""
+        session = self._talking.session
+        rests = not session.source.playing and (session.source.live or not session.source.position)
+        newest = None if rests or session.microphone.silent else session.history.newest
+        heard = (Phoneme.SILENCE, 0.0)
+        if newest is not None:
+            heard = Phoneme(int(newest.phonemes[-1])), round(float(newest.intensities[-1]), 2)
+        if heard != (self.phoneme, self.intensity):
+            self.phoneme, self.intensity = heard
+            self.update()
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint it."""
+        painter = QPainter(self)
+        colour = QColor(PHONEME_COLOURS[self.phoneme])
+        painter.fillRect(self.rect(), QColor(colour.red(), colour.green(), colour.blue(), 50))
+        painter.fillRect(0, 0, EDGE, HEIGHT, colour)
+        painter.fillRect(EDGE, HEIGHT - 3, round((WIDTH - EDGE) * self.intensity), 3, colour)
+        painter.setPen(QColor(self._theme.text))
+        box = self.rect().adjusted(EDGE, 0, 0, -2)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.phoneme.label)
+
 
 PANEL_WIDTH = 480
 COMPARISONS = {
@@ -211,3 +254,38 @@ def _without_arrow(button: QToolButton, menu: QMenu) -> None:
     """Have a button open a menu; the arrow of the style would lie on its text."""
     open_at_once(button, menu)
     button.setStyleSheet("QToolButton::menu-indicator { image: none }")
+
+
+class Heads:
+    """Moves the heads that are seen."""
+
+    def __init__(self, talking: TalkModel) -> None:
+        self._talking = talking
+        self._heads: dict[str, HeadView] = {}
+        self._views: list[HeadView | TalkPage] = []
+
+    def add(self, name: str, head: HeadView, page: TalkPage | None = None) -> HeadView:
+        """Move this one too, with all of its page; it is called so in every window."""
+        self._heads[name] = head
+        self._views.append(page or head)
+        return head
+
+    def move(self, *, frozen: bool) -> None:
+        """Have the head say what is heard, where it is seen."""
+        seen = [view for view in self._views if view.isVisible()]
+        self._talking.watch(bool(seen) and not frozen)
+        self._talking.tick()
+        for view in seen:
+            if not frozen:
+                view.refresh()
+
+    def copy_view_from(self, other: "Heads") -> None:
+        """Show the heads from where another window shows them."""
+        for name, head in self._heads.items():
+            if name in other._heads:
+                head.copy_view_from(other._heads[name])
+
+    def release_gl(self) -> None:
+        """Give everything back to the graphics driver."""
+        for head in self._heads.values():
+            head.release_gl()

@@ -4,10 +4,11 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-from PySide6.QtCore import QObject, QSignalBlocker, Qt
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, QSize, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
+    QAbstractSpinBox,
     QBoxLayout,
     QComboBox,
     QDialog,
@@ -234,3 +235,47 @@ def _filled(layout: L, parts: Iterable[Part], margins: Margins | None, spacing: 
         else:
             layout.addLayout(item, stretch)
     return layout
+
+
+LEAST = QSize(160, 68)
+"""Pixels in which a view can still be used by scrolling."""
+
+
+class Scrolled(QScrollArea):
+    """Shows a view as it is where there is room, and by scroll bars where there is too little."""
+
+    def __init__(self, view: QWidget) -> None:
+        super().__init__()
+        self._view = view
+        self.setWidget(view)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def sizeHint(self) -> QSize:
+        """Ask for what the view would like."""
+        return self._view.sizeHint()
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for little."""
+        return LEAST.boundedTo(self._view.minimumSizeHint())
+
+
+_SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider)
+
+
+class _OnlyWithFocus(QObject):
+    def eventFilter(self, watched: QObject, event: Any) -> bool:
+        """Leave the wheel to what is behind a widget that has not the focus."""
+        if event.type() != QEvent.Type.Wheel or not isinstance(watched, QWidget) or watched.hasFocus():
+            return False
+        event.ignore()
+        return True
+
+
+def leave_wheel(body: QWidget) -> None:
+    """Have the numbers, choices and sliders in a scrolled widget heed the wheel only once they were clicked."""
+    for kind in _SET_BY_WHEEL:
+        for widget in body.findChildren(kind):
+            widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)  # the wheel itself gives no focus
+            widget.installEventFilter(_OnlyWithFocus(widget))

@@ -7,8 +7,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QStackedWidget, QWidget
 
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.widgets.builders import row, toggle_button
-from phonemeanalyser.desktop.widgets.scrolled import Scrolled
+from phonemeanalyser.desktop.widgets.builders import Scrolled, row, toggle_button
 
 Page = TypeVar("Page", bound=QWidget)
 

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QGraphicsItem, QLabel, QWidget
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import column, row
-from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeengine.arrays import Float64Array
 
 READOUTS_PER_SECOND = 30

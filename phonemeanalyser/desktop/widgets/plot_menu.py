@@ -1,13 +1,22 @@
-"""The context menu of every plot: back to the whole, its values as a table, and its picture."""
+"""What copies: the menu of every plot (its whole, values, picture), and tables, by Ctrl+C or a right click."""
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QEvent, QIODevice, QObject, QPoint, QSaveFile, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QPainter
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QMouseEvent, QPainter, QShortcut
 from PySide6.QtSvg import QSvgGenerator
-from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QGraphicsItem, QGraphicsView, QMenu, QWidget
+from PySide6.QtWidgets import (
+    QAbstractScrollArea,
+    QApplication,
+    QGraphicsItem,
+    QGraphicsView,
+    QMenu,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
 
 from phonemeanalyser.desktop.language import tr
 from phonemeengine.errors import EngineError
@@ -127,3 +136,29 @@ def _draw_svg(plot: QWidget, file: QIODevice) -> bool:
             for item, mode in zip(kept, modes, strict=True):
                 item.setCacheMode(mode)
     return begun
+
+
+def let_copy(table: QTableWidget) -> None:
+    """Have a table copy itself, headings and all."""
+    copy = QAction(tr("Copy Table"), table)
+    copy.triggered.connect(lambda: QGuiApplication.clipboard().setText(text_of(table)))
+    key = QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), table, copy.trigger)
+    key.setContext(Qt.ShortcutContext.WidgetShortcut)
+    table.addAction(copy)
+    table.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
+
+
+def text_of(table: QTableWidget) -> str:
+    """Return what a table shows, as tab-separated text; columns that are hidden are left out."""
+    columns = [k for k in range(table.columnCount()) if not table.isColumnHidden(k)]
+    named = not table.verticalHeader().isHidden()  # each row has a name
+    heading = [_words(table.horizontalHeaderItem(k)) for k in columns]
+    lines = [["", *heading] if named else heading]
+    for row in range(table.rowCount()):
+        cells = [_words(table.item(row, k)) for k in columns]
+        lines.append([_words(table.verticalHeaderItem(row)), *cells] if named else cells)
+    return "".join("\t".join(line) + "\n" for line in lines)
+
+
+def _words(item: QTableWidgetItem | None) -> str:
+    return "" if item is None else item.text().replace("\t", " ").replace("\n", " ")

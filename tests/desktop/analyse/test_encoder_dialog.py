@@ -3,8 +3,8 @@
 import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from phonemeanalyser.desktop.analyse.recognition import encoder_dialog
-from phonemeanalyser.desktop.analyse.recognition.encoder_dialog import EncoderDialog
+from phonemeanalyser.desktop.analyse.recognition import recogniser_choice
+from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.errors import ModelError
 from tests.desktop.hands import FileAnswers
@@ -70,7 +70,7 @@ def test_fetching_is_told_and_so_is_its_failure(dialog, qtbot, monkeypatch):
         raise ModelError("Whisper base cannot be fetched (no network); see to the network, or name a folder")
 
     said(dialog, qtbot)
-    monkeypatch.setattr(encoder_dialog, "fetch_whisper", fetch)
+    monkeypatch.setattr(recogniser_choice, "fetch_whisper", fetch)
     dialog.buttons[2].click()
     assert dialog.state.text() == "Fetching the model, 145 MB …"
     assert not dialog.buttons[2].isEnabled()

@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
-from phonemeanalyser.desktop.analyse.transport.output_button import SPEEDS, next_speed
+from phonemeanalyser.desktop.analyse.transport.transport import SPEEDS, next_speed
 from phonemeengine.audio.devices import Device
 from tests.desktop.hands import LEFT, shown
 

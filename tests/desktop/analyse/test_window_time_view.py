@@ -10,10 +10,10 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
+from phonemeanalyser.desktop.analyse.lanes.scroll_view import ColourBar
 from phonemeanalyser.desktop.analyse.lanes.sonagram import COLOUR_MAPS, colours_of
 from phonemeanalyser.desktop.session.history import CAPACITY
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
-from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.features.variables import BUILT_IN_NAMES
 from phonemeengine.phonemes import Phoneme

@@ -10,9 +10,9 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import AROUND
 from phonemeanalyser.desktop.calibrate.workbench.confusion_view import SAID, TAKEN
-from phonemeanalyser.desktop.calibrate.workbench.mapping_dialog import MappingDialog
 from phonemeanalyser.desktop.calibrate.workbench.workbench_view import WorkbenchView
 from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_recordings

@@ -7,7 +7,7 @@ import pytest
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeanalyser.desktop.talk.head.phoneme_chip import PhonemeChip
+from phonemeanalyser.desktop.talk.page import PhonemeChip
 from phonemeanalyser.desktop.theme import DARK
 from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeengine.phonemes import Phoneme

@@ -23,7 +23,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     toggle_button,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeengine.dsp.sonagram import FrequencyAxis
 from phonemeengine.inspection.whole_sound import FrameRange
 from phonemeengine.settings import FRAME_PERIOD

@@ -1,4 +1,4 @@
-"""What scrolls: the sonagram, the lane of phonemes under it, and the course of one variable."""
+"""What scrolls: the sonagram with its colours, the lane of phonemes under it, and the course of one variable."""
 
 from collections.abc import Sequence
 from math import ceil, floor
@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, Qt
+from PySide6.QtGui import QImage, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.sonagram import (
@@ -18,6 +19,7 @@ from phonemeanalyser.desktop.analyse.lanes.sonagram import (
     colours_of,
 )
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
 from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE, PresetModel
 from phonemeanalyser.desktop.theme import Theme
@@ -32,15 +34,45 @@ from phonemeanalyser.desktop.widgets.builders import (
     toggle_button,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.colour_bar import ColourBar
+from phonemeanalyser.desktop.widgets.labels import StillLabel
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, live_axes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.desktop.widgets.still_label import StillLabel
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, UInt32Array
 from phonemeengine.features.variables import unit_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
+
+BAR = 14
+"""Width of the bar in pixels."""
+
+
+class ColourBar(QWidget):
+    """Shows which colour stands for which amplitude, brightest on top."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._colours = np.zeros((256, 1), np.uint32)
+        self._labels = ("", "", "")
+        self.setFixedWidth(58)
+
+    def draw(self, colours: UInt32Array, low: str, middle: str, high: str) -> None:
+        """Draw a colour map, 256 pixels, with the values at its ends and middle."""
+        self._colours = np.ascontiguousarray(colours[::-1, None])
+        self._labels = (high, middle, low)
+        self.update()
+
+    def paintEvent(self, _event: Any) -> None:
+        """Paint the bar and its three labels."""
+        painter = QPainter(self)
+        top, height = 12, self.height() - 24
+        image = QImage(self._colours.data, 1, 256, 4, QImage.Format.Format_RGB32)
+        painter.drawImage(QRect(4, top, BAR, height), image)
+        set_size(painter, 10)
+        align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+        for words, y in zip(self._labels, (top, top + height // 2, top + height), strict=True):
+            painter.drawText(QRect(BAR + 7, y - 8, self.width() - BAR - 7, 16), align, words)
+
 
 LANE_HEIGHT = 22
 COURSE_HEIGHT = 110

@@ -15,9 +15,8 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import grid, label, named, scrolling, silent, tool_button
+from phonemeanalyser.desktop.widgets.builders import grid, label, leave_wheel, named, scrolling, silent, tool_button
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.wheel import leave_wheel
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
 from phonemeengine.presets.controls import Control, ControlGroup, Moment

@@ -1,23 +1,88 @@
-"""The bar above the views: source, play, stop, record, loop, volume, and what belongs to the source."""
+"""The bar above the views: source, play, stop, record, loop, what is played on, and what belongs to the source."""
+
+from functools import partial
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QIcon, QKeySequence, QPainter, QResizeEvent
-from PySide6.QtWidgets import QComboBox, QLabel, QSizePolicy, QSlider, QStackedWidget, QStyle, QToolButton, QWidget
+from PySide6.QtGui import QActionGroup, QColor, QIcon, QKeySequence, QPainter, QResizeEvent
+from PySide6.QtWidgets import (
+    QComboBox,
+    QLabel,
+    QMenu,
+    QSizePolicy,
+    QSlider,
+    QStackedWidget,
+    QStyle,
+    QToolButton,
+    QWidget,
+)
 
-from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar
-from phonemeanalyser.desktop.analyse.transport.output_button import OutputButton
+from phonemeanalyser.desktop.analyse.transport.microphone_bar import MicrophoneBar, RecordButton
 from phonemeanalyser.desktop.analyse.transport.position_slider import PositionSlider
-from phonemeanalyser.desktop.analyse.transport.record_button import RecordButton
 from phonemeanalyser.desktop.analyse.transport.tone_bar import ToneBar
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import format_clock
-from phonemeanalyser.desktop.session.playback import QUIETEST_DB
+from phonemeanalyser.desktop.session.playback import QUIETEST_DB, Playback
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import choice, column, named, row, silent
-from phonemeanalyser.desktop.widgets.still_label import StillLabel
+from phonemeanalyser.desktop.widgets.builders import choice, column, named, open_at_once, row, silent
+from phonemeanalyser.desktop.widgets.labels import StillLabel
 from phonemeengine.settings import Channel
+
+SPEEDS = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25)
+DEFAULT = tr_noop("the system's output")
+
+
+class OutputButton(QToolButton):
+    """Says how loud it plays, in dB, and how fast where that is not as usual; its menu has devices and speeds."""
+
+    def __init__(self, playback: Playback) -> None:
+        super().__init__()
+        self._playback = playback
+        self._menu = QMenu(self)
+        open_at_once(self, self._menu)
+        named(self, tr("output device and speed"), tr("Volume in dB; click for the output device and the speed"))
+        self._menu.aboutToShow.connect(playback.outputs.look)
+        playback.outputs.changed.connect(self._fill)
+        playback.changed.connect(self._show_state)
+        self._fill()
+        self._show_state()
+
+    def _show_state(self) -> None:
+        playback = self._playback
+        volume = tr("silent") if playback.volume <= QUIETEST_DB else f"{playback.volume:.0f} dB".replace("-", "−")
+        speed = "" if playback.speed == 1 else f", {100 * playback.speed:.0f} %"
+        self.setText(f"♪ {volume}{speed}")
+        for action in self._menu.actions():
+            action.setChecked(action.data() in {playback.speed, playback.device})
+
+    def _fill(self) -> None:
+        playback = self._playback
+        self._menu.clear()
+        labels = {"": tr(DEFAULT)} | {device.label: device.label for device in playback.outputs.devices}
+        labels.setdefault(playback.device, tr("{name} (not there)").format(name=playback.device))
+        devices, speeds = QActionGroup(self._menu), QActionGroup(self._menu)
+        for label, text in labels.items():
+            action = self._menu.addAction(text, partial(playback.choose_device, label))
+            action.setCheckable(True)
+            action.setData(label)
+            devices.addAction(action)
+        self._menu.addSeparator()
+        for speed in SPEEDS:
+            action = self._menu.addAction(
+                tr("Speed {percent:.0f} %").format(percent=100 * speed), partial(playback.set_speed, speed)
+            )
+            action.setCheckable(True)
+            action.setData(speed)
+            speeds.addAction(action)
+        self._show_state()
+
+
+def next_speed(speed: float, speeds: tuple[float, ...]) -> float:
+    """Return the speed after this one, in the order given; the last one stays."""
+    nearest = min(range(len(speeds)), key=lambda k: abs(speeds[k] - speed))
+    return speeds[min(nearest + 1, len(speeds) - 1)]
+
 
 LEAST_TIME_WIDTH = 112
 """Of the time, pixels, so that a short one leaves the slider where it is."""

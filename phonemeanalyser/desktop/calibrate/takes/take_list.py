@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.key_filters import give_letters_to_page
-from phonemeanalyser.desktop.widgets.table_copy import let_copy
+from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.takes.take import Take
 
 HEADINGS = (tr_noop("sound"), tr_noop("speaker"), "s", "dB", tr_noop("check"))

@@ -1,13 +1,16 @@
-"""Fits thresholds: begins it, shows how far it is, and what it gained."""
+"""Fits thresholds, shows what that gained, and compares the preset in use with a second one."""
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QProgressBar, QPushButton, QWidget
+from pathlib import Path
 
-from phonemeanalyser.desktop.calibrate.workbench.figures_table import FiguresTable
-from phonemeanalyser.desktop.calibrate.workbench.fit_model import FitModel
-from phonemeanalyser.desktop.language import tr
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QTabWidget, QWidget
+
+from phonemeanalyser.desktop.calibrate.workbench.figures_table import FiguresTable, SegmentList, SegmentRow
+from phonemeanalyser.desktop.calibrate.workbench.fit_model import ComparisonModel, FitModel
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, label, named, row
+from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, row
+from phonemeengine.calibration.scores.comparison import DifferingSegment
 
 
 class FitPanel(QWidget):
@@ -74,3 +77,98 @@ class FitPanel(QWidget):
         self.refuse.clicked.connect(self._fit.refuse)
         for signal in (self._fit.changed, self._fit.searching.changed):
             signal.connect(self.show_state)
+
+
+NONE, OTHER = tr_noop("choose a preset …"), tr_noop("another file …")
+
+
+class ComparePanel(QWidget):
+    """The second preset, both presets' figures, and what only one of them gets right.
+
+    Signals
+    -------
+    file_asked : the user wants to choose a preset's file.
+    play_asked : path, start and end of a stretch.
+    """
+
+    file_asked = Signal()
+    play_asked = Signal(Path, float, float)
+
+    def __init__(self, comparison: ComparisonModel, theme: Theme) -> None:
+        super().__init__()
+        self._comparison = comparison
+        tip = tr("Preset to compare with, on the same takes and recordings")
+        shipped = [(path.stem, path) for path in comparison.shipped()]
+        self.box = choice([(tr(NONE), None), *shipped, (tr(OTHER), "")], tip, tip)
+        self.state = QLabel()
+        self.difference = named(
+            QCheckBox(tr("difference in the matrix")),
+            tip=tr("Show in the matrix how much more often the preset in use gives each answer"),
+        )
+        self.figures = FiguresTable((tr("in use"), tr("second")), theme)
+        self.own = SegmentList(tr("only the preset in use is right"), tr("said, not"))
+        self.others = SegmentList(tr("only the second preset is right"), tr("said, not"))
+        self.tabs = QTabWidget()
+        self.tabs.tabBar().setAccessibleName(tr("pages of the comparison"))
+        self._lay_out()
+        self._connect()
+        self._show()
+
+    def offer(self, path: Path) -> None:
+        """Choose a preset's file."""
+        if self.box.findData(path) < 0:
+            self.box.insertItem(self.box.count() - 1, path.stem, path)
+        self.box.setCurrentIndex(self.box.findData(path))
+        self._comparison.choose(path)
+
+    def _lay_out(self) -> None:
+        self.tabs.addTab(self.figures, tr("figures"))
+        self.tabs.addTab(self.own, tr("only this right"))
+        self.tabs.addTab(self.others, tr("only the second right"))
+        above = row((self.box, 1), self.state, self.difference)
+        column(above, (self.tabs, 1), on=self, margins=(6, 6, 6, 4))
+        self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+
+    def _connect(self) -> None:
+        self.box.activated.connect(self._choose)
+        self._comparison.changed.connect(self._show)
+        self._comparison.measuring.changed.connect(self._show_measuring)
+        for view in (self.own, self.others):
+            view.play_asked.connect(self.play_asked)
+
+    def _show_measuring(self) -> None:
+        measuring = self._comparison.measuring
+        self.state.setText(
+            tr("measuring {percent:.0f} %").format(percent=100 * measuring.progress) if measuring.busy else ""
+        )
+
+    def _choose(self, index: int) -> None:
+        data = self.box.itemData(index)
+        if data == "":
+            self.box.setCurrentIndex(0)
+            self.file_asked.emit()
+        else:
+            self._comparison.choose(data)
+
+    def _show(self) -> None:
+        comparison, preset = self._comparison.result, self._comparison.preset
+        self.difference.setEnabled(comparison is not None)
+        if preset is None:
+            self.box.setCurrentIndex(0)
+        self.figures.set_columns((tr("in use"), preset.name if preset is not None else tr("second")))
+        if comparison is None:
+            self.figures.show_scores((None, None))
+            self.own.show_rows(())
+            self.others.show_rows(())
+            return
+        self.figures.show_scores((comparison.one.overall.scores, comparison.other.overall.scores))
+        self.own.show_rows([_row_of(stretch) for stretch in comparison.stretches_one])
+        self.others.show_rows([_row_of(stretch) for stretch in comparison.stretches_other])
+        for k, counts in ((1, comparison.only_one), (2, comparison.only_other)):
+            text = tr("only this right: {seconds:.1f} s") if k == 1 else tr("only the second right: {seconds:.1f} s")
+            self.tabs.setTabText(k, text.format(seconds=int(counts.sum()) / 100))
+
+
+def _row_of(stretch: DifferingSegment) -> SegmentRow:
+    words = f"{stretch.label.label}, {stretch.wrong.label}"
+    return SegmentRow(stretch.utterance.path, stretch.start, stretch.end, words)

@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, silent, style_list, tab_buttons
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
-from phonemeanalyser.desktop.widgets.table_copy import let_copy
+from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
 from phonemeengine.features.variables import Variable
 from phonemeengine.phonemes import Phoneme

@@ -7,18 +7,15 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLabel, QSplitter, QTabWidget, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.calibrate.workbench.compare_panel import ComparePanel
-from phonemeanalyser.desktop.calibrate.workbench.confusion_view import ConfusionView
+from phonemeanalyser.desktop.calibrate.workbench.confusion_view import ConfusionTimeline, ConfusionView
 from phonemeanalyser.desktop.calibrate.workbench.distribution import DistributionView
-from phonemeanalyser.desktop.calibrate.workbench.fit_panel import FitPanel
-from phonemeanalyser.desktop.calibrate.workbench.segment_list import SegmentList, SegmentRow
-from phonemeanalyser.desktop.calibrate.workbench.timeline import ConfusionTimeline
+from phonemeanalyser.desktop.calibrate.workbench.figures_table import SegmentList, SegmentRow
+from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel, FitPanel
 from phonemeanalyser.desktop.calibrate.workbench.variables_panel import VariablesPanel
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, label, named, row
-from phonemeanalyser.desktop.widgets.scrolled import Scrolled
+from phonemeanalyser.desktop.widgets.builders import Scrolled, column, label, named, row
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.presets.ears import ear_in_words, for_files
 from phonemeengine.settings import FRAME_PERIOD, Ear

@@ -1,4 +1,4 @@
-"""Whose face it is: the head that ships with the program, or a mesh and movestates of the user's own."""
+"""Whose face it is, the program's own or a mesh of the user's; and a head that says with it what is heard."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -13,10 +13,12 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
-from phonemeengine.mouth.gaze import EYES
+from phonemeengine.mouth.gaze import EYES, Gaze, gaze_weights
 from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.movestate import MOST_PERCENT, MovestateSet
+from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
 
 MOST_WEIGHT = MOST_PERCENT / 100
@@ -178,3 +180,56 @@ def _loaded(files: FaceFiles) -> MorphMesh:
 def _plain(name: str) -> str:
     """Return a name as it is whoever wrote it: jawOpen, JawOpen and jaw_open are one."""
     return "".join(filter(str.isalnum, name)).casefold()
+
+
+LEAST_WEIGHT, LEAST_ANGLE = 0.002, 0.04
+"""What is no change that anybody sees: of a weight, and of the head's pose in degrees."""
+
+
+class MovingHead:
+    """Shows on a face what a performer says.
+
+    Attributes
+    ----------
+    face : that is moved.
+    performer : says what is heard.
+    pose : how the head is turned.
+    revision : another number whenever it looks different.
+    caption : what moves it, in words; empty where that goes without saying.
+    notes : what it lacks for what is said, a sentence each.
+    """
+
+    def __init__(self, face: FaceModel, table: MouthTable, idle: IdleMotion) -> None:
+        self.face = face
+        self.performer = Performer(table, idle)
+        self.pose = HeadPose()
+        self.revision = 0
+        self.caption = ""
+        self.notes: tuple[str, ...] = ()
+        self._seen: Float32Array = np.zeros(0, np.float32)
+        self._gaze, self._looks = Gaze(idle.seed), idle.blinks
+
+    def configure(self, table: MouthTable, idle: IdleMotion) -> None:
+        """Go on with another table, or with other motion."""
+        self.performer.configure(table, idle)
+        self._looks = idle.blinks
+        self.face.set_table(table)
+        self._seen = np.zeros(0, np.float32)
+
+    def move(self, now: float) -> None:
+        """Show the face as it is at a time on the performer's clock."""
+        if self.face.states is None:
+            return
+        _, weights, closure, pose = self.performer.at(now)
+        eyes = gaze_weights(self._gaze.at(now), pose) if self._looks else {}
+        look = np.array([*weights, closure, *eyes.values(), pose.yaw, pose.pitch, pose.roll], np.float32)
+        if len(look) == len(self._seen):
+            change = np.abs(look - self._seen)
+            if change[:-3].max() < LEAST_WEIGHT and change[-3:].max() < LEAST_ANGLE:
+                return
+        self._seen, self.pose = look, pose
+        self.face.move(weights)
+        self.face.blink(closure)
+        if eyes:
+            self.face.look(eyes)
+        self.revision += 1

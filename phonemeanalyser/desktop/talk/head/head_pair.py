@@ -5,12 +5,12 @@ from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.talk.head.face_model import MovingHead
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
-from phonemeanalyser.desktop.talk.head.moving_head import MovingHead
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import column, named, row
-from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 
 class CaptionedHead(QWidget):

@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWh
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.talk.head.face_model import MovingHead
 from phonemeanalyser.desktop.talk.head.head_surface import (
     GlSurface,
     PictureSurface,
@@ -16,7 +17,6 @@ from phonemeanalyser.desktop.talk.head.head_surface import (
     has_graphics_card,
     load_rendering,
 )
-from phonemeanalyser.desktop.talk.head.moving_head import MovingHead
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of

@@ -15,7 +15,6 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.drivers.original_model import OriginalModel
 from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound
-from phonemeanalyser.desktop.talk.words.running_speech import RunningSpeech
 from phonemeanalyser.desktop.talk.words.scripts import (
     FoundWords,
     ScriptedSound,
@@ -25,7 +24,7 @@ from phonemeanalyser.desktop.talk.words.scripts import (
     words_in,
     write_speech,
 )
-from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, SoundWords
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text

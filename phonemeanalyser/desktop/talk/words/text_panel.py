@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words.words_view import WordsTimeline
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, named, offer, row, silent, spoken_button
-from phonemeanalyser.desktop.widgets.elided_label import ElidedLabel
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 N_LINES = 2
 NO_LANGUAGE = tr_noop("language?")

@@ -1,0 +1,48 @@
+"""Labels: one that gives way where it has no room, and one whose text changes all the time."""
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QLabel
+
+
+class ElidedLabel(QLabel):
+    """A label that shows as much of its text as there is room for, and makes no window wider."""
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for no width."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def sizeHint(self) -> QSize:
+        """Ask for no width."""
+        return QSize(0, super().sizeHint().height())
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Write the text, with an ellipsis where it does not fit."""
+        room = self.contentsRect()
+        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, room.width())
+        QPainter(self).drawText(room, self.alignment(), text)
+
+
+class StillLabel(QLabel):
+    """A label that has the window laid out anew only where its text needs another size.
+
+    Any other label asks for that with each text, and Qt asks for the size of everything around it then; a label of
+    fixed size does not.
+
+    Parameters
+    ----------
+    least_width : as wide it is at least, pixels.
+    """
+
+    def __init__(self, least_width: int = 0) -> None:
+        super().__init__()
+        self._least = QSize(least_width, 0)
+
+    def setText(self, text: str) -> None:
+        """Write a text; one that is there already costs nothing."""
+        if text == self.text():
+            return
+        super().setText(text)
+        needed = self.sizeHint().expandedTo(self._least)
+        if needed != self.minimumSize():
+            self.setFixedSize(needed)
