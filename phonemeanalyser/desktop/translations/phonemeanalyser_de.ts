@@ -114,7 +114,7 @@
             <translation>&lt;b&gt;Takes&lt;/b&gt;</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>&lt;b&gt;Taking {phoneme}&lt;/b&gt;: let go when it is said</source>
             <translation>&lt;b&gt;{phoneme} wird aufgenommen&lt;/b&gt;: loslassen, wenn es gesagt ist</translation>
         </message>
@@ -159,7 +159,7 @@
             <translation>eine blaue Linie, 0 bis 500 Hz vom unteren bis zum oberen Rand</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/latency_test.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>A click comes back after {ms:.0f} ms ({n_heard} of {n_played} heard, within {spread:.0f} ms of each other); {share}.</source>
             <translation>Ein Klick kommt nach {ms:.0f} ms zurück ({n_heard} von {n_played} gehört, mit {spread:.0f} ms Streuung); {share}.</translation>
         </message>
@@ -479,7 +479,7 @@
             <translation>Ärger</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>another file …</source>
             <translation>eine andere Datei …</translation>
         </message>
@@ -574,12 +574,12 @@
             <translation>Attack</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/times_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>attack and release of each sound</source>
             <translation>Attack und Release jedes Lautes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/times_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Attack: until the mouth has gone nine tenths of the way to the sound’s shape. Release: nine tenths of the way back, when silence follows. They stand under [times] in the table: copy one from {tables}, change it, and choose it as your own table.</source>
             <translation>Attack: bis der Mund neun Zehntel des Weges zur Form des Lautes gegangen ist. Release: neun Zehntel des Weges zurück, wenn Stille folgt. Beide stehen unter [times] in der Tabelle: eine aus {tables} kopieren, ändern und als eigene Tabelle wählen.</translation>
         </message>
@@ -944,7 +944,7 @@
             <translation>Wahl unter Aufzeichnungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>choose a preset …</source>
             <translation>ein Preset wählen …</translation>
         </message>
@@ -954,7 +954,7 @@
             <translation>einen Take wählen und zuschneiden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Choose Folder…</source>
             <translation>Ordner wählen…</translation>
         </message>
@@ -1004,12 +1004,12 @@
             <translation>Eine Zelle der Matrix anklicken, um ihren Inhalt aufzulisten.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/segment_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Click a stretch to hear it, or choose one and press Return</source>
             <translation>Eine Strecke anklicken, um sie zu hören, oder eine wählen und Return drücken</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>Click a stretch to hear it; the wheel zooms at the pointer, a drag scrolls</source>
             <translation>Klick auf ein Stück spielt es; das Rad zoomt am Mauszeiger, Ziehen rollt</translation>
         </message>
@@ -1129,7 +1129,7 @@
             <translation>{n} Frames kopiert; eine Tabellenkalkulation nimmt sie an.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>Copy</source>
             <translation>Kopieren</translation>
         </message>
@@ -1144,12 +1144,12 @@
             <translation>Bild kopieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/widgets/table_copy.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/plot_menu.py" />
             <source>Copy Table</source>
             <translation>Tabelle kopieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>Copy the table, with tabs between the columns</source>
             <translation>Die Tabelle kopieren, mit Tabulatoren zwischen den Spalten</translation>
         </message>
@@ -1279,7 +1279,7 @@
             <translation>Detail</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>difference in the matrix</source>
             <translation>Unterschied in der Matrix</translation>
         </message>
@@ -1409,7 +1409,7 @@
             <translation>Die Anleitung beenden und ihre Takes löschen; Strg+Z holt sie zurück (Esc)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>End the recording (R)</source>
             <translation>Aufnahme beenden (R)</translation>
         </message>
@@ -1569,17 +1569,17 @@
             <translation>Furcht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Fetch It (145 MB)</source>
             <translation>Holen (145 MB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Fetching the model, 145 MB …</source>
             <translation>Modell wird geholt, 145 MB …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>figures</source>
             <translation>Zahlen</translation>
         </message>
@@ -1594,12 +1594,12 @@
             <translation>Dateien</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Files are heard best by the network and the encoder of Whisper base together, which knows very many voices. It works on this computer, takes 400 MB of memory, and helps where all of a file is recognised at once: saved, exported, or aligned with its text.</source>
             <translation>Am besten werden Dateien vom Netz und dem Encoder von Whisper base gemeinsam erkannt, denn der kennt sehr viele Stimmen. Er arbeitet auf diesem Computer, braucht 400 MB Speicher und hilft dort, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, beim Exportieren und beim Ausrichten an einem Text.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Fill Gaps with Silence, Besides Marking Them</source>
             <translation>Lücken mit Stille füllen und markieren</translation>
         </message>
@@ -1675,7 +1675,7 @@
             <translation>Fünf Mundformen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>FLAC, half the size</source>
             <translation>FLAC, halb so groß</translation>
         </message>
@@ -1705,7 +1705,7 @@
             <translation>Für</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Forget the Folder</source>
             <translation>Ordner vergessen</translation>
         </message>
@@ -1740,7 +1740,7 @@
             <translation>Frames richtig, zehn Laute</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>Frames that were analysed but never drawn: the machine has too much to do</source>
             <translation>Frames, die analysiert, aber nie gezeichnet wurden: Der Computer hat zu viel zu tun</translation>
         </message>
@@ -1820,7 +1820,7 @@
             <translation>von </translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/segment_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>from (s)</source>
             <translation>von (s)</translation>
         </message>
@@ -1830,7 +1830,7 @@
             <translation>Von einem Laut bis zu seinem Phonem auf dem Bildschirm, im Mittel, jetzt gemessen: {shares} ms. Ein Bild, das um mehr als 45 ms nachhinkt, fällt auf, und ab 90 ms stört es (ITU-R BT.1359).</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>frozen</source>
             <translation>eingefroren</translation>
         </message>
@@ -1865,7 +1865,7 @@
             <translation>Deutsch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Go On with the Default Microphone if It Vanishes</source>
             <translation>Mit dem Standardmikrofon weitermachen, wenn es verschwindet</translation>
         </message>
@@ -1985,7 +1985,7 @@
             <translation>Gehört mit</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the root mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the frames.</source>
             <translation>Erkannt mit dem Preset {preset}. Grundfrequenz und Formanten gelten für die Frames mit Grundfrequenz; Pegel sind der Effektivwert (Mittel) und der größte Abtastwert (Max), dB unter Vollaussteuerung; Phoneme sind Anteile der Frames.</translation>
         </message>
@@ -1995,12 +1995,12 @@
             <translation>gehört mit: {ear}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>heard {name}</source>
             <translation>gehört: {name}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>heard {name} and {n} more</source>
             <translation>gehört: {name} und {n} weitere</translation>
         </message>
@@ -2035,12 +2035,12 @@
             <translation>Halt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Hold a key while its sound is heard</source>
             <translation>Taste halten, solange der Laut klingt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Hold a key, or a button, and say the sound</source>
             <translation>Taste halten und den Laut sprechen</translation>
         </message>
@@ -2055,7 +2055,7 @@
             <translation>das a aus „Vater“ halten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Hold the button, or the key {key}, while you say {name}; or while it is heard in the file that plays</source>
             <translation>Die Schaltfläche oder die Taste {key} halten, solange {name} gesprochen wird; oder solange es in der laufenden Datei zu hören ist</translation>
         </message>
@@ -2130,7 +2130,7 @@
             <translation>HOST:PORT, auf dem andere Programme gehört werden, zum Beispiel 127.0.0.1:39540</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>HOST:PORT of the program that shall receive the mouth, such as 127.0.0.1:39539</source>
             <translation>HOST:PORT des Programms, das den Mund empfangen soll, zum Beispiel 127.0.0.1:39539</translation>
         </message>
@@ -2215,7 +2215,7 @@
             <translation>Wie oft die Antwort wechselt: Flackern, wo die Beschriftung seltener wechselt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>how right it is then was not measured</source>
             <translation>wie richtig es dann ist, wurde nicht gemessen</translation>
         </message>
@@ -2260,12 +2260,12 @@
             <translation>Einzelne Buchstaben, Entf, F2 und Tasten mit Umschalt aus den Menüs wirken nur auf der Seite Analysieren. Hat eine Liste, eine Zahl oder ein Text den Fokus, gehören Buchstaben dorthin: zum Verlassen in ein Diagramm klicken.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>in use</source>
             <translation>benutzt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>In use: {words}.</source>
             <translation>In Gebrauch: {words}.</translation>
         </message>
@@ -2495,7 +2495,7 @@
             <translation>Größter, mittlerer und kleinster Wert der Variable über alles, was seit dem Leeren (oder Öffnen) gehört wurde, wie lange es auch her ist; was ein Sprung in einer Pause nur zeigt, zählt nicht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>Late: from a sound to its phoneme on the screen, as this machine measured it since the start, with the microphone that was heard last. Macro F1 and right mouth shapes: of speakers whom the model did not learn from, as its training measured them.</source>
             <translation>Verspätung: von einem Laut bis zu seinem Phonem auf dem Bildschirm, seit dem Start auf diesem Computer gemessen, mit dem zuletzt gehörten Mikrofon. Makro-F1 und richtige Mundformen: bei Sprechern, von denen das Modell nicht gelernt hat, wie beim Training gemessen.</translation>
         </message>
@@ -2685,7 +2685,7 @@
             <translation>Hören (OSC) auf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>listen to see how late</source>
             <translation>zuhören zeigt, wie spät</translation>
         </message>
@@ -2695,7 +2695,7 @@
             <translation>Zuhören oder das Mikrofon freigeben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>listening</source>
             <translation>hört zu</translation>
         </message>
@@ -2795,7 +2795,7 @@
             <translation>logarithmische Skala</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Long Buffer: Blocks of 50 ms, for a Busy Machine</source>
             <translation>Langer Puffer: Blöcke von 50 ms, für einen ausgelasteten Computer</translation>
         </message>
@@ -2840,7 +2840,7 @@
             <translation>Vorausschau</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Looking for the model …</source>
             <translation>Modell wird gesucht …</translation>
         </message>
@@ -2955,7 +2955,7 @@
             <translation>Strecke: Anfang, Ende markieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Marked &lt;b&gt;{start} – {end} s&lt;/b&gt;: choose its sound</source>
             <translation>Markiert: &lt;b&gt;{start} – {end} s&lt;/b&gt;; Laut wählen</translation>
         </message>
@@ -3015,7 +3015,7 @@
             <translation>misst seine Latenz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>measuring {percent:.0f} %</source>
             <translation>misst {percent:.0f} %</translation>
         </message>
@@ -3035,7 +3035,7 @@
             <translation>Median</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Medium Buffer: Blocks of 20 ms</source>
             <translation>Mittlerer Puffer: Blöcke von 20 ms</translation>
         </message>
@@ -3165,7 +3165,7 @@
             <translation>Movestates</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>movestates that are sent</source>
             <translation>Movestates, die gesendet werden</translation>
         </message>
@@ -3190,7 +3190,7 @@
             <translation>benennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
             <source>Names in the labels</source>
             <translation>Namen in den Beschriftungen</translation>
         </message>
@@ -3525,7 +3525,7 @@
             <translation>Ein Kopf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>only the preset in use is right</source>
             <translation>nur das benutzte Preset hat recht</translation>
         </message>
@@ -3535,27 +3535,27 @@
             <translation>nur das Platzen der Lippen, rasch, ohne Vokal danach</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>only the second preset is right</source>
             <translation>nur das zweite Preset hat recht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>only the second right</source>
             <translation>nur das zweite richtig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>only the second right: {seconds:.1f} s</source>
             <translation>nur das zweite richtig: {seconds:.1f} s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>only this right</source>
             <translation>nur dieses richtig</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>only this right: {seconds:.1f} s</source>
             <translation>nur dieses richtig: {seconds:.1f} s</translation>
         </message>
@@ -3630,12 +3630,12 @@
             <translation>das Mikrofon wird geöffnet</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Opening the model …</source>
             <translation>Modell wird geöffnet …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>opening …</source>
             <translation>wird geöffnet …</translation>
         </message>
@@ -3665,7 +3665,7 @@
             <translation>andere auf 0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>output device and speed</source>
             <translation>Ausgabegerät und Tempo</translation>
         </message>
@@ -3690,7 +3690,7 @@
             <translation>eigene Tabelle …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>pages of the comparison</source>
             <translation>Seiten des Vergleichs</translation>
         </message>
@@ -3900,7 +3900,7 @@
             <translation>Notizen zum Preset…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Preset to compare with, on the same takes and recordings</source>
             <translation>Preset zum Vergleichen, auf denselben Takes und Aufnahmen</translation>
         </message>
@@ -4041,7 +4041,7 @@
             <translation>bereit?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>receiver of the OSC messages</source>
             <translation>Empfänger der OSC-Nachrichten</translation>
         </message>
@@ -4051,7 +4051,7 @@
             <translation>Zuletzt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>recognised</source>
             <translation>erkannt</translation>
         </message>
@@ -4086,12 +4086,12 @@
             <translation>Aufnehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>record</source>
             <translation>aufnehmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>record a take of {name}</source>
             <translation>einen Take von {name} aufnehmen</translation>
         </message>
@@ -4111,7 +4111,7 @@
             <translation>Verteilungen erscheinen mit Takes oder Aufnahmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Record the microphone into {folder} (R)</source>
             <translation>Das Mikrofon nach {folder} aufnehmen (R)</translation>
         </message>
@@ -4141,7 +4141,7 @@
             <translation>{seconds:.1f} s aufgenommen in {path}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/segment_list.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>recording</source>
             <translation>Aufnahme</translation>
         </message>
@@ -4151,7 +4151,7 @@
             <translation>Ordner für Aufnahmen…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Recordings Go to {folder}…</source>
             <translation>Aufnahmen kommen nach {folder}…</translation>
         </message>
@@ -4351,12 +4351,12 @@
             <translation>Russisch (Lettland)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>said</source>
             <translation>gesagt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/timeline.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>said and recognised</source>
             <translation>gesagt und erkannt</translation>
         </message>
@@ -4366,7 +4366,7 @@
             <translation>gesagt ↓</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>said, not</source>
             <translation>gesagt, nicht</translation>
         </message>
@@ -4626,7 +4626,7 @@
             <translation>Die Suche läuft; währenddessen kann weitergearbeitet werden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>second</source>
             <translation>zweites</translation>
         </message>
@@ -4671,12 +4671,12 @@
             <translation>Auswahl</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Send phonemes, mouth shapes and the weights of the movestates over the network, as OSC messages of the VMC protocol, which VTuber programs understand</source>
             <translation>Phoneme, Mundformen und die Gewichte der Movestates über das Netzwerk senden, als OSC-Nachrichten des VMC-Protokolls, das VTuber-Programme verstehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Send the mouth (OSC) to</source>
             <translation>Mund senden (OSC) an</translation>
         </message>
@@ -4781,7 +4781,7 @@
             <translation>Wird für {target} nach {folder} ausgeliefert …</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Short Buffer: Blocks of 10 ms, the Least Latency</source>
             <translation>Kurzer Puffer: Blöcke von 10 ms, geringste Latenz</translation>
         </message>
@@ -4806,7 +4806,7 @@
             <translation>Einen zweiten Kopf im Takt zeigen, der anders bewegt wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/compare_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Show in the matrix how much more often the preset in use gives each answer</source>
             <translation>In der Matrix zeigen, wie viel häufiger das benutzte Preset jede Antwort gibt</translation>
         </message>
@@ -4846,7 +4846,7 @@
             <translation>Stumm</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>silent</source>
             <translation>stumm</translation>
         </message>
@@ -4951,7 +4951,7 @@
             <translation>Laut des Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
             <source>sound of {name}</source>
             <translation>Laut von {name}</translation>
         </message>
@@ -4961,7 +4961,7 @@
             <translation>Laut, der unterschieden werden soll</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>Sound that never came from the microphone, since listening began</source>
             <translation>Klang, der seit Beginn des Zuhörens nie vom Mikrofon ankam</translation>
         </message>
@@ -5051,7 +5051,7 @@
             <translation>Sprache als Stille</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>Speech Encoder</source>
             <translation>Sprach-Encoder</translation>
         </message>
@@ -5066,7 +5066,7 @@
             <translation>Vorrang der Sprache</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Speed {percent:.0f} %</source>
             <translation>Tempo {percent:.0f} %</translation>
         </message>
@@ -5256,7 +5256,7 @@
             <translation>Das kalibrierte Preset ist in Gebrauch, aber noch nicht gespeichert.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/latency_test.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>the card does not tell which part of it is the microphone's</source>
             <translation>die Karte verrät nicht, welcher Teil davon auf das Mikrofon fällt</translation>
         </message>
@@ -5316,7 +5316,7 @@
             <translation>Der Ordner der Takes</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>The folder with model.bin and config.json of Whisper base</source>
             <translation>Der Ordner mit model.bin und config.json von Whisper base</translation>
         </message>
@@ -5371,7 +5371,7 @@
             <translation>die der Sprache</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/latency_test.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>The latency was not measured: {why}.</source>
             <translation>Die Latenz wurde nicht gemessen: {why}.</translation>
         </message>
@@ -5381,12 +5381,12 @@
             <translation>der wahrscheinlichste gilt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>The marked stretch of the file begins where the file stands ([)</source>
             <translation>Die markierte Strecke beginnt, wo die Datei steht ([)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/record_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>The marked stretch of the file ends where the file stands (])</source>
             <translation>Die markierte Strecke endet, wo die Datei steht (])</translation>
         </message>
@@ -5426,7 +5426,7 @@
             <translation>Das Mikrofon, nach Name und Tonsystem: {name}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/osc_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>The movestates of the avatar that receives them: those of the head’s table, or another set</source>
             <translation>Die Movestates des Avatars, der sie empfängt: die der Tabelle des Kopfes oder ein anderer Satz</translation>
         </message>
@@ -5466,12 +5466,12 @@
             <translation>Das Phonem jetzt, seine Intensität, wie sicher es ist (von hundert Antworten mit 80 % Sicherheit sind achtzig richtig), wie oft das Phonem in den letzten drei Sekunden wechselte, die Maße seines Fensters von 46 ms: zc (Nulldurchgänge darin), vol (Spitzenpegel, Vollaussteuerung 1), e (Energie: Summe der Amplituden vor Entrauschen und Normieren), f(g) (Grundfrequenz einer Stimme, 60 bis 500 Hz; ein höherer Ton hat keine), und was jede Regel sagte, bis zu der, die zutraf</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/phoneme_chip.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>the phoneme that is heard</source>
             <translation>das gehörte Phonem</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/phoneme_chip.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>The phoneme that is heard now, and its intensity</source>
             <translation>Das Phonem, das jetzt zu hören ist, und seine Intensität</translation>
         </message>
@@ -5556,7 +5556,7 @@
             <translation>dasselbe ohne die Seite, als npm-Paket</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_input.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>the sender has stopped</source>
             <translation>Sender hat aufgehört</translation>
         </message>
@@ -5596,7 +5596,7 @@
             <translation>Die Strecke aus {path} dauert {seconds:.2f} s; eine längere markieren.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>the system's output</source>
             <translation>Ausgabe des Systems</translation>
         </message>
@@ -5636,7 +5636,7 @@
             <translation>Der senkrechte Maßstab folgt der Lautstärke; der Regler daneben beendet das</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>The views stand still while sound goes on; click, or press F, and they go on</source>
             <translation>Die Ansichten stehen still, während der Klang weitergeht; ein Klick oder F lässt sie weiterlaufen</translation>
         </message>
@@ -5716,12 +5716,12 @@
             <translation>es gibt kein Mikrofon; eines anschließen oder prüfen, ob das Tonsystem läuft</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/encoder_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
             <source>there is no model yet: fetch it, or choose the folder of one that you have</source>
             <translation>Es gibt noch kein Modell: eines holen oder den Ordner eines vorhandenen wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/second_preset.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/whole_file.py" />
             <source>There is no second preset yet; choose one by Analysis &gt; Second Preset.</source>
             <translation>Es gibt noch kein zweites Preset; eines wählen mit Analyse &gt; Zweites Preset.</translation>
         </message>
@@ -5756,7 +5756,7 @@
             <translation>Es gibt noch nichts zu durchsuchen; Takes aufnehmen oder beschriftete Aufnahmen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
             <source>These names stand for no sound that is known here. Say what each one is; what stays unidentified counts neither as right nor as wrong.</source>
             <translation>Diese Namen stehen für keinen hier bekannten Laut. Bitte sagen, was jeder ist; was unbekannt bleibt, zählt weder als richtig noch als falsch.</translation>
         </message>
@@ -5961,7 +5961,7 @@
             <translation>Rückgängig machen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>unheard speakers: macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %</source>
             <translation>ungehörte Sprecher: Makro-F1 {macro_f1:.2f}, richtige Mundformen {percent:.0f} %</translation>
         </message>
@@ -6076,7 +6076,7 @@
             <translation>Vietnamesisch (Süden)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>views stand still</source>
             <translation>die Ansichten stehen still</translation>
         </message>
@@ -6111,7 +6111,7 @@
             <translation>Lautstärke</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/output_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Volume in dB; click for the output device and the speed</source>
             <translation>Lautstärke in dB; klicken für Ausgabegerät und Tempo</translation>
         </message>
@@ -6151,7 +6151,7 @@
             <translation>Demo ansehen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>WAV, RF64 beyond 4 GB</source>
             <translation>WAV, RF64 über 4 GB</translation>
         </message>
@@ -6181,7 +6181,7 @@
             <translation>was aus einem Klang wird</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>What became of the file meanwhile</source>
             <translation>Was inzwischen aus der Datei wurde</translation>
         </message>
@@ -6261,7 +6261,7 @@
             <translation>Was der gewählte Take ist: einen anderen Laut wählen, um ihn umzubenennen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>what was measured</source>
             <translation>Messwerte</translation>
         </message>
@@ -6446,7 +6446,7 @@
             <translation>eine dafür schreiben, als eigene Tabelle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/transport/record_button.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Write the Phonemes Beside It (.csv)</source>
             <translation>Phoneme daneben schreiben (.csv)</translation>
         </message>
@@ -6541,12 +6541,12 @@
             <translation>{minutes:.1f} min in {n} Aufnahmen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>{ms:.0f} ms ahead</source>
             <translation>{ms:.0f} ms voraus</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>{ms:.0f} ms late here</source>
             <translation>hier {ms:.0f} ms verspätet</translation>
         </message>
@@ -6556,7 +6556,7 @@
             <translation>{ms:.0f} ms verspätet, {judgement}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/latency_test.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
             <source>{ms:.0f} ms of it are the microphone's, and the status line now counts with them</source>
             <translation>{ms:.0f} ms davon fallen auf das Mikrofon, und die Statuszeile rechnet jetzt damit</translation>
         </message>
@@ -6681,7 +6681,7 @@
             <translation>{n} passt schlecht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>{n} frames not drawn</source>
             <translation>{n} Frames nicht gezeichnet</translation>
         </message>
@@ -6696,7 +6696,7 @@
             <translation>{n} Beschriftungsdateien für {program} liegen neben den Takes in {folder}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/recordings_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_model.py" />
             <source>{n} labelled recordings were loaded.</source>
             <translation>{n} beschriftete Aufnahmen wurden geladen.</translation>
         </message>
@@ -6716,7 +6716,7 @@
             <translation>{n} Punkte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/recordings_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_model.py" />
             <source>{n} sounds were left out; {refusal}</source>
             <translation>{n} Klänge wurden ausgelassen; {refusal}</translation>
         </message>
@@ -6781,7 +6781,7 @@
             <translation>{preset}, wie es gerade ist</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/look_ahead_slider.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>{recogniser} never waits</source>
             <translation>{recogniser} wartet nie</translation>
         </message>
@@ -6841,7 +6841,7 @@
             <translation>{seconds:.1f} s, Aufnahmen: {n}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/state_chips.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>{seconds:.2f} s lost</source>
             <translation>{seconds:.2f} s verloren</translation>
         </message>
@@ -6861,7 +6861,7 @@
             <translation>{start:.2f} – {end:.2f} s von {duration:.2f} s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/measurement_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/selection_dialogs.py" />
             <source>{start:.3f} to {end:.3f} s of {sound}</source>
             <translation>{start:.3f} bis {end:.3f} s von {sound}</translation>
         </message>
