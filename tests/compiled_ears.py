@@ -16,10 +16,10 @@ import pytest
 from numpy.typing import NDArray
 
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.shipping import folder
+from phonemeengine.shipping import targets
 from tests.sounds import Sound
 
-SOURCES = Path(folder.__file__).parent / "c"
+SOURCES = Path(targets.__file__).parent / "c"
 COMPILERS = "gcc", "clang"
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
 SANITIZED = (

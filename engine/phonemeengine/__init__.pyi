@@ -53,7 +53,7 @@ from .features.front_end import FrameBlock as FrameBlock
 from .features.measure import Features as Features
 from .features.variables import Variable as Variable
 from .inspection.measurement import measure as measure
-from .inspection.preset_difference import difference as difference
+from .inspection.whole_sound import difference as difference
 from .labels.label import Label as Label
 from .labels.phoneme_map import PhonemeMap as PhonemeMap
 from .labels.phoneme_map import load_phoneme_map as load_phoneme_map
@@ -94,8 +94,8 @@ from .mouth.movestate import Movestate as Movestate
 from .mouth.movestate import MovestateSet as MovestateSet
 from .mouth.movestate import movestate_at as movestate_at
 from .mouth.movestate import movestate_of as movestate_of
+from .mouth.osc import OscExpression as OscExpression
 from .mouth.osc import OscMouth as OscMouth
-from .mouth.osc_expression import OscExpression as OscExpression
 from .mouth.performer import IdleMotion as IdleMotion
 from .mouth.performer import MouthTrack as MouthTrack
 from .mouth.performer import Performer as Performer
@@ -133,9 +133,9 @@ from .settings import AnalysisSettings as AnalysisSettings
 from .settings import Channel as Channel
 from .settings import Ear as Ear
 from .settings import Filter as Filter
-from .shipping.folder import ship as ship
-from .speech.pinyin.plan import format_plan as format_plan
+from .shipping.targets import ship as ship
 from .speech.pinyin.table import PinyinTable as PinyinTable
+from .speech.pinyin.timing import format_plan as format_plan
 from .speech.pinyin.track import pinyin_track as pinyin_track
 from .speech.program import speak_by_program as speak_by_program
 from .speech.silent import SilentText as SilentText

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr, UInt8Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.intake import SampleIntake
+from phonemeengine.audio.resampling import SampleIntake
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.mel import spread_mel
 from phonemeengine.errors import SettingsError
@@ -26,10 +26,10 @@ from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.intensity import intensities_of
 from phonemeengine.recognition.plug_ins import completed
 from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import scores_in, separations_of
+from phonemeengine.recognition.segments import intensities_of
 from phonemeengine.recognition.smoothing import PhonemeSmoother, VisemeSmoother
 from phonemeengine.recognition.spec import Finishing, Joining, Recogniser, spec_of
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW, AnalysisSettings

@@ -5,7 +5,7 @@ They are too many for the memory of a small machine, and several trainings share
 
 import json
 import os
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
 from dataclasses import asdict, dataclass, replace
@@ -19,12 +19,50 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import N_HEARD, TrainingExample, example_of, sound_of
 from phonemeengine.dsp.log_mel import N_BANDS
-from phonemeengine.errors import EngineError
+from phonemeengine.errors import CorpusError, EngineError
 from phonemeengine.execution import end_with_parent
 from phonemeengine.labels.label import Label
-from phonemeengine.storage.files import atomic_write
-from phonemetraining.augment_waveform import Augmentation, augment, draw_augmentation
-from phonemetraining.soft_labels import SoftLabels, key_of
+from phonemeengine.storage.files import atomic_write, reason_of
+from phonemetraining.augmentation import Augmentation, augment, draw_augmentation
+
+# Soft labels: what a teacher that knows many more voices heard in recordings, kept on disk.
+
+SOFT_LABELS, HEAD = "heard.npz", "head.npz"
+"""Files of what the teacher heard, and of a head that heard all."""
+
+SoftLabels = Mapping[str, NDArray[np.float16]]
+"""By the key of the recording: shape (n_frames, 26), frames of 10 ms."""
+
+
+def key_of(utterance: LabelledUtterance) -> str:
+    """Return the name of a recording among the soft labels: corpus/speaker/file, without the file's ending."""
+    return f"{utterance.voice}/{utterance.path.stem}"
+
+
+def save_soft_labels(soft_labels: SoftLabels, path: Path) -> None:
+    """Write soft labels into an ``.npz``."""
+    np.savez(path, allow_pickle=False, **soft_labels)
+
+
+def load_soft_labels(path: Path) -> dict[str, NDArray[np.float16]]:
+    """Read soft labels.
+
+    Raises
+    ------
+    CorpusError : the file cannot be read, or holds other arrays.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            found = {name: file[name] for name in file.files}
+    except (OSError, ValueError, EOFError) as error:
+        reason = reason_of(error) if isinstance(error, OSError) else "it is damaged"
+        raise CorpusError(
+            f"{path.name}: the soft labels cannot be read ({reason}); let the teacher hear again"
+        ) from error
+    if any(a.ndim != 2 or a.shape[1] != N_HEARD or a.dtype != np.float16 for a in found.values()):
+        raise CorpusError(f"{path.name}: these are no soft labels of this version; let the teacher hear again")
+    return found
+
 
 ARRAYS: dict[str, tuple[type[np.generic], tuple[int, ...]]] = {
     "log_powers": (np.float16, (N_BANDS,)),

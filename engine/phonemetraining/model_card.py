@@ -10,9 +10,9 @@ from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.encoder.head import CONTEXT
 from phonemeengine.encoder.whisper import WHISPER_LICENCE
 from phonemeengine.settings import Ear
-from phonemetraining.parallel_training import HESITATION, WARPS
 from phonemetraining.pipeline import LabelSource, TrainedModel, TrainingResult, Validation
 from phonemetraining.teacher import COMPONENTS, GROUPS, HIDDEN
+from phonemetraining.training import HESITATION, WARPS
 from phonemetraining.validation import LEAST_READ, MOST_JUDGED, MOST_READ, SAMPLED, SETTINGS
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}

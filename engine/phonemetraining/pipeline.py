@@ -14,12 +14,10 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Channel
-from phonemetraining.examples import INDEX, write_examples
-from phonemetraining.parallel_training import TrainingPart, train_parts
+from phonemetraining.examples import INDEX, key_of, write_examples
 from phonemetraining.realignment import Round, realign_people
-from phonemetraining.soft_labels import key_of
 from phonemetraining.teacher import encode_all, teach
-from phonemetraining.training import BOTH_WAYS, TrainingConfig
+from phonemetraining.training import BOTH_WAYS, TrainingConfig, TrainingPart, train_parts
 from phonemetraining.validation import (
     HeldOutGroup,
     figures_by_look_ahead,

@@ -28,10 +28,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import FRAME_PERIOD, HOP
-from phonemetraining.examples import INDEX, write_examples
-from phonemetraining.parallel_training import TrainingPart, train_parts
-from phonemetraining.soft_labels import SoftLabels, key_of
-from phonemetraining.training import TrainingConfig
+from phonemetraining.examples import INDEX, SoftLabels, key_of, write_examples
+from phonemetraining.training import TrainingConfig, TrainingPart, train_parts
 from phonemetraining.validation import preset_of
 
 STEP = 0.005

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.optimiser import Optimiser
+from phonemeengine.calibration.fine_tuning import Optimiser
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.training_examples import certainties_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
@@ -24,7 +24,7 @@ from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
 from phonemeengine.execution import end_with_parent
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write
-from phonemetraining.soft_labels import (
+from phonemetraining.examples import (
     HEAD,
     SOFT_LABELS,
     key_of,

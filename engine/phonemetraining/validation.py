@@ -23,8 +23,7 @@ from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.smoothing import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import HOP, AnalysisSettings
-from phonemetraining.examples import SpeakerExamples
-from phonemetraining.soft_labels import HEAD, SOFT_LABELS, key_of, load_soft_labels
+from phonemetraining.examples import HEAD, SOFT_LABELS, SpeakerExamples, key_of, load_soft_labels
 
 LEAST_READ, MOST_READ = 5.0, 10.0
 """Seconds that are learned: of one recording, or of the first ones that are as long together."""

@@ -12,8 +12,7 @@ from phonemeanalyser.cli.jobs import file_preset, jobs_of, n_failed, say_note, w
 from phonemeengine import Channel, EngineError, Preset
 from phonemeengine.alignment.align import ScoredTake, best_marked, scored_take
 from phonemeengine.analyser import analyse_file
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say
+from phonemeengine.batch.work import Act, Job, Made, Say, fingerprint_of
 from phonemeengine.conversion.spoken_texts import SpokenTexts, made_of, open_sound
 from phonemeengine.execution import Progress
 from phonemeengine.storage.files import begins_like

@@ -9,13 +9,12 @@ from pathlib import Path
 from phonemeanalyser.cli.arguments import HEARD, SAID, add_batch, add_options, add_sounds, given
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, say_note, share_paths
 from phonemeengine import Channel, EngineError, Preset, difference
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say
+from phonemeengine.batch.work import Act, Job, Made, Say, fingerprint_of
 from phonemeengine.conversion.spoken_texts import open_sound
 from phonemeengine.conversion.work import ConversionWork
 from phonemeengine.execution import Progress
 from phonemeengine.inspection.analysis_tables import TABLES
-from phonemeengine.inspection.preset_difference import DIFFERENCE_COLUMNS, format_difference
+from phonemeengine.inspection.whole_sound import DIFFERENCE_COLUMNS, format_difference
 from phonemeengine.storage.files import begins_like, printable_name
 from phonemeengine.storage.replacing import Guard, guarded_text
 

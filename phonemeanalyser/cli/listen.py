@@ -36,8 +36,8 @@ from phonemeengine import (
 )
 from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.devices import chosen_input, inputs_of
-from phonemeengine.audio.intake import HIGHEST_RATE, LOWEST_RATE
-from phonemeengine.live.microphone_analyser import Latency
+from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE

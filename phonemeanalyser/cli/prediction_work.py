@@ -23,8 +23,7 @@ from phonemeengine import (
     load_lexicon,
     words_of,
 )
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Outcome, Say
+from phonemeengine.batch.work import Act, Job, Made, Outcome, Say, fingerprint_of
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder
 from phonemeengine.calibration.scores.corpus import frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict

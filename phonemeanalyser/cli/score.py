@@ -32,8 +32,8 @@ from phonemeengine.batch.runner import BatchOptions
 from phonemeengine.batch.work import JobState, Outcome
 from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR, AddedNoise, NoiseKind
 from phonemeengine.calibration.scores.comparison import compare
+from phonemeengine.calibration.scores.confusion import ERROR_COLUMNS, label_errors
 from phonemeengine.calibration.scores.evaluation import CorpusScores, corpus_scores_of
-from phonemeengine.calibration.scores.label_errors import ERROR_COLUMNS, label_errors
 from phonemeengine.storage.files import printable, printable_name
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 

@@ -6,8 +6,7 @@ from pathlib import Path
 from phonemeanalyser.cli.arguments import file_place
 from phonemeengine import load_preset, ship
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.shipping.folder import USUAL_TABLES
-from phonemeengine.shipping.targets import TARGETS
+from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

@@ -24,8 +24,7 @@ from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import PresetEntry, load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.shipping.folder import USUAL_TABLES, ship
-from phonemeengine.shipping.targets import TARGETS
+from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, ship
 
 WIDTH = 520
 CHECKED = Qt.CheckState.Checked

@@ -34,8 +34,7 @@ from phonemeengine import (
 )
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say, say_nothing
+from phonemeengine.batch.work import Act, Job, Made, Say, fingerprint_of, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound

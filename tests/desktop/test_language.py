@@ -29,7 +29,7 @@ from phonemeengine.calibration.takes.quality import Fault, check_take
 from phonemeengine.conversion.work import CONVERSIONS
 from phonemeengine.dsp.sonagram import FrequencyAxis
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, unit_of
-from phonemeengine.labels.boundaries import LabelUnit
+from phonemeengine.labels.utterance import LabelUnit
 from phonemeengine.mouth.expression.streams import expression_presets
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.table import load_table, shipped_tables

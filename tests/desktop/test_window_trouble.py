@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio import stream
 from phonemeengine.errors import EngineError
-from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
+from phonemeengine.live.listener import MicrophoneAnalyser
 from tests.desktop.hands import press
 from tests.desktop.session.test_microphone_trouble import MEASURED
 from tests.desktop.studio import DESK, Booth, choose

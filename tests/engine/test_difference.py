@@ -4,8 +4,14 @@ import pytest
 
 from phonemeanalyser.__main__ import main
 from phonemeengine import Cancelled, Phoneme, SoundReader, difference, load_preset
-from phonemeengine.inspection.preset_difference import difference_in, format_difference
-from phonemeengine.inspection.whole_sound import FrameRange, FrameState, SoundTracks, tracks_of
+from phonemeengine.inspection.whole_sound import (
+    FrameRange,
+    FrameState,
+    SoundTracks,
+    difference_in,
+    format_difference,
+    tracks_of,
+)
 from tests.conftest import ROOT
 
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeengine import Ear, SoundReader, load_preset
-from phonemeengine.inspection.retuning import RetunedSound
-from phonemeengine.inspection.whole_sound import SoundTracks, analyse_whole, tracks_of
+from phonemeengine.inspection.whole_sound import RetunedSound, SoundTracks, analyse_whole, tracks_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Filter

@@ -9,8 +9,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say
+from phonemeengine.batch.work import Act, Job, Made, Say, fingerprint_of
 from phonemeengine.errors import ExportError
 from phonemeengine.execution import Cancelled, Progress, report_progress
 from phonemeengine.presets.preset import Preset

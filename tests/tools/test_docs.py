@@ -26,8 +26,8 @@ from phonemeengine.presets.document import preset_from_toml, preset_to_toml
 from phonemeengine.presets.files import FACTORY, FACTORY_PRESETS, load_preset
 from phonemeengine.recognition.phoneme_data import LAYOUT
 from phonemeengine.settings import PARAMETERS, AnalysisSettings, Decimation, Filter, WindowFunction
-from phonemeengine.speech.pinyin.plan import format_plan
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
+from phonemeengine.speech.pinyin.timing import format_plan
 from phonemeengine.speech.pinyin.track import pinyin_track
 from tests.conftest import ROOT
 

@@ -6,20 +6,23 @@ from scipy.signal import correlate
 
 from phonemeengine.calibration.background_sounds import BACKGROUNDS, music
 from phonemeengine.settings import SAMPLE_RATE
-from phonemetraining.augment_waveform import (
+from phonemetraining.augmentation import (
     CHAINS,
     CODECS,
     SNRS,
+    SPEED_OF_SOUND,
     Augmentation,
+    Room,
     augment,
     automatic_gain,
     codec,
     draw_augmentation,
+    draw_room,
+    impulse_response,
     microphone,
     overdrive,
     telephone,
 )
-from phonemetraining.room_acoustics import SPEED_OF_SOUND, Room, draw_room, impulse_response
 from tests.sounds import noise, silence, tone, vowel
 
 OFFICE = Room((5.0, 4.0, 2.7), (1.0, 1.5, 1.2), (1.6, 1.5, 1.2), (0.5, 0.5))

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.calibration.optimiser import Optimiser, orthogonalised
+from phonemeengine.calibration.fine_tuning import Optimiser, orthogonalised
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import N_HEARD, NOT_SAID, TrainingExample, example_of
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
@@ -18,10 +18,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Network
 from phonemeengine.settings import SAMPLE_RATE
-from phonemetraining.augment_spectrum import augment_spectra
-from phonemetraining.augment_waveform import Augmentation, augment
-from phonemetraining.examples import SpeakerExamples, examples_of
-from phonemetraining.soft_labels import key_of
+from phonemetraining.augmentation import Augmentation, augment, augment_spectra
+from phonemetraining.examples import SpeakerExamples, examples_of, key_of
 from phonemetraining.trainable_network import Targets, TrainableLayer, TrainableNetwork, targets_of
 from phonemetraining.training import Checkpoint, ExponentialAverage, TrainingConfig, train
 from phonemetraining.validation import anchors_of, folds_of

@@ -1,8 +1,8 @@
 """Mouths that move by labelled phones: when vowels are widest, the lip leaves the teeth, and which lips are shut.
 
 The corpus of the tests is cut into two halves by speaker, each with German and English. The mouth tables and
-`coarticulation` were tuned on `TUNED_ON` alone; the figures are of `HELD_BACK`, with the recorded man among them.
-Labels bear no stress, so all full vowels count, of which the stressed ones are most.
+`phonemeengine.mouth.cues` were tuned on `TUNED_ON` alone; the figures are of `HELD_BACK`, with the recorded man among
+them. Labels bear no stress, so all full vowels count, of which the stressed ones are most.
 """
 
 import csv

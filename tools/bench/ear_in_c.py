@@ -11,7 +11,7 @@ from phonemeengine import Analyser, load_preset
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled
 from tests.sounds import Sound
 from tools.bench.figures import Absolute, Figure, interleaved, ratio_of, shown, speech

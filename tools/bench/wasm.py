@@ -9,7 +9,7 @@ from pathlib import Path
 
 from phonemeengine import load_preset, ship
 from phonemeengine.settings import FRAME_PERIOD
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled
 from tests.sounds import Sound
 from tests.web_ears import node

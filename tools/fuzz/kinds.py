@@ -49,7 +49,7 @@ from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
 from phonemeengine.text.espeak import language_of
 from phonemeengine.text.lexicon import load_lexicon

@@ -17,10 +17,9 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.containers import CONTAINER_SUFFIXES, ContainerDecoder, container_format
 from phonemeengine.audio.file_access import FileSlice, open_checked
 from phonemeengine.audio.headers import ADVICE, Extent, after_id3, extent_of
-from phonemeengine.audio.intake import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.audio.libsndfile import Decoder, DecodingError
 from phonemeengine.audio.mixing import PLAIN, Mix, measured_mix
-from phonemeengine.audio.resampling import Resampler
+from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE, Resampler
 from phonemeengine.errors import AudioError
 from phonemeengine.execution import Closing
 from phonemeengine.settings import SAMPLE_RATE, WINDOW, Channel

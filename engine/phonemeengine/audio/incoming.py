@@ -10,9 +10,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import mono_of
-from phonemeengine.audio.intake import HIGHEST_RATE, LOUDEST, LOWEST_RATE
 from phonemeengine.audio.ogg_opus import OPUS_RATE, OggOpusDecoder
-from phonemeengine.audio.resampling import Resampler
+from phonemeengine.audio.resampling import HIGHEST_RATE, LOUDEST, LOWEST_RATE, Resampler
 from phonemeengine.errors import AudioError
 from phonemeengine.settings import SAMPLE_RATE, Channel
 

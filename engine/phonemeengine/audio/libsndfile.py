@@ -10,8 +10,7 @@ import numpy as np
 import soundfile
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.gaps import MOST_MARKED, Gap
-from phonemeengine.audio.wav import to_integers, write_all
+from phonemeengine.audio.wav import MOST_MARKED, Gap, to_integers, write_all
 
 # Gaps as chapters in the tags of a FLAC file (RFC 9639, section 8.6), which players show.
 #

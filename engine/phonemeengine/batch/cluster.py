@@ -17,8 +17,8 @@ from pathlib import Path
 from typing import Any
 
 from phonemeengine import __version__
-from phonemeengine.batch.folder_lock import holder_of
 from phonemeengine.batch.order import Order, act_of, failed, worked_through
+from phonemeengine.batch.record import holder_of
 from phonemeengine.batch.work import Job, Outcome
 from phonemeengine.errors import BatchError, EngineError
 from phonemeengine.execution import keep_memory

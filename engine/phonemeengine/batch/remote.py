@@ -11,8 +11,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import cast
 
-from phonemeengine.batch.fingerprint import digest_of, size_and_time
-from phonemeengine.batch.work import FileState, Job
+from phonemeengine.batch.work import FileState, Job, digest_of, size_and_time
 from phonemeengine.errors import BatchError
 from phonemeengine.storage.files import printable, printable_name, reason_of
 

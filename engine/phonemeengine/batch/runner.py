@@ -9,12 +9,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Protocol
 
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.folder_lock import FolderLock, sweep
 from phonemeengine.batch.order import failed, order_of, worked_through
 from phonemeengine.batch.pool import Pool, n_cores
-from phonemeengine.batch.record import BatchRecord
-from phonemeengine.batch.work import Act, Job, JobState, Outcome, Work
+from phonemeengine.batch.record import BatchRecord, FolderLock, sweep
+from phonemeengine.batch.work import Act, Job, JobState, Outcome, Work, fingerprint_of
 from phonemeengine.errors import BatchError
 from phonemeengine.execution import Cancelled
 from phonemeengine.storage.files import printable, printable_name

@@ -19,8 +19,16 @@ from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, PlanRow, plan_lines
-from phonemeengine.speech.pinyin.timing import SaidPart, SentencePlanner, has_pinyin, plan_of, says_pinyin
+from phonemeengine.speech.pinyin.timing import (
+    PLAN_COLUMNS,
+    PlanRow,
+    SaidPart,
+    SentencePlanner,
+    has_pinyin,
+    plan_lines,
+    plan_of,
+    says_pinyin,
+)
 from phonemeengine.speech.pinyin.track import PinyinTrack
 from phonemeengine.speech.silent import SilentText
 from phonemeengine.speech.spoken_text import spoken_text, written_as_spoken

@@ -9,8 +9,7 @@ from pathlib import Path
 from phonemeengine.alignment.align import is_other_text, scored_take
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Made, Say
+from phonemeengine.batch.work import Made, Say, fingerprint_of
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.errors import AudioError, EngineError, OptionError
 from phonemeengine.labels.utterance import Utterance

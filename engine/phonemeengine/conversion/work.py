@@ -9,9 +9,8 @@ from functools import partial
 from pathlib import Path
 
 from phonemeengine.analyser import analyse_file
-from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.runner import BatchOptions, run_batch
-from phonemeengine.batch.work import Act, Job, JobState, Made, Say, say_nothing
+from phonemeengine.batch.work import Act, Job, JobState, Made, Say, fingerprint_of, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.options import FACIAL, WEIGHTED, ConversionOptions
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound

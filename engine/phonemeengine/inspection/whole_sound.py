@@ -4,22 +4,31 @@ An hour takes some 60 MB: a byte for each phoneme, four for each measured variab
 Spectra are not kept; `phonemeengine.dsp.sonagram` draws them from the sound.
 """
 
+import csv
+import io
+import os
 from collections.abc import Callable, Iterator
 from enum import IntEnum
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from phonemeengine.analyser import BLOCK, Analysis, analyse_blocks, analyse_range
+from phonemeengine.analyser import BLOCK, Analysis, analyse_blocks, analyse_range, sure_of
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.calibration.workbench.retuner import Retuner, front_end_key, names_of, recogniser_key, rules_in
 from phonemeengine.dsp.framing import frame_count
 from phonemeengine.dsp.waveform_peaks import WaveformPeaks
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import SCORES
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_files, while_played
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import HOP, Ear
+from phonemeengine.recognition.scores import Sensitivity
+from phonemeengine.recognition.segments import intensities_of
+from phonemeengine.settings import FRAME_PERIOD, HOP, Channel, Ear
 
 MOST_PREVIEWED = 6000
 """Frames of 10 ms that are analysed ahead of their turn, since somebody looks at them."""
@@ -193,3 +202,154 @@ def _find(reader: SoundReader, preset: Preset, tracks: SoundTracks, frames: Fram
 def tracks_of(reader: SoundReader) -> SoundTracks:
     """Return empty tracks for a sound."""
     return SoundTracks(frame_count(reader.n_samples))
+
+
+# A sound that is analysed already, and recognised anew while a threshold is dragged: without the sound, at once.
+
+
+class RetunedSound:
+    """Recognises a sound anew with presets of the same front end, as `analyse_whole` would.
+
+    Parameters
+    ----------
+    tracks : of the sound, all of it known.
+    preset : with which it was analysed.
+    """
+
+    def __init__(self, tracks: SoundTracks, preset: Preset) -> None:
+        self._tracks = tracks
+        self._key = _key_of(preset)
+        scores = _scores_in(tracks)
+        if scores is not None:  # what they were before the sensitivities
+            less = {phoneme: -value for phoneme, value in preset.sensitivities.items()}
+            scores = Sensitivity(less).apply(scores.T).T
+        values = {name: tracks.columns[tracks.names.index(name)] for name in names_of(preset)}
+        self._retuner = Retuner(values, tracks.recognised.copy(), scores, np.array([0, tracks.n_frames]))
+
+    def retune(self, preset: Preset) -> bool:
+        """Write into the tracks what another preset says; says whether that can be known without the sound."""
+        if _key_of(preset) != self._key:
+            return False
+        tracks, settings = self._tracks, preset.settings
+        tracks.recognised[:], codes = self._retuner.recognise(preset)
+        scores = self._retuner.scores(preset)
+        tracks.phonemes[:] = codes
+        levels = tracks.columns[tracks.names.index("volume")]
+        tracks.intensities[:] = intensities_of(levels, settings.intensity_low, settings.intensity_high)
+        tracks.intensities[codes == 0] = 0
+        rules = rules_in(preset)
+        if rules is None and scores is not None:
+            first = tracks.names.index(SCORES[0])
+            tracks.columns[first : first + len(SCORES)] = scores
+            tracks.confidences[:] = sure_of(for_files(preset), codes, scores.T, None)
+        else:
+            tracks.confidences[:] = np.nan
+        if rules is not None and preset.is_measured:
+            for first in range(0, len(codes), BLOCK):
+                part = slice(first, first + BLOCK)
+                deficits = rules.deficits(Features(tracks.names, tracks.columns[:, part].T))
+                tracks.confidences[part] = sure_of(preset, codes[part], None, deficits)
+        tracks.states[:] = FrameState.KNOWN
+        tracks.revision += 1
+        return True
+
+
+def _key_of(preset: Preset) -> object:
+    """Return all that must be equal for answers to be known without the sound."""
+    by_rules = rules_in(preset) is not None
+    return front_end_key(preset), preset.file_ear, preset.ear, None if by_rules else recogniser_key(preset)
+
+
+def _scores_in(tracks: SoundTracks) -> np.ndarray | None:
+    if SCORES[0] not in tracks.names:
+        return None
+    first = tracks.names.index(SCORES[0])
+    return tracks.columns[first : first + len(SCORES)].copy()
+
+
+# Where two presets hear something else in the same sound.
+
+DIFFERENCE_COLUMNS = ("start_s", "end_s", "first", "second")
+
+
+class DifferentStretch(NamedTuple):
+    """A stretch in which two presets hear two things.
+
+    Attributes
+    ----------
+    start, end : seconds.
+    first, second : what each of them hears.
+    """
+
+    start: float
+    end: float
+    first: Phoneme
+    second: Phoneme
+
+    def row(self) -> tuple[str, str, str, str]:
+        """Return it as a row of a table, as `DIFFERENCE_COLUMNS`."""
+        return f"{self.start:.2f}", f"{self.end:.2f}", self.first.label, self.second.label
+
+
+class PresetDifference(NamedTuple):
+    """How differently two presets hear a sound.
+
+    Attributes
+    ----------
+    share : of the frames, 0..1, in which they hear two things.
+    stretches : where.
+    """
+
+    share: float
+    stretches: tuple[DifferentStretch, ...]
+
+
+def difference(
+    sound: str | os.PathLike[str], first: Preset, second: Preset, *, channel: Channel = Channel.MIX,
+    progress: Progress = no_progress,
+) -> PresetDifference:  # fmt: skip
+    """Hear a sound file with two presets, and return where they hear two things.
+
+    Raises
+    ------
+    AudioError : the file cannot be read.
+    Cancelled : `progress` did not want to go on.
+    """
+    found = []
+    for k, preset in enumerate((first, second)):
+        with SoundReader(sound, channel) as reader:
+            tracks = tracks_of(reader)
+        part = subrange(progress, k / 2, (k + 1) / 2)
+        analyse_whole(lambda: SoundReader(sound, channel), preset, tracks, progress=part)
+        found.append(tracks)
+    return difference_in(found[0], found[1], FrameRange(0, found[0].n_frames))
+
+
+def difference_in(first: SoundTracks, second: SoundTracks, frames: FrameRange) -> PresetDifference:
+    """Return where two analyses of one sound differ, in some of its frames that both know."""
+    place = slice(max(0, frames.first), min(frames.last, first.n_frames, second.n_frames))
+    known = (first.states[place] == FrameState.KNOWN) & (second.states[place] == FrameState.KNOWN)
+    one, other = first.phonemes[place], second.phonemes[place]
+    differs = known & (one != other)
+    if not differs.any():
+        return PresetDifference(0.0, ())
+    changes = np.flatnonzero((one[1:] != one[:-1]) | (other[1:] != other[:-1]) | (differs[1:] != differs[:-1])) + 1
+    edges = [0, *changes.tolist(), len(one)]
+    stretches = tuple(
+        DifferentStretch(
+            (place.start + begin) * FRAME_PERIOD, (place.start + end) * FRAME_PERIOD,
+            Phoneme(int(one[begin])), Phoneme(int(other[begin])),
+        )
+        for begin, end in pairwise(edges)
+        if differs[begin]
+    )  # fmt: skip
+    return PresetDifference(float(differs.sum() / known.sum()), stretches)
+
+
+def format_difference(found: PresetDifference) -> str:
+    """Return the stretches as CSV with a line of names."""
+    file = io.StringIO()
+    rows = csv.writer(file, lineterminator="\n")
+    rows.writerow(DIFFERENCE_COLUMNS)
+    rows.writerows(stretch.row() for stretch in found.stretches)
+    return file.getvalue()

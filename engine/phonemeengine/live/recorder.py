@@ -12,8 +12,8 @@ from pathlib import Path
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.gaps import Gap, gaps_in_words
 from phonemeengine.audio.recording import Recording
+from phonemeengine.audio.wav import Gap, gaps_in_words
 from phonemeengine.errors import RecordingError
 from phonemeengine.execution import Closing
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, SegmentBuilder

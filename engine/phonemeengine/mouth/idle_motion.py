@@ -5,7 +5,7 @@ import random
 from collections import deque
 from typing import NamedTuple
 
-from phonemeengine.mouth.movements import LowPass
+from phonemeengine.mouth.morpher import LowPass
 
 # Small movements of the head that go with speech.
 #

@@ -1,8 +1,8 @@
 """The one driver of a face: phonemes and their times go in, the mouth, blinks and the pose of the head come out.
 
 Whoever moves a face asks the same object: the window, films, exports and the network. What is known of the speech
-before it is heard moves the mouth early (see `coarticulation`); what comes live moves it when it is heard. The mouth
-follows the loudness with a low-pass, and is told of it earlier by the delay of that, where it is known.
+before it is heard moves the mouth early (see `phonemeengine.mouth.cues`); what comes live moves it when it is heard.
+The mouth follows the loudness with a low-pass, and is told of it earlier by the delay of that, where it is known.
 
 What comes out depends on what was said to it and when, never on how often anybody looked.
 """
@@ -18,8 +18,7 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.features.front_end import F0
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.coarticulation import PlannedMovement, planned_movements
-from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_runs
+from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, PlannedMovement, joined_runs, planned_movements
 from phonemeengine.mouth.expression.composer import Composer, Expression, Inhibition
 from phonemeengine.mouth.idle_motion import Blinker, HeadMotion, HeadPose
 from phonemeengine.mouth.morpher import Detail, Morpher

@@ -6,7 +6,7 @@ from enum import Enum
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.movements import LowPass
+from phonemeengine.mouth.morpher import LowPass
 from phonemeengine.mouth.movestate import Mode, Percentages
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme

@@ -12,9 +12,8 @@ from phonemeengine.errors import PerformanceError
 from phonemeengine.labels.articulation import OPENNESS, articulations_of, letters_of
 from phonemeengine.performance.halves import TRAITS, RecordedHalves, Recordings, traits_of
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
-from phonemeengine.performance.sentence import Sentence
 from phonemeengine.performance.table_file import Example, PerformanceTable
-from phonemeengine.performance.units import Unit, UnitKind, duration_of, units_of
+from phonemeengine.performance.units import Sentence, Unit, UnitKind, duration_of, units_of
 
 # The search for the units of a sentence in a table: long ones first, and what nobody recorded by what is like it.
 

@@ -23,7 +23,6 @@ from phonemeengine.performance.halves import Recordings, bounds_of
 from phonemeengine.performance.keywords import Keywords
 from phonemeengine.performance.poses import PLACE, PoseTable, load_poses, pose_shares, posed_weights
 from phonemeengine.performance.recording import SILENCE
-from phonemeengine.performance.sentence import Sentence
 from phonemeengine.performance.smoothing import (
     ENERGY_CHANNELS,
     bounded,
@@ -34,7 +33,7 @@ from phonemeengine.performance.smoothing import (
     without_outliers,
 )
 from phonemeengine.performance.table_file import PerformanceTable
-from phonemeengine.performance.units import UnitKind
+from phonemeengine.performance.units import Sentence, UnitKind
 from phonemeengine.text.syllables import is_vowel
 
 # The tongue, which no camera sees: a pose for each sound, as ``tongue.toml`` has them.

@@ -14,9 +14,9 @@ from phonemeengine.mouth.idle_motion import HeadMotion
 from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, load_keywords
 from phonemeengine.performance.phrases import Phrase, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
-from phonemeengine.performance.sentence import Sentence
 from phonemeengine.performance.smoothing import MonotoneCubics, crossed, low_passed
 from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.performance.units import Sentence
 
 CUTOFF = 6.0
 """Hertz above which the filter takes movement away: a shake of the head has 2 to 4."""

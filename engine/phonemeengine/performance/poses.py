@@ -16,7 +16,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.labels.articulation import articulations_of, letters_of
 from phonemeengine.mouth.table import movestates_of, phone_named, shape_named, shapes_in
 from phonemeengine.performance.recording import SILENCE
-from phonemeengine.performance.sentence import Sentence
+from phonemeengine.performance.units import Sentence
 from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
 
 FORMAT = "phonemeanalyser poses 1"

@@ -10,7 +10,7 @@ import numpy as np
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
 from phonemeengine.performance.choice import Chosen, PlacedUnit
 from phonemeengine.performance.recording import SILENCE
-from phonemeengine.performance.sentence import Sentence
+from phonemeengine.performance.units import Sentence
 
 # Monotone cubic interpolation of many curves at once.
 #

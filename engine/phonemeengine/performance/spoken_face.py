@@ -14,9 +14,9 @@ from phonemeengine.mouth.transcript import Prosody
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import load_keywords
-from phonemeengine.performance.sentence import Sentence, joined, performed_phones, sentences_in
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import RATE, PerformedMouth
+from phonemeengine.performance.units import Sentence, joined, performed_phones, sentences_in
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 

@@ -23,9 +23,9 @@ from phonemeengine.performance.halves import weights_at
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import CHANNELS
 from phonemeengine.performance.recording import HEAD
-from phonemeengine.performance.sentence import Sentence, joined, performed_phones, sentences_in
 from phonemeengine.performance.smoothing import TO_REST, crossed
 from phonemeengine.performance.table_file import PerformanceTable
+from phonemeengine.performance.units import Sentence, joined, performed_phones, sentences_in
 from phonemeengine.storage.files import begins_like
 
 RATE = 60.0

@@ -26,9 +26,9 @@ from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.intensity import line_of
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from phonemeengine.recognition.segments import line_of
 from phonemeengine.recognition.smoothing import frames_held
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning, spec_of
 from phonemeengine.recognition.templates import Templates

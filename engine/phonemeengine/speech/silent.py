@@ -11,10 +11,9 @@ from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.speech.pinyin.driver import AFTERWARDS
-from phonemeengine.speech.pinyin.plan import Plan, PlanRow
 from phonemeengine.speech.pinyin.script import Read, Written, chinese_parts, clause_parts
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import USUAL_RATE, SaidPart, pause_unit, said_at_rate
+from phonemeengine.speech.pinyin.timing import USUAL_RATE, Plan, PlanRow, SaidPart, pause_unit, said_at_rate
 from phonemeengine.text import mandarin
 from phonemeengine.text.cleaning import speakable
 from phonemeengine.text.espeak import language_of

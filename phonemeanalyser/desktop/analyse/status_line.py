@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import named, row, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
-from phonemeengine.live.microphone_analyser import Latency
+from phonemeengine.live.listener import Latency
 from phonemeengine.presets.ears import ear_in_words
 
 PADDING = 8

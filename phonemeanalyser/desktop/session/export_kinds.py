@@ -10,8 +10,7 @@ from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
 from phonemeanalyser.reports.page import page_of
 from phonemeanalyser.reports.report import Report, ScoredPreset
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.batch.fingerprint import fingerprint_of
-from phonemeengine.batch.work import Act, Job, Made, Say, Work, say_nothing
+from phonemeengine.batch.work import Act, Job, Made, Say, Work, fingerprint_of, say_nothing
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice

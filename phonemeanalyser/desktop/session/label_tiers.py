@@ -9,8 +9,8 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from phonemeanalyser.desktop.language import tr
+from phonemeengine.calibration.scores.confusion import LabelError, label_errors
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of
-from phonemeengine.calibration.scores.label_errors import LabelError, label_errors
 from phonemeengine.errors import CorpusError, EngineError, UnknownPhonemeError
 from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.labels.files import known_labels, phoneme_tier_of

@@ -19,9 +19,8 @@ from phonemeengine.audio.stream import devices
 from phonemeengine.errors import EngineError
 from phonemeengine.live.capture import SampleCapture
 from phonemeengine.live.heard_sound import HeardSound
-from phonemeengine.live.listener import NOT_LISTENING, Listener
+from phonemeengine.live.listener import NOT_LISTENING, Latency, Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
-from phonemeengine.live.microphone_analyser import Latency
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.paths import journal_folder, new_recording_path, recordings_folder

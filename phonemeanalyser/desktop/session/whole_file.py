@@ -11,9 +11,14 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import EngineError
 from phonemeengine.execution import Progress
-from phonemeengine.inspection.preset_difference import difference_in
-from phonemeengine.inspection.retuning import RetunedSound
-from phonemeengine.inspection.whole_sound import FrameRange, SoundTracks, analyse_whole, tracks_of
+from phonemeengine.inspection.whole_sound import (
+    FrameRange,
+    RetunedSound,
+    SoundTracks,
+    analyse_whole,
+    difference_in,
+    tracks_of,
+)
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 

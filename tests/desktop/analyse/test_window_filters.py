@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdSlider
 from phonemeengine.analyser import Analysis, analyse_blocks
-from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import fingerprint_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Filter
 from tests.desktop.hands import CARDS, click, press, shown, type_number

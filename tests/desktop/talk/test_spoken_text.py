@@ -12,9 +12,8 @@ from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, VoiceModel
 from phonemeengine.errors import VoiceError
-from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.files import read_labels
-from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme

@@ -7,9 +7,8 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.scripts import words_beside
 from phonemeanalyser.desktop.talk.words.text_model import POOR, fits_badly
 from phonemeengine.analyser import Analysis
-from phonemeengine.labels.boundaries import LabelUnit, spans_of
 from phonemeengine.labels.textgrid import format_tiers
-from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
+from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, spans_of
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.talk.desk import DURATION, SAID

@@ -19,8 +19,7 @@ from phonemeanalyser.desktop.talk.words.voice_panel import OWN_PROGRAM, OWN_VOIC
 from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
-from phonemeengine.labels.boundaries import LabelUnit, spans_of
-from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice

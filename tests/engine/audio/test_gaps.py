@@ -13,11 +13,10 @@ import pytest
 import soundfile
 
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.audio.gaps import MOST_MARKED, Gap, gaps_in_words
 from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.audio.libsndfile import ROOM
 from phonemeengine.audio.recording import MOST_WAITING
-from phonemeengine.audio.wav import HEADER, WavEncoder
+from phonemeengine.audio.wav import HEADER, MOST_MARKED, Gap, WavEncoder, gaps_in_words
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.engine.live.test_recorder import record, rows_beside, rows_of, same

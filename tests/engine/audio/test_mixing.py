@@ -10,8 +10,7 @@ import soundfile
 from phonemeengine import SoundReader, convert_all, load_preset, transcribe
 from phonemeengine.audio.mixing import PLAIN, measured_mix
 from phonemeengine.inspection.measurement import save_stretch
-from phonemeengine.live.listener import status_of
-from phonemeengine.live.microphone_analyser import MicrophoneAnalyser
+from phonemeengine.live.listener import MicrophoneAnalyser, status_of
 from phonemeengine.live.player import Player
 from phonemeengine.settings import SAMPLE_RATE, Channel
 from tests.conftest import CORPUS

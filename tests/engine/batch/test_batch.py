@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from phonemeengine.batch.folder_lock import LOCK, FolderLock
-from phonemeengine.batch.record import RECORD
+from phonemeengine.batch.record import LOCK, RECORD, FolderLock
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome
 from phonemeengine.errors import BatchError, ExportError

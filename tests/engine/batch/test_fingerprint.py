@@ -9,14 +9,14 @@ import numpy as np
 import pytest
 
 from phonemeengine import Detail, ExportOptions, IdleMotion, for_files, load_preset, load_table
-from phonemeengine.batch.fingerprint import fingerprint_of
 from phonemeengine.batch.order import order_of
+from phonemeengine.batch.work import fingerprint_of
 from phonemeengine.presets.files import FACTORY_PRESETS
 from tests.fakes.batch_works import CopyWork
 
 CODE = """
 from phonemeengine import ExportOptions, for_files, load_preset, load_table
-from phonemeengine.batch.fingerprint import fingerprint_of
+from phonemeengine.batch.work import fingerprint_of
 values = {"b": 1, "a": {"x", "y"}}
 print(fingerprint_of(for_files(load_preset("learned")), ExportOptions(), load_table("arkit"), values))
 """

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeengine.calibration.workbench.rule_cache import RuleCache
+from phonemeengine.calibration.workbench.retuner import RuleCache
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds

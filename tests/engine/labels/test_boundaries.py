@@ -3,8 +3,7 @@
 import pytest
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.boundaries import LabelUnit, spans_of, with_boundary
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance import LabelUnit, Phone, Syllable, Utterance, Word, spans_of, with_boundary
 from phonemeengine.phonemes import Phoneme
 
 MAMA = Word(

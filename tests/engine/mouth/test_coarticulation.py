@@ -8,8 +8,7 @@ import pytest
 
 from phonemeengine.errors import ExportError
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.coarticulation import APART, planned_movements
-from phonemeengine.mouth.cues import joined_runs
+from phonemeengine.mouth.cues import APART, joined_runs, planned_movements
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.performer import IdleMotion

@@ -7,8 +7,7 @@ from pythonosc.udp_client import SimpleUDPClient
 
 from phonemeengine import Expression, IdleMotion, MouthError, OscExpression, Performer, load_table
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.mouth.osc import OscAddress
-from phonemeengine.mouth.osc_expression import FADE, KEPT
+from phonemeengine.mouth.osc import FADE, KEPT, OscAddress
 from tests.waiting import wait_for
 
 SMILE, BROW = ARKIT.index("mouthSmileLeft"), ARKIT.index("browInnerUp")

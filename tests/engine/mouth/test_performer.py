@@ -8,7 +8,7 @@ import pytest
 from numpy.typing import NDArray
 
 from phonemeengine.mouth.animation import Animation, animation_of
-from phonemeengine.mouth.coarticulation import OPENED
+from phonemeengine.mouth.cues import OPENED
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode

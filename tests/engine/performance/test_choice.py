@@ -10,9 +10,8 @@ import pytest
 from phonemeengine.performance.choice import ExampleChoice, PlacedUnit, chosen_examples
 from phonemeengine.performance.halves import TRAITS, Recordings, traits_of
 from phonemeengine.performance.recording import Performance
-from phonemeengine.performance.sentence import Sentence
 from phonemeengine.performance.table_file import PerformanceTable, write_table
-from phonemeengine.performance.units import UnitKind, units_of
+from phonemeengine.performance.units import Sentence, UnitKind, units_of
 from tests.engine.performance.sentences import CHANNELS, performance_of, phones_in
 
 LENGTHS = (0.1, 0.104, 0.109, 0.12, 0.2)

@@ -15,7 +15,7 @@ from phonemeengine.performance.poses import (
     poses_of,
 )
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
-from phonemeengine.performance.sentence import Sentence
+from phonemeengine.performance.units import Sentence
 
 FRAME = 1 / 60
 POSES = poses_of(f"""format = "{FORMAT}"

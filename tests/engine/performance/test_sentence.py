@@ -4,7 +4,7 @@ import pytest
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.recording import SILENCE
-from phonemeengine.performance.sentence import performed_phones, sentences_in
+from phonemeengine.performance.units import performed_phones, sentences_in
 from phonemeengine.phonemes import Phoneme
 
 DURATION = 2.0

@@ -13,7 +13,7 @@ import pytest
 
 from phonemeengine import Phoneme, Preset, load_preset
 from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import (
     BAD_RATE,
     DAMAGED_FILE,

@@ -12,7 +12,7 @@ import pytest
 from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.labels.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from phonemeengine.shipping import targets
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import SOURCES, Frames
 from tests.compiled_ears import compiled as compiled_library
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech

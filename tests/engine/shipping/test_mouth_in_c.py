@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from phonemeengine import Morpher, MouthTable, Phoneme, load_preset, load_table
 from phonemeengine.labels.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import CModel, CMouth, EarLibrary
 
 Heard = tuple[float, Phoneme, int, float]

@@ -13,7 +13,7 @@ from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.presets.ears import for_live_use
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import CEar, CModel, EarLibrary
 from tests.engine.shipping.test_same_results import speech
 

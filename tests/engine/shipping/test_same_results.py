@@ -23,7 +23,7 @@ from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, WindowFunction
-from phonemeengine.shipping.folder import format_ear
+from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, ear_library
 from tests.conftest import CORPUS
 from tests.models import tone_model

@@ -19,7 +19,7 @@ from phonemeengine.calibration.scores.scoring import (
     macro_f1_of,
 )
 from phonemeengine.calibration.workbench.batch_smoother import last_identified
-from phonemeengine.calibration.workbench.rule_cache import RuleCache
+from phonemeengine.calibration.workbench.retuner import RuleCache
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme

@@ -8,10 +8,10 @@ from itertools import pairwise
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.mouth.movements import EasedMovement, shares_of
-from phonemeengine.speech.pinyin.plan import Plan, PlanKind
+from phonemeengine.mouth.morpher import EasedMovement, shares_of
 from phonemeengine.speech.pinyin.spring import SpringMass
 from phonemeengine.speech.pinyin.table import REST, PinyinTable
+from phonemeengine.speech.pinyin.timing import Plan, PlanKind
 
 AFTERWARDS = 0.3
 """Seconds in which the mouth comes to rest after the last row."""

@@ -8,10 +8,9 @@ from phonemeengine.mouth.animation import Animation, animation_by
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.speech.pinyin.driver import PinyinMouth
-from phonemeengine.speech.pinyin.plan import Plan
 from phonemeengine.speech.pinyin.script import script_of
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import USUAL_RATE, has_pinyin, plan_of
+from phonemeengine.speech.pinyin.timing import USUAL_RATE, Plan, has_pinyin, plan_of
 from phonemeengine.speech.silent import SilentSpeech, SilentText
 from phonemeengine.text.notation import spoken_part
 

@@ -11,8 +11,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
-from phonemeengine.mouth.osc import OscAddress
-from phonemeengine.mouth.osc_expression import OscExpression
+from phonemeengine.mouth.osc import OscAddress, OscExpression
 from phonemeengine.performance.livelink import read_expression
 
 USUAL_ADDRESS = "127.0.0.1:39540"

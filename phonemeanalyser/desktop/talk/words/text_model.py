@@ -31,10 +31,9 @@ from phonemeengine.alignment.align import is_other_text
 from phonemeengine.dsp.waveform_peaks import Peaks, WaveformPeaks
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress
-from phonemeengine.labels.boundaries import LabelUnit, with_boundary
 from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord
-from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
+from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, Word, with_boundary
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.performance.driver import UsedUnit

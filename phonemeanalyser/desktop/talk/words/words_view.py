@@ -13,12 +13,11 @@ from phonemeanalyser.desktop.widgets.lanes import Lane
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView
 from phonemeengine.arrays import UInt32Array
-from phonemeengine.labels.boundaries import LabelUnit
-from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
+from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, Word
 from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.speech.pinyin.plan import PlanKind, PlanRow
+from phonemeengine.speech.pinyin.timing import PlanKind, PlanRow
 from phonemeengine.speech.pinyin.track import PinyinTrack
 
 NAMES = (tr_noop("words"), tr_noop("syllables"), tr_noop("phones"))

@@ -4,10 +4,9 @@ from collections.abc import Iterable
 
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.speech.pinyin.plan import Plan
 from phonemeengine.speech.pinyin.script import Written, WrittenMark, WrittenSyllable
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
-from phonemeengine.speech.pinyin.timing import pause_unit, said_at_rate
+from phonemeengine.speech.pinyin.timing import Plan, pause_unit, said_at_rate
 
 TABLE = load_pinyin_table()
 SCRIPT = (

@@ -10,9 +10,16 @@ from hypothesis import strategies as st
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.speech.pinyin.plan import PLAN_COLUMNS, Plan, PlanKind, format_plan
 from phonemeengine.speech.pinyin.script import WrittenMark, WrittenSyllable, WrittenWord
-from phonemeengine.speech.pinyin.timing import SentencePlanner, plan_of, said_at_rate
+from phonemeengine.speech.pinyin.timing import (
+    PLAN_COLUMNS,
+    Plan,
+    PlanKind,
+    SentencePlanner,
+    format_plan,
+    plan_of,
+    said_at_rate,
+)
 from phonemeengine.speech.pinyin.track import pinyin_track
 from phonemeengine.speech.silent import SilentText
 from phonemeengine.text.syllables import SpokenSyllable
