@@ -14,7 +14,7 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Channel
-from phonemetraining.examples import INDEX, key_of, write_examples
+from phonemetraining.examples import INDEX, SoftLabels, key_of, write_examples
 from phonemetraining.realignment import Round, realign_people
 from phonemetraining.teacher import encode_all, teach
 from phonemetraining.training import BOTH_WAYS, TrainingConfig, TrainingPart, train_parts
@@ -176,50 +176,98 @@ def train_and_validate(
     ModelError : the teacher cannot be used.
     """
     utterances = _recordings_of(corpora, channel, unlabelled=whisper is not None)
-    scored = [u for u in utterances if u.labels]  # by the labels as they came
     sources = tuple(sources_of(corpora))
-    if sum(source.minutes for source in sources) * 60 < config.batch_size * config.n_frames * 0.02:
-        raise CorpusError(
-            "there is too little speech to train with; give at least ten minutes of it, of many speakers"
-        )
+    _check_enough(sources, config)
     configs = (config, replace(config, centred=True, dilations=BOTH_WAYS))
     _begin(work, repr((configs, n_variations, n_folds, n_validated, channel, sources, whisper is not None)))
-    weights = {source.name: source.weight for source in sources}
-    people = {source.name for source in sources if source.kind == HUMAN}
-    groups = folds_of(list(weights), n_folds)
-    validated = groups[:n_validated]
-    rounds: list[Round] = []
-    soft_labels, head = None, None
-    if whisper is not None:
-        encoded = encode_all(utterances, work / "encoder", whisper, partial(on_progress, "encoding"))
-        soft_labels, head = teach(utterances, encoded, weights, config.seed, work, partial(on_progress, "teaching"))
-    if soft_labels and groups and people:
-        utterances, rounds = realign_people(
-            utterances, people, weights, groups, soft_labels, config, work, partial(on_progress, "aligning")
-        )
-    if not (work / INDEX).is_file():
-        n_done = 0
-
-        def count(n: int) -> None:
-            nonlocal n_done
-            n_done += n
-            on_progress("measuring", n_done / len(utterances))
-
-        write_examples(work, utterances, n_variations, config.seed, soft_labels, count)
+    speakers = _Speakers.of(sources, n_folds)
+    taught = _teach(utterances, speakers, config, work, whisper, on_progress)
+    _measure(taught, n_variations, config.seed, work, on_progress)
+    # Held-out speakers are scored by the labels as they came, not by those that this training moved.
+    scored = [utterance for utterance in utterances if utterance.labels]
+    validated = speakers.groups[:n_validated]
     parts = [
         TrainingPart(f"{name}-{k}", kind, tuple(u for u in scored if u.voice in group))
         for k, group in enumerate((set[str](), *validated))
         for name, kind in zip(("live", "files"), configs, strict=True)
     ]
-    hear = partial(hear_held_out, teacher=None if head is None else work)
-    found = train_parts(parts, work, weights, hear, partial(on_progress, "training"))
+    hear = partial(hear_held_out, teacher=None if taught.head is None else work)
+    found = train_parts(parts, work, speakers.weights, hear, partial(on_progress, "training"))
     by_kind = [[group for _, group in found[k :: len(configs)]] for k in range(len(configs))]
     live, files = (
-        _trained(model, kind, done, people) for (model, _), kind, done in zip(found, configs, by_kind, strict=False)
+        _trained(model, kind, done, speakers.people)
+        for (model, _), kind, done in zip(found, configs, by_kind, strict=False)
     )
-    with_encoder = [h.with_encoder for group in by_kind[-1] for h in group.heard]
-    together = _validated([predictions for predictions in with_encoder if predictions is not None], people)
-    return TrainingResult(sources, live, files, tuple(rounds), head, together, n_folds, len(validated))
+    with_encoder = [heard.with_encoder for group in by_kind[-1] for heard in group.heard]
+    together = _validated([predictions for predictions in with_encoder if predictions is not None], speakers.people)
+    return TrainingResult(sources, live, files, taught.rounds, taught.head, together, n_folds, len(validated))
+
+
+def _check_enough(sources: Iterable[LabelSource], config: TrainingConfig) -> None:
+    if sum(source.minutes for source in sources) * 60 < config.batch_size * config.n_frames * 0.02:
+        raise CorpusError(
+            "there is too little speech to train with; give at least ten minutes of it, of many speakers"
+        )
+
+
+@dataclass(frozen=True)
+class _Speakers:
+    """How often each speaker is gone through, which of them are people, and the groups of the validation."""
+
+    weights: dict[str, float]
+    people: set[str]
+    groups: list[set[str]]
+
+    @classmethod
+    def of(cls, sources: Iterable[LabelSource], n_folds: int) -> "_Speakers":
+        weights = {source.name: source.weight for source in sources}
+        people = {source.name for source in sources if source.kind == HUMAN}
+        return cls(weights, people, folds_of(list(weights), n_folds))
+
+
+@dataclass(frozen=True)
+class _Taught:
+    """The recordings with the labels that are learned from, and what the teacher says of them, if there is one."""
+
+    utterances: Sequence[LabelledUtterance]
+    soft_labels: SoftLabels | None = None
+    head: EncoderHead | None = None
+    rounds: tuple[Round, ...] = ()
+
+
+def _teach(
+    utterances: Sequence[LabelledUtterance],
+    speakers: _Speakers,
+    config: TrainingConfig,
+    work: Path,
+    whisper: Path | None,
+    on_progress: OnProgress,
+) -> _Taught:
+    """Have the teacher hear all recordings, and move the labels of people to where its heads agree with them."""
+    if whisper is None:
+        return _Taught(utterances)
+    weights, groups, people = speakers.weights, speakers.groups, speakers.people
+    encoded = encode_all(utterances, work / "encoder", whisper, partial(on_progress, "encoding"))
+    soft_labels, head = teach(utterances, encoded, weights, config.seed, work, partial(on_progress, "teaching"))
+    if not (soft_labels and groups and people):
+        return _Taught(utterances, soft_labels, head)
+    aligning = partial(on_progress, "aligning")
+    moved, rounds = realign_people(utterances, people, weights, groups, soft_labels, config, work, aligning)
+    return _Taught(moved, soft_labels, head, tuple(rounds))
+
+
+def _measure(taught: _Taught, n_variations: int, seed: int, work: Path, on_progress: OnProgress) -> None:
+    """Write the examples of all recordings and their variations, unless an interrupted training did."""
+    if (work / INDEX).is_file():
+        return
+    n_done = 0
+
+    def count(n: int) -> None:
+        nonlocal n_done
+        n_done += n
+        on_progress("measuring", n_done / len(taught.utterances))
+
+    write_examples(work, taught.utterances, n_variations, seed, taught.soft_labels, count)
 
 
 def _recordings_of(corpora: Sequence[Path], channel: Channel, *, unlabelled: bool) -> list[LabelledUtterance]:
