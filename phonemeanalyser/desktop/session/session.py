@@ -160,7 +160,7 @@ class Session(QObject):
 
     def leave_sound(self) -> None:
         """Have no sound in hand, as before the first one."""
-        self.file, self._left_at, self._told = None, 0.0, ""
+        self.file, self._told = None, ""
         self.labels.follow(None, 0.0)
         self.take(lambda: self._source_of(SourceKind.FILE))
 

@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.features.variables import Variable
 from phonemeengine.settings import SAMPLE_RATE, Filter
 from tests.bad_files import BAD_FILES, HOSTILE
@@ -51,6 +52,34 @@ def test_another_file_lets_the_first_one_go(
     assert (session.path, session.source.position, session.source.playing) == (stereo, 0, False)
     assert (session.history.n, session.averages.n_frames) == (0, 0)
     assert "stereo" in session.source.description
+
+
+def test_a_sound_that_is_left_leaves_nothing(
+    session: Session, sound: Path, outputs: Outputs, play: Callable[[float], None]
+) -> None:
+    session.open(sound)
+    play(0.3)
+    session.leave_sound()
+    assert outputs.last.closed
+    assert (session.path, session.source.name, session.source.player) == (None, "no sound", None)
+    assert (session.source.playing, session.source.position, session.history.n) == (False, 0, 0)
+    assert (session.whole.tracks, session.view.duration, session.labels.duration) == (None, 0, 0)
+    session.set_source(SourceKind.TONE)
+    session.set_source(SourceKind.FILE)
+    assert (session.path, session.source.player) == (None, None)
+
+
+def test_a_file_that_has_gone_meanwhile_is_said_to_be_and_nothing_plays(session: Session, sound: Path) -> None:
+    said: list[str] = []
+    session.error.connect(said.append)
+    session.open(sound)
+    session.set_source(SourceKind.TONE)
+    sound.unlink()
+    session.set_source(SourceKind.FILE)
+    session.play()
+    (sentence,) = said
+    assert sentence.startswith("speech.wav: ")
+    assert (session.path, session.source.player, session.source.playing) == (sound, None, False)
 
 
 @pytest.mark.parametrize("name", [n for n in BAD_FILES if n not in HOSTILE])
