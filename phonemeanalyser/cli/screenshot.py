@@ -5,6 +5,7 @@ import math
 import os
 from pathlib import Path
 
+import phonemeanalyser
 from phonemeanalyser.cli.arguments import add_options, add_theme, file_place, number_in, size_in
 from phonemeanalyser.cli.display import load_desktop
 
@@ -17,8 +18,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", type=seconds, metavar="SECONDS", help="analysed up to here (default: the end)")
     parser.add_argument("--size", type=size_in((640, 480), (7680, 4320)), default=(1280, 800), metavar="WxH")
     add_theme(parser)
-    parser.add_argument("--language", choices=["en", "de"], default="en", help="of the window")
+    parser.add_argument("--language", choices=["en", *translated()], default="en", help="of the window")
     add_options(parser, "preset", "channel", preset=None)
+
+
+def translated() -> list[str]:
+    """Return the codes of the languages into which the window is translated, found without importing Qt."""
+    files = (Path(phonemeanalyser.__file__).parent / "desktop" / "translations").glob("*.ts")
+    return sorted(path.stem.partition("_")[2] for path in files)
 
 
 def run(options: argparse.Namespace) -> int:
