@@ -179,7 +179,7 @@ class ExportDialog(QDialog):
         self.table = choice([(name, ON_TALK), *tables])
         by_talk = tr(ON_TALK_WORDS).format(name=tr(self._face.driver.driver.caption))
         self.driver = choice([(by_talk, ON_TALK), (FaceDriver.RULES.caption, None)])
-        meshes: list[tuple[str, str | None]] = [(tr("the program’s own head"), None)]
+        meshes: list[tuple[str, str | None]] = [(tr("the program's own head"), None)]
         if talk.mesh is not None:
             meshes.insert(0, (tr(ON_TALK_WORDS).format(name=Path(talk.mesh).name), ON_TALK))
         self.mesh = choice(meshes)
@@ -294,7 +294,7 @@ class ExportDialog(QDialog):
             self.driver: "text-driver" in options and knows_words,
             self.mesh: "mesh" in options and has_mesh,
             self.expression: "expression" in options and self._face.options.idle.expression is not None,
-            self.timing: not self._is_text,
+            self.timing: not self._is_text and kind.has_words,
             self.heard: not self._is_text,
         }
         for widget, is_shown in shown.items():

@@ -12,16 +12,23 @@ from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
 from phonemeanalyser.desktop.session import export_queue
 from phonemeanalyser.desktop.session.export_queue import ExportState
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
-from phonemeengine import Channel, SoundReader, convert, load_preset
+from phonemeanalyser.desktop.talk.words.text_model import TextTools
+from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
+from phonemeengine import Channel, SoundReader, convert, load_preset, save_preset
 from phonemeengine.conversion.spoken_texts import NO_TEXTS
 from phonemeengine.labels.files import write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET
+from phonemeengine.speech.spoken_text import spoken_text
 from tests.desktop.hands import CARDS, LEFT, shown
+from tests.desktop.talk.voices import FakeVoice
 from tests.tables import outputs_in
 
 PRESET = load_preset("thesis")
@@ -205,6 +212,73 @@ def test_a_batch_takes_the_words_beside_each_sound_and_says_where_there_are_none
     assert found["one"][1] == ()
     assert found["two"][1] == ("there are no words beside it",)
     assert "there are no words beside it" in cells(dialog, 0)[3]
+
+
+def exporting(window):
+    window.dialogs.show_export()
+    return next(d for d in window.findChildren(ExportDialog) if d.isVisible())
+
+
+def test_a_face_is_exported_as_talk_shows_it(desktop, qtbot, tmp_path):
+    sound = Path(shutil.copy(CARDS, tmp_path))
+    said, window, talking = said_in(sound), shown(desktop, qtbot, sound), desktop.talking
+    talking.text.words.put(KnownWords(said))
+    talking.set_speed(0.5, 2.0)
+    talking.set_random(False)
+    talking.set_blinks(False)
+    talking.expression.set_share("smile", 0.6)
+    talking.text.drivers.choose(FaceDriver.RULES)
+    dialog = exporting(window)
+    choose(dialog, "livelink-csv")
+    assert dialog.table.currentText() == "as on Talk: arkit"
+    assert dialog.driver.currentText() == "as on Talk: sounds, by the mouth table"
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    preset, grid, expected = tmp_path / "preset.toml", sound.with_suffix(".TextGrid"), tmp_path / "cli.csv"
+    save_preset(desktop.preset.in_force, preset)
+    words = ["--attack", "0.5", "--release", "2", "--steady", "--no-blinks", "--expression", "smile=0.6"]
+    words += ["--text-driver", "rules", "--script", str(grid), "--preset", str(preset), "-o", str(expected)]
+    assert main(["export", str(sound), "--format", "livelink-csv", *words]) == 0
+    (job,) = dialog.queue.jobs
+    assert job.target.read_bytes() == expected.read_bytes()
+    dialog.close()
+
+
+def test_only_choices_that_make_a_difference_to_the_format_are_shown(dialog):
+    shown_in = {
+        "rhubarb-json": {"timing", "table", "minimum", "anticipation"},
+        "oculus-csv": {"timing", "table", "rate", "anticipation", "detail", "seed"},
+        "livelink-csv": {"timing", "table", "rate", "anticipation", "detail", "seed", "blinks", "head"},
+        "frames-csv": set(),
+    }
+    names = ("timing", "driver", "table", "mesh", "expression", "rate", "minimum", "anticipation", "detail", "seed")
+    for kind, expected in shown_in.items():
+        choose(dialog, kind)
+        assert {name for name in (*names, "blinks", "head") if getattr(dialog, name).isVisible()} == expected
+
+
+def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_path):
+    window, text = shown(desktop, qtbot, None), desktop.talking.text
+    text.tools = TextTools(speak=FakeVoice().speak)
+    desktop.session.set_source(SourceKind.TEXT)
+    text.set_text("Guten Abend.")
+    text.set_language("de")
+    dialog = exporting(window)
+    assert cells(dialog, 0)[0] == "the text on Talk"
+    assert not dialog.timing.isVisible()
+    assert dialog.kind.findData("phonemes-csv") < 0
+    dialog._folder = tmp_path
+    choose(dialog, "livelink-csv")
+    with qtbot.waitSignal(dialog.queue.previewed):
+        QTest.mouseClick(dialog.look, LEFT)
+    assert dialog.preview.toPlainText().startswith("Timecode")
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.told.text() == "1 done"
+    said = spoken_text(FakeVoice().speak("Guten Abend.", "de", VoiceChoice()), language="de").transcript
+    expected = b"".join(Exporter("livelink-csv").chunks_of(said))
+    assert (tmp_path / "text.livelink.csv").read_bytes() == expected
+    dialog.close()
 
 
 def test_sounds_are_removed_from_the_list(dialog):

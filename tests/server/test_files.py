@@ -33,13 +33,14 @@ from tests.server.servers import run, served
 SOUND = RECORDING.read_bytes()
 
 
-def exported(address: str, sound: bytes | None = SOUND, **fields: str | bytes) -> tuple[int, str, bytes]:
-    """Send a form; gives the status, the kind and the content of the answer."""
+def exported(address: str, sound: bytes | None = SOUND, **fields: str | bytes | list[str]) -> tuple[int, str, bytes]:
+    """Send a form, fields of several values several times; gives status, kind and content of the answer."""
 
     async def ask() -> tuple[int, str, bytes]:
         form = aiohttp.FormData(default_to_multipart=True)
         for name, value in fields.items():
-            form.add_field(name, io.BytesIO(value) if isinstance(value, bytes) else value)
+            for each in value if isinstance(value, list) else [value]:
+                form.add_field(name, io.BytesIO(each) if isinstance(each, bytes) else each)
         if sound is not None:
             form.add_field("sound", sound, filename="../../etc/line.flac")
         async with aiohttp.ClientSession() as session, session.post(f"{address}/export", data=form) as found:
