@@ -5491,14 +5491,9 @@
             <translation>Das Programm endete während einer Aufnahme; {seconds:.1f} s vom {begun:%Y-%m-%d, %H:%M} sind sicher in {path}{others}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>the program's own head</source>
             <translation>der mitgelieferte Kopf</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>the program’s own head</source>
-            <translation type="unfinished" />
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
