@@ -9,17 +9,20 @@ import numpy as np
 
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import SCORES, Sensitivity, deficits_of_scores, trace_of_scores
+from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity
 from phonemeengine.recognition.spec import RecogniserSpec, Tuning
 from phonemeengine.settings import FRAME_PERIOD
 
 STEEPNESS = 4.0  # how quickly what is twice the limit becomes sure
 
 
-class Brightness:
-    """Names s where the band of s and sch is strong, a where it is weak, and silence where the sound is faint."""
+class Brightness(ScoredRecogniser):
+    """Names s where the band of s and sch is strong, a where it is weak, and silence where the sound is faint.
 
-    scores = SCORES  # one probability for each phoneme: the window can show and weigh them
+    Its scores are one probability for each phoneme, so the window can show and weigh them, and the base says by how
+    much each phoneme falls short, and why one is named.
+    """
+
     used_thresholds = frozenset({"silence_max_energy", "szsch_szsch1"})
 
     def __init__(self, config):
@@ -46,14 +49,6 @@ class Brightness:
         scores[:, Phoneme.A] = loud * (1 - bright)
         scores = self.sensitivity.apply(scores)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
-
-    def deficits(self, features):
-        """Say by how much each phoneme falls short, for the hysteresis."""
-        return deficits_of_scores(features)
-
-    def explain(self, features, k):
-        """Say why: the likeliest phonemes of the frame."""
-        return trace_of_scores(features, k)
 
 
 def sure(values, limit):

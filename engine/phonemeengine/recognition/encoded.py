@@ -9,8 +9,8 @@ from phonemeengine.dsp.framing import LEAD
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.recognition.learned import LearnedRecogniser
-from phonemeengine.recognition.recognition import Recognition, Trace
-from phonemeengine.recognition.scores import SCORES, Sensitivity, deficits_of_scores, trace_of_scores
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity
 from phonemeengine.settings import HOP, WINDOW
 
 STRETCH, OVERLAP = 2800, 100
@@ -26,7 +26,7 @@ Hear = Callable[[Float32Array], Float32Array]
 """Takes samples, gives how likely each phoneme and viseme is, shape (n_frames or some more, 26)."""
 
 
-class EncodedRecogniser:
+class EncodedRecogniser(ScoredRecogniser):
     """Names what encoder and network together find likeliest: the weighted mean of their log-probabilities.
 
     It holds frames back until it has a stretch of the sound, so it is for files.
@@ -38,9 +38,6 @@ class EncodedRecogniser:
     priors : shares of the phonemes and visemes in what both were trained on, shape (26,).
     sensitivity : log-odds that are added in the end.
     """
-
-    scores = SCORES
-    used_thresholds: frozenset[str] = frozenset()
 
     def __init__(
         self, network: LearnedRecogniser, hear: Hear, priors: Float32Array, sensitivity: Sensitivity
@@ -63,14 +60,6 @@ class EncodedRecogniser:
         """Return the answers for all frames that are left."""
         self._follow(np.zeros((self._network.look_ahead, WINDOW), np.float32))
         return self._answers(self._n_waiting)
-
-    def deficits(self, features: Features) -> Float32Array | None:
-        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
-        return deficits_of_scores(features)
-
-    def explain(self, features: Features, k: int) -> Trace:
-        """Return how likely the likeliest phonemes of frame `k` are."""
-        return trace_of_scores(features, k)
 
     @property
     def _n_waiting(self) -> int:

@@ -11,13 +11,12 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import ROOM, CentredNetwork, Network, forward_together
-from phonemeengine.recognition.recognition import Recognition, Trace
+from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
     SCORES,
+    ScoredRecogniser,
     Sensitivity,
-    deficits_of_scores,
-    trace_of_scores,
 )
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -89,7 +88,7 @@ NOTHING = np.zeros((0, len(SCORES)), np.float32), None
 """What is known of no frames."""
 
 
-class LearnedRecogniser:
+class LearnedRecogniser(ScoredRecogniser):
     """Names the likeliest phoneme; its scores are probabilities.
 
     Parameters
@@ -105,8 +104,6 @@ class LearnedRecogniser:
         asked alone, since its model is centred.
     """
 
-    scores = SCORES
-    used_thresholds: frozenset[str] = frozenset()
     most_together = ROOM
 
     def __init__(
@@ -198,11 +195,3 @@ class LearnedRecogniser:
         np.exp(scores, out=scores)
         scores /= np.add.reduce(scores, axis=1, keepdims=True)
         return scores.reshape(len(found), len(self._warps), -1)
-
-    def deficits(self, features: Features) -> Float32Array | None:
-        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
-        return deficits_of_scores(features)
-
-    def explain(self, features: Features, k: int) -> Trace:
-        """Return how likely the likeliest phonemes of frame `k` are."""
-        return trace_of_scores(features, k)

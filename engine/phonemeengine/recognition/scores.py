@@ -16,7 +16,7 @@ from phonemeengine.features.variables import SCORES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
 
-__all__ = ["SCORES", "Sensitivity", "check_sensitivities", "deficits_of_scores", "scores_in", "trace_of_scores"]
+__all__ = ["SCORES", "ScoredRecogniser", "Sensitivity", "check_sensitivities", "scores_in"]
 
 
 N_NEAREST = 5
@@ -93,15 +93,6 @@ def scores_in(features: Features) -> Float32Array | None:
     return features.values[:, first : first + len(SCORES)]
 
 
-def deficits_of_scores(features: Features) -> Float32Array | None:
-    """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
-    scores = scores_in(features)
-    if scores is None:
-        return None
-    deficits: Float32Array = scores.max(axis=1, keepdims=True) - scores
-    return deficits
-
-
 def separations_of(deficits: Float32Array, phonemes: UInt8Array) -> Float32Array:
     """Return how far phonemes are from giving way to another one, 0..1, shape (n_frames,).
 
@@ -124,18 +115,32 @@ def separations_of(deficits: Float32Array, phonemes: UInt8Array) -> Float32Array
     return np.asarray(0.5 + 0.5 * np.where(np.isinf(apart), np.sign(apart), ratios), np.float32)
 
 
-def trace_of_scores(features: Features, k: int) -> Trace:
-    """Return why frame `k` of a block is recognised as it is: the likeliest phonemes, the best one first.
+class ScoredRecogniser:
+    """What recognisers share that name the likeliest phoneme; see `phonemeengine.recognition.spec.Recogniser`."""
 
-    The best is compared with the second, all others with the best. Frames that nobody has scored are unidentified.
-    """
-    scores = scores_in(features)
-    if scores is None:
-        return Trace(Phoneme.UNIDENTIFIED, Phoneme.UNIDENTIFIED.label, ())
-    row = scores[k]
-    order = [Phoneme(int(code)) for code in np.argsort(-row, kind="stable")[:N_NEAREST]]
-    best = order[0]
-    return Trace(best, best.label, tuple(_compared(row, p, order[1] if p is best else best) for p in order))
+    scores = SCORES
+    used_thresholds: frozenset[str] = frozenset()
+
+    def deficits(self, features: Features) -> Float32Array | None:
+        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
+        scores = scores_in(features)
+        if scores is None:
+            return None
+        deficits: Float32Array = scores.max(axis=1, keepdims=True) - scores
+        return deficits
+
+    def explain(self, features: Features, k: int) -> Trace:
+        """Return why frame `k` of a block is recognised as it is: the likeliest phonemes, the best one first.
+
+        The best is compared with the second, all others with the best. Frames without scores are unidentified.
+        """
+        scores = scores_in(features)
+        if scores is None:
+            return Trace(Phoneme.UNIDENTIFIED, Phoneme.UNIDENTIFIED.label, ())
+        row = scores[k]
+        order = [Phoneme(int(code)) for code in np.argsort(-row, kind="stable")[:N_NEAREST]]
+        best = order[0]
+        return Trace(best, best.label, tuple(_compared(row, p, order[1] if p is best else best) for p in order))
 
 
 def _compared(row: Float32Array, phoneme: Phoneme, other: Phoneme) -> RuleComparison:

@@ -11,13 +11,11 @@ from phonemeengine.dsp.log_mel import N_CEPSTRA, cepstra_of, log_mels
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.recognition import Recognition, Trace
+from phonemeengine.recognition.recognition import Recognition
 from phonemeengine.recognition.scores import (
     NO_SENSITIVITIES,
-    SCORES,
+    ScoredRecogniser,
     Sensitivity,
-    deficits_of_scores,
-    trace_of_scores,
 )
 
 UNTEMPLATED = (Phoneme.SILENCE, Phoneme.UNIDENTIFIED)
@@ -63,7 +61,7 @@ class Templates(ShortRepr):
             raise SettingsError(f"silence_below must lie in -200..0 dB, got {self.silence_below:g}")
 
 
-class TemplateRecogniser:
+class TemplateRecogniser(ScoredRecogniser):
     """Names the phoneme with the nearest template; its scores add up to 1.
 
     Parameters
@@ -73,8 +71,6 @@ class TemplateRecogniser:
     """
 
     look_ahead = 0
-    scores = SCORES
-    used_thresholds: frozenset[str] = frozenset()
 
     def __init__(self, templates: Templates, sensitivities: Mapping[Phoneme, float] = NO_SENSITIVITIES) -> None:
         self._sensitivity = Sensitivity(sensitivities)
@@ -96,14 +92,6 @@ class TemplateRecogniser:
         scores[:, Phoneme.SILENCE] = 1 - loud
         scores = self._sensitivity.apply(scores)
         return Recognition(scores.argmax(axis=1).astype(np.uint8), scores)
-
-    def deficits(self, features: Features) -> Float32Array | None:
-        """Return by how much each phoneme is less likely than the likeliest, shape (n_frames, n_phonemes)."""
-        return deficits_of_scores(features)
-
-    def explain(self, features: Features, k: int) -> Trace:
-        """Return how likely the nearest phonemes of frame `k` are."""
-        return trace_of_scores(features, k)
 
     def _likenesses(self, cepstra: Float32Array) -> Float32Array:
         """Turn distances from the templates into shares of 1, shape (n_frames, n_templates)."""

@@ -7,7 +7,7 @@ from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.scores import SCORES, deficits_of_scores, scores_in, trace_of_scores
+from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, scores_in
 
 
 def scored(**scores: float) -> Features:
@@ -25,13 +25,13 @@ def test_each_phoneme_has_a_score_in_the_order_of_the_phonemes() -> None:
 
 
 def test_a_phoneme_falls_short_by_what_the_likeliest_one_has_more() -> None:
-    deficits = deficits_of_scores(scored(p_a=0.5, p_e=0.375, p_o=0.125))
+    deficits = ScoredRecogniser().deficits(scored(p_a=0.5, p_e=0.375, p_o=0.125))
     assert deficits is not None
     assert deficits[0, [Phoneme.A, Phoneme.E, Phoneme.O, Phoneme.M]].tolist() == [0, 0.125, 0.375, 0.5]
 
 
 def test_the_decision_compares_the_likeliest_with_the_next_one() -> None:
-    trace = trace_of_scores(scored(p_a=0.5, p_e=0.375, p_o=0.125), 0)
+    trace = ScoredRecogniser().explain(scored(p_a=0.5, p_e=0.375, p_o=0.125), 0)
     first, second = trace.comparisons[:2]
     assert (trace.phoneme, trace.rule) == (Phoneme.A, "a")
     assert (first.rule, first.variable, first.value, first.sign) == ("a", "p_a", 0.5, ">")
@@ -42,8 +42,8 @@ def test_the_decision_compares_the_likeliest_with_the_next_one() -> None:
 def test_frames_that_nobody_has_scored_yet_are_explained_without_reasons() -> None:
     plain = Features(("volume",), np.zeros((2, 1), np.float32))
     assert scores_in(plain) is None
-    assert deficits_of_scores(plain) is None
-    assert trace_of_scores(plain, 1).comparisons == ()
+    assert ScoredRecogniser().deficits(plain) is None
+    assert ScoredRecogniser().explain(plain, 1).comparisons == ()
 
 
 @pytest.mark.parametrize("name", ["p_silence", "p_sch", "p_o"])
