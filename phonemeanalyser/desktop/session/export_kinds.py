@@ -150,7 +150,7 @@ class SpeechWork:
         return fingerprint_of("speech", self.order.kind, self.order.options, self.speech)
 
     def known_of(self, _job: Job) -> str:
-        """Return nothing: nothing is known of a text besides."""
+        """Return an empty text: nothing is known of a text besides."""
         return ""
 
     @contextmanager
