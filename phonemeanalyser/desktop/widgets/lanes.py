@@ -19,6 +19,7 @@ from phonemeanalyser.desktop.painting import (
 from phonemeanalyser.desktop.theme import Theme
 from phonemeengine.arrays import Float64Array, IndexArray, UInt8Array, UInt32Array
 from phonemeengine.dsp.waveform_peaks import Peaks
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 SIZE, SMALL = 11, 10
@@ -35,6 +36,8 @@ LEAST_SPACING = 70
 """Pixels between two marks of time."""
 TIME_HEIGHT = 18
 """Pixels of the marks of time with their numbers."""
+PHONEME_NAMES = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
+"""What phonemes are called in lanes, in order."""
 LEAST_LOUDNESS = 0.05
 """The amplitude that fills a waveform's height at least."""
 

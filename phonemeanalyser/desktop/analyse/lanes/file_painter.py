@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.session.sonagram_tiles import Tile
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.lanes import (
+    PHONEME_NAMES,
     lane_of_frames,
     paint_lane,
     paint_name,
@@ -66,8 +67,9 @@ class FilePainter:
         self._colours: UInt32Array = np.zeros(256, np.uint32)
         self._images: dict[int, tuple[Tile, tuple[float, float], QImage]] = {}
         self._lane_colours = _lane_colours(QColor(theme.base))
-        names = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
-        self._names = [name if state is not FrameState.UNKNOWN else "" for state in FrameState for name in names]
+        self._names = [
+            name if state is not FrameState.UNKNOWN else "" for state in FrameState for name in PHONEME_NAMES
+        ]
 
     def set_colours(self, colours: UInt32Array) -> None:
         """Choose the colours of the levels, 256 RGB values."""

@@ -1,18 +1,19 @@
 """The items that scroll: sonagram and phoneme lane, with time as seconds before now (0 at the right)."""
 
+from math import ceil, floor
 from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QRectF, Qt
+from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
 from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import letters_on, set_size
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.lanes import PHONEME_NAMES, TimeAxis, lane_of_frames, paint_lane
 from phonemeengine.arrays import Float32Array, UInt8Array, UInt32Array
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
@@ -20,12 +21,8 @@ from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 SPAN = CAPACITY * FRAME_PERIOD
 """Seconds that can be seen."""
 COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
-NARROWEST_LETTER = 13
-"""Pixels that a stretch of one phoneme needs to carry a name."""
 MOST_GAIN = 10 ** (30 / 20)
 """What normalising may raise a spectrum by in the picture: 30 dB. A quiet room stays dark."""
-LETTER = 8
-"""Pixels of a letter."""
 
 
 def add_colour_maps(box: QComboBox) -> None:
@@ -143,10 +140,10 @@ class PhonemeLane(pg.GraphicsObject):
         super().__init__()
         self._history = history
         self._sonagram = sonagram
+        self._theme = theme
         colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
         self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
-        self._letters = [QColor(letters_on(colour)) for colour in colours]
-        self._names = [*({"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme), ""]
+        self._names = [*PHONEME_NAMES, ""]
 
     def boundingRect(self) -> QRectF:
         """One minute by one."""
@@ -154,28 +151,13 @@ class PhonemeLane(pg.GraphicsObject):
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
         """Paint the stretches that are in view, and the names of those that are wide enough."""
-        view = self.viewRect()
-        n_shown = min(int(-view.left() / FRAME_PERIOD) + 1, CAPACITY)
-        n = self._sonagram.n_drawn
-        codes = self._history.phonemes[self._history.indices(n - n_shown, n)]
-        if len(codes) == 0:
-            return
-        row = np.ascontiguousarray(self._pixels[codes])
-        image = QImage(row.data, len(row), 1, 4 * len(row), QImage.Format.Format_RGB32)
-        painter.drawImage(QRectF(-len(row) * FRAME_PERIOD, 0, len(row) * FRAME_PERIOD, 1), image)
-        self._paint_names(painter, codes)
-
-    def _paint_names(self, painter: QPainter, codes: UInt8Array) -> None:
-        changes = np.flatnonzero(codes[1:] != codes[:-1]) + 1
-        edges = np.concatenate(([0], changes, [len(codes)]))
-        transform = painter.transform()
-        room = (edges[1:] - edges[:-1]) * FRAME_PERIOD * transform.m11()
+        view, n = self.viewRect(), self._sonagram.n_drawn
+        first, last = (n + edge(side / FRAME_PERIOD) for edge, side in ((floor, view.left()), (ceil, view.right())))
+        last = min(last, n)
+        at = self._history.indices(first, last)
+        row = painter.transform().mapRect(QRectF(view.left(), 0, view.width(), 1))
         painter.resetTransform()
-        set_size(painter, 11)
-        for k in np.flatnonzero(room >= NARROWEST_LETTER).tolist():
-            begin, end = int(edges[k]), int(edges[k + 1])
-            name = self._names[codes[begin]]
-            if room[k] >= LETTER * len(name):
-                painter.setPen(self._letters[codes[begin]])
-                place = QRectF((begin - len(codes)) * FRAME_PERIOD, 0, (end - begin) * FRAME_PERIOD, 1)
-                painter.drawText(transform.mapRect(place), Qt.AlignmentFlag.AlignCenter, name)
+        axis = TimeAxis(row.left(), row.width(), n * FRAME_PERIOD + view.left(), view.width())
+        codes = self._history.phonemes[at]
+        lane = lane_of_frames("", codes, self._names, self._pixels, first=last - len(at))
+        paint_lane(painter, row, lane, axis, self._theme)
