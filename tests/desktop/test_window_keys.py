@@ -127,7 +127,7 @@ def test_space_plays_after_a_choice_with_the_mouse_and_after_one_was_hidden(desk
 def test_a_button_reached_with_tab_keeps_space_and_one_that_was_clicked_does_not_get_the_focus(desktop, qtbot):
     window = shown(desktop, qtbot)
     window.show_page(2)
-    wireframe = window.talk.wireframe
+    wireframe = window.talk.heads.wireframe
     click(wireframe)
     assert wireframe.isChecked()
     assert QApplication.focusWidget() is window.talk.head

@@ -2,13 +2,13 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QCheckBox, QMenu, QScrollArea, QSizePolicy, QSplitter, QToolButton, QWidget
+from PySide6.QtWidgets import QMenu, QScrollArea, QSizePolicy, QSplitter, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
-from phonemeanalyser.desktop.talk.head.head_view import HINT, LIGHT_STEP, HeadView
+from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
@@ -21,7 +21,6 @@ from phonemeanalyser.desktop.widgets.builders import (
     label,
     leave_wheel,
     line,
-    named,
     open_at_once,
     row,
     scrolling,
@@ -128,11 +127,7 @@ class TalkPage(QWidget):
         self.stop = spoken_button(tr("Stop"), tr("Stop (Escape)"))
         self.preset = spoken_button(tr("Load Preset…"), tr("Load a preset or PhonemeData file (Ctrl+Shift+O)"))
         self.save = spoken_button(tr("Save ▾"), tr("Save words and phones, or the text as a voice says it"))
-        self.wireframe = named(QCheckBox(tr("wireframe")), tip=tr("Draw the edges of the mesh alone (W)"))
         self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in step, which other means move"))
-        self.home = spoken_button("⌂", tr("Look at the whole head from the front (Home, or a double click)"))
-        self.light_left = spoken_button("☀ ◂", tr("Move the light to the left (,)"))
-        self.light_right = spoken_button("▸", tr("Move the light to the right (.)"))
         self.said = ElidedLabel()
         self.heard = PhonemeChip(talking, theme)
         self._fill_save_menu()
@@ -183,11 +178,6 @@ class TalkPage(QWidget):
         self.play.clicked.connect(lambda _checked: session.toggle())
         self.stop.clicked.connect(lambda _checked: session.stop())
         self._talking.text.changed.connect(self._show_state)
-        self.home.clicked.connect(lambda _checked: self.head.go_home())
-        self.wireframe.toggled.connect(lambda on: self.head.look(wireframe=on))
-        self.light_left.clicked.connect(lambda _checked: self.head.move_light(-LIGHT_STEP))
-        self.light_right.clicked.connect(lambda _checked: self.head.move_light(LIGHT_STEP))
-        self.head.looked.connect(lambda: self.wireframe.setChecked(self.head.wireframe))
         session.transport_changed.connect(self._show_state)
         session.opened.connect(self._show_state)
 
@@ -206,10 +196,9 @@ class TalkPage(QWidget):
         self.said.setToolTip(f"{session.source.name}: {tr_engine(session.source.description)}")
 
     def _lay_out(self) -> None:
-        looks = (self.compare, self.wireframe, self.light_left, self.light_right, self.home)
         below = column(
             row(self.open, self.play, self.stop, self.preset, self.save, 1, spacing=6),
-            row(self.heard, (self.said, 1), *looks, spacing=6),
+            row(self.heard, (self.said, 1), self.compare, *self.heads.looks, spacing=6),
             self.text,
             margins=(8, 5, 8, 5),
             spacing=4,

@@ -107,7 +107,7 @@ def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
     assert desktop.window.pages.currentIndex() == 2
     assert head.camera == camera
     assert head.wireframe
-    assert desktop.window.talk.wireframe.isChecked()
+    assert desktop.window.talk.heads.wireframe.isChecked()
     assert desktop.window.talk.visemes.sliders["o"].value() == 40
     assert picture(head)[4, 4].max() < 60
 
@@ -189,9 +189,9 @@ def test_arrows_go_round_and_with_shift_move_and_the_dots_move_the_light(window)
     assert head.camera.centre != head.camera.home
     press(window, Qt.Key.Key_Period)
     assert head.light.azimuth > light
-    click(window.talk.light_left)
+    click(window.talk.heads.light_left)
     assert head.light.azimuth == pytest.approx(light)
-    click(window.talk.home)
+    click(window.talk.heads.home)
     assert head.camera == Camera.facing(desktop_mesh(window))
 
 
@@ -203,9 +203,9 @@ def test_w_and_the_box_show_the_wireframe(window):
     head = window.talk.head
     solid = picture(head)
     press(window, Qt.Key.Key_W)
-    assert window.talk.wireframe.isChecked()
+    assert window.talk.heads.wireframe.isChecked()
     assert np.abs(picture(head).astype(int) - solid).mean() > 5
-    click(window.talk.wireframe)
+    click(window.talk.heads.wireframe)
     assert not head.wireframe
 
 

@@ -1,15 +1,15 @@
 """The head, and beside it another one that says the same by other means; each says what moves it."""
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QCheckBox, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.head.face_model import MovingHead
-from phonemeanalyser.desktop.talk.head.head_view import HeadView
+from phonemeanalyser.desktop.talk.head.head_view import LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, named, row
+from phonemeanalyser.desktop.widgets.builders import column, named, row, spoken_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 
@@ -45,6 +45,7 @@ class HeadPair(QWidget):
     Attributes
     ----------
     main, beside : the heads.
+    looks : what changes how they are looked at, for a row of controls: wireframe, light and the way back.
     """
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
@@ -52,6 +53,12 @@ class HeadPair(QWidget):
         self._talking = talking
         self.main, self.beside = CaptionedHead(talking.head, theme), CaptionedHead(talking.beside, theme)
         row((self.main, 1), (self.beside, 1), on=self, spacing=1)
+        self.wireframe = named(QCheckBox(tr("wireframe")), tip=tr("Draw the edges of the mesh alone (W)"))
+        self.light_left = spoken_button("☀ ◂", tr("Move the light to the left (,)"))
+        self.light_right = spoken_button("▸", tr("Move the light to the right (.)"))
+        self.home = spoken_button("⌂", tr("Look at the whole head from the front (Home, or a double click)"))
+        self.looks = (self.wireframe, self.light_left, self.light_right, self.home)
+        self._connect()
         self.main.view.looked.connect(lambda: self._look_alike(self.main.view, self.beside.view))
         self.beside.view.looked.connect(lambda: self._look_alike(self.beside.view, self.main.view))
         talking.changed.connect(self._show_state)
@@ -62,6 +69,14 @@ class HeadPair(QWidget):
         self.main.view.refresh()
         if self._talking.comparing:
             self.beside.view.refresh()
+
+    def _connect(self) -> None:
+        head = self.main.view
+        self.home.clicked.connect(lambda _checked: head.go_home())
+        self.wireframe.toggled.connect(lambda on: head.look(wireframe=on))
+        self.light_left.clicked.connect(lambda _checked: head.move_light(-LIGHT_STEP))
+        self.light_right.clicked.connect(lambda _checked: head.move_light(LIGHT_STEP))
+        head.looked.connect(lambda: self.wireframe.setChecked(head.wireframe))
 
     def _look_alike(self, one: HeadView, other: HeadView) -> None:
         seen = (one.camera, one.wireframe, one.light)
