@@ -1349,7 +1349,7 @@
             <translation>Ziehen, oder Pfeiltasten (mit Umschalt feiner).</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>Draw the edges of the mesh alone (W)</source>
             <translation>Nur die Kanten des Netzes zeichnen (W)</translation>
         </message>
@@ -2805,7 +2805,7 @@
             <translation>Erneut nach Mikrofonen suchen (F5)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>Look at the whole head from the front (Home, or a double click)</source>
             <translation>Den ganzen Kopf von vorn ansehen (Pos1 oder Doppelklick)</translation>
         </message>
@@ -3145,12 +3145,12 @@
             <translation>Das Licht bewegen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>Move the light to the left (,)</source>
             <translation>Das Licht nach links bewegen (,)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>Move the light to the right (.)</source>
             <translation>Das Licht nach rechts bewegen (.)</translation>
         </message>
@@ -6376,7 +6376,7 @@
             <translation>Drahtgitter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>wireframe</source>
             <translation>Drahtgitter</translation>
         </message>
