@@ -208,7 +208,7 @@ class UnspokenText(Source):
         return False
 
 
-class SpokenText(Source):
+class SpokenSource(Source):
     """Plays a text that a voice speaks, maybe while it is still speaking."""
 
     kind, title, words, hint = UnspokenText.kind, UnspokenText.title, UnspokenText.words, UnspokenText.hint

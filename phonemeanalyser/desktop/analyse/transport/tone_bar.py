@@ -15,7 +15,7 @@ from phonemeengine.audio.tone.settings import FORMANT_LIMITS, TONE_LIMITS, VOWEL
 
 
 @dataclass(frozen=True)
-class Number:
+class ToneNumber:
     """How a number is shown: what stands before it, decimals, step, and what it is for."""
 
     prefix: str
@@ -24,16 +24,16 @@ class Number:
     tip: str
 
 
-NUMBERS: dict[str, Number] = {
-    "frequency": Number("", 1, 10, tr_noop("Frequency of the sine")),
-    "low": Number(tr_noop("from "), 0, 10, tr_noop("Where the sweep begins")),
-    "high": Number(tr_noop("to "), 0, 100, tr_noop("Where the sweep ends")),
-    "sweep_seconds": Number(tr_noop("in "), 1, 1, tr_noop("How long the sweep takes")),
-    "f0": Number("f0 ", 0, 5, tr_noop("Fundamental of the voice")),
-    "F1": Number("F1 ", 0, 10, tr_noop("First formant")),
-    "F2": Number("F2 ", 0, 20, tr_noop("Second formant")),
-    "F3": Number("F3 ", 0, 20, tr_noop("Third formant")),
-    "level": Number(tr_noop("level "), 0, 1, tr_noop("Level: the highest peak below full scale")),
+NUMBERS: dict[str, ToneNumber] = {
+    "frequency": ToneNumber("", 1, 10, tr_noop("Frequency of the sine")),
+    "low": ToneNumber(tr_noop("from "), 0, 10, tr_noop("Where the sweep begins")),
+    "high": ToneNumber(tr_noop("to "), 0, 100, tr_noop("Where the sweep ends")),
+    "sweep_seconds": ToneNumber(tr_noop("in "), 1, 1, tr_noop("How long the sweep takes")),
+    "f0": ToneNumber("f0 ", 0, 5, tr_noop("Fundamental of the voice")),
+    "F1": ToneNumber("F1 ", 0, 10, tr_noop("First formant")),
+    "F2": ToneNumber("F2 ", 0, 20, tr_noop("Second formant")),
+    "F3": ToneNumber("F3 ", 0, 20, tr_noop("Third formant")),
+    "level": ToneNumber(tr_noop("level "), 0, 1, tr_noop("Level: the highest peak below full scale")),
 }
 FORMANTS = ("F1", "F2", "F3")
 OF_VOWEL = ("f0", *FORMANTS)

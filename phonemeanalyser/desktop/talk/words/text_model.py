@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.session.export_kinds import TextToSay
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.session.sources import SourceKind, SpokenText
+from phonemeanalyser.desktop.session.sources import SourceKind, SpokenSource
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.drivers.original_model import OriginalModel
@@ -446,7 +446,7 @@ class TextModel(QObject):
         def speak_again() -> SpooledSpeech:
             return SpooledSpeech(self.tools.speak(text, speech.language, voice))
 
-        session.take(lambda: SpokenText(session.preset.in_force, session.playback, speech.speech, speak_again))
+        session.take(lambda: SpokenSource(session.preset.in_force, session.playback, speech.speech, speak_again))
         session.play()
 
     def _follow_speech(self) -> None:
