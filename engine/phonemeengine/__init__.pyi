@@ -38,6 +38,7 @@ from .errors import ExportError as ExportError
 from .errors import MeshError as MeshError
 from .errors import ModelError as ModelError
 from .errors import MouthError as MouthError
+from .errors import OptionError as OptionError
 from .errors import PerformanceError as PerformanceError
 from .errors import PresetError as PresetError
 from .errors import RecogniserError as RecogniserError
@@ -147,7 +148,6 @@ from .text.espeak import voices as voices
 from .text.lexicon import Lexicon as Lexicon
 from .text.lexicon import load_lexicon as load_lexicon
 from .text.pronunciation import ScriptWord as ScriptWord
-from .text.pronunciation import notes_on as notes_on
 from .text.pronunciation import words_of as words_of
 from .text.script import timed_script as timed_script
 

@@ -25,7 +25,6 @@ from phonemeengine import (
     VoiceError,
     load_lexicon,
     load_preset,
-    notes_on,
     speak_by_program,
     transcribe,
 )
@@ -45,6 +44,7 @@ from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.storage.files import printable, read_text_file
 from phonemeengine.text import mandarin
 from phonemeengine.text.espeak import language_of
+from phonemeengine.text.pronunciation import notes_on
 from phonemeengine.text.script import LARGEST
 
 LOOK = 0.05

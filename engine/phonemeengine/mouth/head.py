@@ -3,6 +3,7 @@
 Its origin is where it turns on the neck; a unit is a decimetre. Made by `python -m tools.head`.
 """
 
+import os
 from pathlib import Path
 from typing import Any
 
@@ -22,13 +23,14 @@ OWN_LIFE = ("eye", "brow")
 """States whose names begin so are not interactable: the mouth does not push eyes and brows back."""
 
 
-def load_head(path: Path = HEAD) -> MorphMesh:
+def load_head(path: str | os.PathLike[str] = HEAD) -> MorphMesh:
     """Load the head and its movestates, whose names are those of ARKit.
 
     Raises
     ------
     MeshError : the program's own file is missing or damaged.
     """
+    path = Path(path)
     try:
         return _morph_mesh_of(read_npz(path, LARGEST))
     except (OSError, ValueError, KeyError) as error:
