@@ -9,11 +9,14 @@ from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE_HEIGHT, LEFT
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
+from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelState
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
 from phonemeengine.dsp.sonagram import FrequencyAxis
+from phonemeengine.labels.label import RawLabel
+from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
@@ -208,3 +211,17 @@ def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
     qtbot.waitUntil(lambda: "words: hallo" in view.reading())
     window.analysis.file.overlays["words"].setChecked(False)
     assert view._layout.spoken_rows() == []
+
+
+def test_a_point_of_a_tier_has_its_name_from_there_to_the_next_and_cannot_be_dragged(desktop, qtbot):
+    layout = shown(desktop, qtbot).analysis.file.view._layout
+    marks = Tier("marks", (RawLabel(0.5, 0.5, "breath", ""), RawLabel(1.5, 1.5, "click", "")), points=True)
+    words = Tier("words", (RawLabel(0.5, 1.0, "hallo", ""),))
+    desktop.session.labels.put(LabelState((marks, words), (0, 1), 1))
+    (_, points), (_, spans) = layout.label_lanes()
+    assert (points.starts.tolist(), points.ends.tolist()) == ([0.5, 1.5], [1.5, desktop.session.labels.duration])
+    assert (points.are_points, points.movable) == (True, False)
+    assert (spans.are_points, spans.movable) == (False, True)
+    assert layout.label_lanes()[1][1] is spans
+    desktop.session.labels.choose(ChosenLabel(1, 0))
+    assert layout.label_lanes()[1][1].colours.tolist() != spans.colours.tolist()

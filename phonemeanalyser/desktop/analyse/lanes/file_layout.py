@@ -40,7 +40,7 @@ class FileLayout:
         self._session, self._widget, self._theme = session, widget, theme
         self.shows: set[str] = set()
         self.spoken: list[Lane] = []
-        self._lanes: dict[int, tuple[object, Lane]] = {}
+        self._lanes: dict[int, tuple[Tier, tuple[int | None, bool], Lane]] = {}
 
     @property
     def width(self) -> int:
@@ -84,12 +84,12 @@ class FileLayout:
         state, chosen = self._session.labels.state, self._session.labels.chosen
         tier = state.tiers[number]
         mark = chosen.label if chosen is not None and chosen.tier == number else None
-        known, lane = self._lanes.get(number, (None, None))
-        shown = (tier, mark, number == state.said)
-        if lane is None or not isinstance(known, tuple) or known[0] is not tier or known[1:] != shown[1:]:
-            lane = _lane_of_tier(tier, mark, self._theme, duration=self._session.labels.duration, said=shown[2])
-            self._lanes[number] = shown, lane
-        return lane
+        said = number == state.said
+        known = self._lanes.get(number)
+        if known is None or known[0] is not tier or known[1] != (mark, said):  # tiers are long: never compare them
+            lane = _lane_of_tier(tier, mark, self._theme, duration=self._session.labels.duration, said=said)
+            known = self._lanes[number] = tier, (mark, said), lane
+        return known[2]
 
     def tiers_shown(self) -> tuple[int, ...]:
         """Return the tiers that are shown, as many as leave the sonagram room; what a microphone heard has none."""
