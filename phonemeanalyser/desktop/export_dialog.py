@@ -178,7 +178,7 @@ class ExportDialog(QDialog):
         tables = [(tr(USUAL), None), *((table, table) for table in shipped_tables())]
         self.table = choice([(name, ON_TALK), *tables])
         by_talk = tr(ON_TALK_WORDS).format(name=tr(self._face.driver.driver.caption))
-        self.driver = choice([(by_talk, ON_TALK), (FaceDriver.RULES.caption, None)])
+        self.driver = choice([(by_talk, ON_TALK), (tr(FaceDriver.RULES.caption), None)])
         meshes: list[tuple[str, str | None]] = [(tr("the program's own head"), None)]
         if talk.mesh is not None:
             meshes.insert(0, (tr(ON_TALK_WORDS).format(name=Path(talk.mesh).name), ON_TALK))
