@@ -15,7 +15,7 @@ from phonemeanalyser.cli.arguments import (
 )
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, say_note, share_paths
 from phonemeengine import FORMATS, EngineError
-from phonemeengine.conversion.work import ConversionWork, check_options
+from phonemeengine.conversion.work import ConversionWork
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -33,7 +33,6 @@ def run(options: argparse.Namespace) -> int:
     share_paths(options)
     asked = given(options)
     kind = asked.format or format_of(options, options.out if is_single(options.inputs, options.out) else None)
-    check_options(kind, asked.written())
     if FORMATS[kind].moves_mesh and options.out is None:
         raise EngineError(f"{kind} is no text to be printed; name a file or a folder with -o")
     jobs = jobs_of(options.inputs, options.out, FORMATS[kind].full_ending)
