@@ -26,6 +26,11 @@ async def come_to(truth: Callable[[], object], what: str = "the other task") -> 
         await asyncio.sleep(LOOK)
 
 
+def let_pass(seconds: float) -> None:
+    """Let real time pass, for what is played or recorded in it by a card, or by a program that stands for one."""
+    time.sleep(seconds)
+
+
 class Clock:
     """A clock that a test moves.
 

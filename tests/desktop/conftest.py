@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
 
+import pyqtgraph as pg
 import pytest
 
 from phonemeengine.settings import SAMPLE_RATE
@@ -26,12 +27,13 @@ from phonemeengine.live import player
 from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import WINDOW
-from tests.desktop.hands import shown
+from tests.desktop.hands import DialogHand, shown
 from tests.desktop.lent_window import WindowLender
 from tests.desktop.studio import DESK, Booth, Studio
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.fakes.outputs import Outputs
 
+pg.setConfigOptions(mouseRateLimit=-1)  # each move of the mouse counts, however fast they follow
 PATIENCE_MS = 60_000
 STEP = 700
 AHEAD = STEP + WINDOW // 2 + player.STEP  # half a window and a block beyond what is heard next
@@ -165,6 +167,14 @@ def own_desktop(
     yield desktop
     desktop.close()
     qapp.sendPostedEvents(None, QEvent.Type.DeferredDelete)  # processEvents leaves these
+
+
+@pytest.fixture
+def hand(qapp: QApplication) -> Iterator[DialogHand]:
+    """Answers the dialogs that come."""
+    hand = DialogHand()
+    yield hand
+    hand.rest()
 
 
 @pytest.fixture

@@ -1,5 +1,6 @@
 """A user's hands and eyes: what tests do with mouse and keyboard, and how they look at the window."""
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -14,6 +15,7 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSpinBox,
     QApplication,
+    QDialog,
     QMenu,
     QMessageBox,
     QToolButton,
@@ -113,6 +115,62 @@ def answer(button: str) -> list[str]:
     return told
 
 
+class DialogHand:
+    """Acts in each dialog that comes from now on, once, in place of a user; without `act` it rejects them.
+
+    Attributes
+    ----------
+    act : given each dialog, which it should close.
+    titles : of all dialogs that came.
+    texts : what the message boxes among them said.
+    """
+
+    def __init__(self) -> None:
+        self.act: Callable[[Any], object] = QDialog.reject
+        self.titles: list[str] = []
+        self.texts: list[str] = []
+        self._known = [QApplication.activeModalWidget()]
+        self._timer = QTimer(interval=5)
+        self._timer.timeout.connect(self._look)
+        self._timer.start()
+
+    def press(self, button: QMessageBox.StandardButton) -> None:
+        """Have a button of the next message boxes be pressed."""
+        self.act = lambda box: box.button(button).click()
+
+    def _look(self) -> None:
+        dialog = QApplication.activeModalWidget()
+        if not isinstance(dialog, QDialog) or any(dialog is known for known in self._known):
+            return
+        self._known.append(dialog)
+        self.titles.append(dialog.windowTitle())
+        if isinstance(dialog, QMessageBox):
+            self.texts.append(dialog.text())
+        try:
+            self.act(dialog)
+        except BaseException:
+            dialog.reject()
+            raise
+
+    def rest(self) -> None:
+        """Act no more."""
+        self._timer.stop()
+        self._known.clear()
+
+
+def back_in(window: MainWindow, qtbot: QtBot) -> None:
+    """Give the keyboard back to the window after a dialog."""
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+
+
+def settle() -> None:
+    """Let the window lay itself out and paint: all that waits in the event loop is done."""
+    for _ in range(5):
+        QApplication.sendPostedEvents()
+        QApplication.processEvents()
+
+
 def type_number(box: QAbstractSpinBox, text: str) -> None:
     """Click into a number, replace it, and press Return."""
     click(box.lineEdit(), 4)
@@ -129,7 +187,6 @@ def button(view: QWidget, text: str) -> QToolButton:
 def hover(graphics: pg.GraphicsView, plot: Any, x: float, y: float) -> None:
     """Move the mouse to a point of a plot."""
     QTest.mouseMove(graphics.viewport(), QPoint(5, 5))
-    QTest.qWait(30)  # pyqtgraph passes over moves that follow too fast
     QTest.mouseMove(graphics.viewport(), place(graphics, plot, x, y))
 
 

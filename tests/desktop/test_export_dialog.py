@@ -3,14 +3,15 @@
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
+import soundfile
 from PySide6.QtCore import QSettings
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFileDialog
+from PySide6.QtWidgets import QFileDialog, QLineEdit
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.export_dialog import BESIDE, ExportDialog
-from phonemeanalyser.desktop.session import export_queue
 from phonemeanalyser.desktop.session.export_queue import ExportState
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords
@@ -26,6 +27,7 @@ from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET
+from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spoken_text import spoken_text
 from tests.desktop.hands import CARDS, LEFT, shown
 from tests.desktop.talk.voices import FakeVoice
@@ -111,14 +113,15 @@ def test_the_result_is_seen_before_it_is_written(dialog, folder, qtbot):
     assert not list(folder.rglob("*.csv"))
 
 
-def test_of_a_long_sound_the_beginning_is_seen(dialog, folder, qtbot, monkeypatch):
-    monkeypatch.setattr(export_queue, "SECONDS_PREVIEWED", 0.5)
+def test_of_a_long_sound_the_beginning_is_seen(dialog, folder, qtbot):
+    for path in folder.rglob("*.flac"):
+        soundfile.write(path, np.zeros(40 * SAMPLE_RATE), SAMPLE_RATE)
     choose(dialog, "phonemes-csv")
     with qtbot.waitSignal(dialog.queue.previewed):
         QTest.mouseClick(dialog.look, LEFT)
     *rows, last = dialog.preview.toPlainText().splitlines()
     assert last == "…"
-    assert float([row for row in rows if row][-1].split(",")[1]) == pytest.approx(0.5, abs=0.03)
+    assert float([row for row in rows if row][-1].split(",")[1]) == pytest.approx(30.0, abs=0.03)
 
 
 def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(dialog):
@@ -137,14 +140,19 @@ def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(
     assert (order.options.minimum, order.options.table, order.options.idle.head) == (0.2, None, False)
 
 
-def test_files_go_where_the_user_says(dialog, folder, tmp_path, qtbot, monkeypatch):
+def test_files_go_where_the_user_says(dialog, folder, tmp_path, qtbot, hand):
+    def choose_out(asked: QFileDialog) -> None:
+        asked.findChild(QLineEdit).setText(str(tmp_path / "out"))
+        asked.accept()
+
+    (tmp_path / "out").mkdir()
     choose(dialog, "phonemes-csv")
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: str(tmp_path / "out"))
+    hand.act = choose_out
     QTest.mouseClick(dialog.folder, LEFT)
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
     assert outputs_in(tmp_path / "out") == ["one.csv", "two.csv"]
-    monkeypatch.setattr(QFileDialog, "getExistingDirectory", lambda *_: "")
+    hand.act = QFileDialog.reject
     QTest.mouseClick(dialog.folder, LEFT)
     assert dialog.folder.text() == BESIDE
 

@@ -10,6 +10,7 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.errors import EngineError
 from phonemeengine.execution import Progress, report_progress
+from tests.desktop.hands import settle
 
 HANG = 60
 
@@ -132,7 +133,7 @@ def test_finishing_waits_for_all_that_was_submitted_and_tells_nothing(told: Told
     told.queue.submit(lambda _progress: written.append(2), told.take)
     told.queue.finish()
     assert written == [1, 2]
-    qtbot.wait(1)  # what the threads sent lies in the event loop
+    settle()  # what the threads sent lies in the event loop
     assert told.results == []
 
 

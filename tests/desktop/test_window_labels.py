@@ -5,7 +5,7 @@ import shutil
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QInputDialog, QMessageBox
+from PySide6.QtWidgets import QMessageBox
 
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
-from tests.desktop.hands import CARDS, FileAnswers, press, shown
+from tests.desktop.hands import CARDS, FileAnswers, back_in, press, shown
 
 TIERS = (
     Tier("phones", (RawLabel(0.5, 1.0, "o", ""), RawLabel(1.0, 1.5, "s", ""))),
@@ -68,11 +68,16 @@ def test_a_click_chooses_and_selects_and_a_drag_moves_the_boundary(desktop, wind
     desktop.preset.undo_stack.redo()
 
 
-def test_labels_are_renamed_inserted_and_deleted(desktop, window, monkeypatch):
+def test_labels_are_renamed_inserted_and_deleted(desktop, window, hand, qtbot):
+    def type_u(dialog) -> None:
+        dialog.setTextValue("u")
+        dialog.accept()
+
     view, labels = window.analysis.file.view, desktop.session.labels
-    monkeypatch.setattr(QInputDialog, "getText", lambda *_a, **_k: ("u", True))
+    hand.act = type_u
     QTest.mouseDClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 0.7))
     assert labels.tiers[0].raw_labels[0].name == "u"
+    back_in(window, qtbot)
     desktop.session.view.select(TimeSpan(1.6, 1.8))
     press(window, Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
     assert labels.tiers[0].raw_labels[2].name == "u"
@@ -111,19 +116,12 @@ def test_tiers_are_chosen_by_name(desktop, window):
     dialog.deleteLater()
 
 
-def test_unsaved_labels_are_asked_about_before_they_go(desktop, window, monkeypatch):
+def test_unsaved_labels_are_asked_about_before_they_go(desktop, window, hand):
     labels = desktop.session.labels
     labels.delete(ChosenLabel(0, 0))
-    asked = []
-
-    def answer(*words):
-        asked.append(words[2])
-        return QMessageBox.StandardButton.Cancel
-
-    monkeypatch.setattr(QMessageBox, "question", answer)
     assert not desktop.session.open(CARDS)
-    assert "Save the labels of cards.flac" in asked[0]
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    assert "Save the labels of cards.flac" in hand.texts[0]
+    hand.press(QMessageBox.StandardButton.Discard)
     assert desktop.session.open(CARDS)
     assert labels.path == CARDS.with_suffix(".csv")
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
-from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget, QMessageBox
+from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import Channel
-from tests.desktop.hands import click, followed, menu, press, shown, type_number
+from tests.desktop.hands import click, followed, menu, press, settle, shown, type_number
 
 
 def pixels(window) -> np.ndarray:
@@ -173,13 +173,11 @@ def test_everything_frequent_has_a_key(desktop, qtbot):
         assert keys[name][0]
 
 
-def test_about_says_what_it_is(desktop, qtbot, monkeypatch):
-    said = []
-    monkeypatch.setattr(QMessageBox, "about", lambda *parts: said.append(parts[2]))
+def test_about_says_what_it_is(desktop, qtbot, hand):
     shown(desktop, qtbot, None).menus.actions["About PhonemeAnalyser"].trigger()
-    assert "MIT" in said[0]
-    assert "which flatters: 50 ms ahead macro F1 0.757" in said[0]
-    assert "left out of a training, but not of the choice of its settings" in said[0]
+    assert "MIT" in hand.texts[0]
+    assert "which flatters: 50 ms ahead macro F1 0.757" in hand.texts[0]
+    assert "left out of a training, but not of the choice of its settings" in hand.texts[0]
 
 
 # -- the next start -----------------------------------------------------------------------------------
@@ -204,7 +202,7 @@ def start_again(desktop, qapp, settings):
 def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window = shown(desktop, qtbot)
     window.resize(1500, 900)
-    qtbot.wait(20)
+    settle()
     window.analysis.setSizes([300, 100, 300])
     window.analysis.spectra.setSizes([300, 600])
     window.findChild(QDockWidget, "Filters").close()
@@ -222,13 +220,13 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
         window.analysis.scroll_view.decibels,
     ):
         click(switch)
-    qtbot.wait(20)
+    settle()
     sizes = window.analysis.sizes(), window.analysis.spectra.sizes()
     again = start_again()
     new = again.window
     new.show()
     new.resize(1500, 900)  # Qt holds a restored window within the screen, and the offscreen one is small
-    qtbot.wait(20)
+    settle()
     assert new.analysis.sizes() == pytest.approx(sizes[0], abs=25)
     assert new.analysis.spectra.sizes() == pytest.approx(sizes[1], abs=25)
     assert not new.findChild(QDockWidget, "Filters").isVisible()

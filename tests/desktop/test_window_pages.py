@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.app import FirstPaint
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
-from tests.desktop.hands import FileAnswers, choose, click, copied, press, shown
+from tests.desktop.hands import FileAnswers, choose, click, copied, press, settle, shown
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
@@ -37,16 +37,6 @@ def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
     click(window.switch.buttons[2])
     assert window.findChildren(TalkPage) == [page]
     assert page.isVisible()
-
-
-def test_the_calibration_is_drawn_as_long_as_it_is_seen(desktop, qtbot, monkeypatch):
-    window, drawn = shown(desktop, qtbot), []
-    window.show_page(1)
-    monkeypatch.setattr(window.calibration, "refresh", lambda: drawn.append(window.pages.currentIndex()))
-    window.redraw.tick()
-    window.show_page(0)
-    window.redraw.tick()
-    assert drawn == [1]
 
 
 def test_a_window_that_is_too_small_for_a_page_scrolls_it(desktop, qtbot):
@@ -96,12 +86,12 @@ def test_the_sound_is_opened_after_the_window_has_been_painted(desktop, qtbot):
     waiting = FirstPaint(desktop.window)
     said = []
     waiting.painted.connect(lambda: said.append(desktop.window.isVisible()))
-    qtbot.wait(50)
+    settle()
     assert said == []
     desktop.window.show()
     qtbot.waitUntil(lambda: said == [True])
     desktop.window.repaint()
-    qtbot.wait(50)
+    settle()
     assert said == [True]
 
 

@@ -19,23 +19,11 @@ def window(desktop, qtbot):
     return shown(desktop, qtbot)
 
 
-@pytest.fixture
-def asked(monkeypatch):
-    """Answers the question about unsaved changes; counts how often it was put."""
-
-    class Asked:
-        answer = BUTTON.Cancel
-        times = 0
-
-        def __call__(self, _window, title, text, *_buttons):
-            assert title == "Unsaved changes"
-            assert text.endswith("?")
-            self.times += 1
-            return self.answer
-
-    asked = Asked()
-    monkeypatch.setattr(QMessageBox, "question", asked)
-    return asked
+def said(hand) -> int:
+    """How often it was asked about unsaved changes."""
+    assert set(hand.titles) <= {"Unsaved changes"}
+    assert all(text.endswith("?") for text in hand.texts)
+    return len(hand.texts)
 
 
 def will_save_to(window, *paths, chosen="Preset (*.toml)") -> FileAnswers:
@@ -116,9 +104,9 @@ def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, wi
     assert desktop.preset.path == THESIS_PRESET
 
 
-def test_closing_without_changes_asks_nothing(desktop, window, asked):
+def test_closing_without_changes_asks_nothing(desktop, window, hand):
     assert window.close()
-    assert asked.times == 0
+    assert said(hand) == 0
     assert not window.redraw.timer.isActive()
 
 
@@ -128,51 +116,51 @@ def test_closing_while_it_plays_silences_it(desktop, window):
     assert not desktop.session.source.playing
 
 
-def test_cancel_keeps_the_window_and_the_changes(desktop, window, asked):
+def test_cancel_keeps_the_window_and_the_changes(desktop, window, hand):
     change(window)
     click(window.transport.play)
     assert not window.close()
-    assert asked.times == 1
+    assert said(hand) == 1
     assert window.isVisible()
     assert window.isWindowModified()
     assert desktop.session.source.playing
     assert window.redraw.timer.isActive()
 
 
-def test_discard_closes_and_writes_nothing(desktop, window, asked, tmp_path):
+def test_discard_closes_and_writes_nothing(desktop, window, hand, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
     window.dialogs.load_preset(tmp_path / "mine.toml")
     before = (tmp_path / "mine.toml").read_bytes()
     change(window)
-    asked.answer = BUTTON.Discard
+    hand.press(BUTTON.Discard)
     assert window.close()
     assert (tmp_path / "mine.toml").read_bytes() == before
 
 
-def test_save_writes_and_closes(desktop, window, asked, tmp_path):
+def test_save_writes_and_closes(desktop, window, hand, tmp_path):
     change(window)
-    asked.answer = BUTTON.Save
+    hand.press(BUTTON.Save)
     will_save_to(window, tmp_path / "voice.toml")
     assert window.close()
     assert tomllib.loads((tmp_path / "voice.toml").read_text())["phoneme_data"]["sz_s1"] == 3.5
 
 
-def test_save_without_choosing_a_file_does_not_close(desktop, window, asked):
+def test_save_without_choosing_a_file_does_not_close(desktop, window, hand):
     change(window)
-    asked.answer = BUTTON.Save
+    hand.press(BUTTON.Save)
     will_save_to(window)
     assert not window.close()
     assert window.isVisible()
     assert window.isWindowModified()
 
 
-def test_loading_another_preset_asks_about_changes_too(desktop, window, asked, tmp_path):
+def test_loading_another_preset_asks_about_changes_too(desktop, window, hand, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
     change(window)
     window.dialogs.load_preset(tmp_path / "mine.toml")
-    assert asked.times == 1
+    assert said(hand) == 1
     assert desktop.preset.path == THESIS_PRESET
-    asked.answer = BUTTON.Discard
+    hand.press(BUTTON.Discard)
     window.dialogs.load_preset(tmp_path / "mine.toml")
     assert desktop.preset.path == tmp_path / "mine.toml"
     assert not window.isWindowModified()

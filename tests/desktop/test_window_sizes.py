@@ -21,7 +21,7 @@ from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import Tone, ToneKind
-from tests.desktop.hands import click, followed, shown
+from tests.desktop.hands import click, followed, settle, shown
 
 SMALLEST = (1016, 660)
 """What window managers leave of a screen of 1024x700."""
@@ -32,7 +32,7 @@ SIZES = [SMALLEST, (1280, 800), (1920, 1080)]
 def window(request, desktop, qtbot):
     window = followed(desktop, qtbot, seconds=1.0)
     window.resize(*request.param)
-    qtbot.wait(50)
+    settle()
     assert (window.width(), window.height()) == request.param
     return window
 
@@ -94,7 +94,7 @@ def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop
         desktop.session.averages.save(tmp_path / f"speaker {k}.csv")
     click(window.analysis.averaged.measure)
     window.redraw.refresh_all()
-    qtbot.wait(50)
+    settle()
     assert (window.width(), window.height()) == (1280, 800)
     assert fits(window)
 
@@ -119,7 +119,7 @@ def test_every_page_fits_on_a_small_screen_whatever_is_heard(desktop, qtbot, pag
         qtbot.waitUntil(lambda: fits(window))
         window.resize(*SMALLEST)
         qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
-        qtbot.wait(20)
+        settle()
         assert not bar.visibleRegion().isEmpty()
         in_bar = [w for w in bar.findChildren(QWidget) if w.isVisible() and w.parentWidget() in (bar, bar.tone)]
         assert [w for w in in_bar if not w.parentWidget().rect().contains(w.geometry())] == [], kind
@@ -143,7 +143,7 @@ def test_the_tabs_of_the_calibration_can_be_scrolled_where_they_are_narrow(deskt
     tabs = window.calibration.workbench.tabs
     for number in range(1, tabs.count()):
         tabs.setCurrentIndex(number)
-        qtbot.wait(20)
+        settle()
         scrolled = tabs.widget(number)
         view = scrolled.widget()
         hidden = view.width() - scrolled.viewport().width()
@@ -157,7 +157,7 @@ def test_the_page_of_the_head_shows_its_whole_width(settings, request, qtbot, la
     window = shown(request.getfixturevalue("desktop"), qtbot, None)
     window.show_page(2)
     window.resize(*SMALLEST)
-    qtbot.wait(20)
+    settle()
     around_it = [a for a in window.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes)]
     assert len(around_it) == 2
     for scrolled in around_it:
@@ -212,7 +212,7 @@ def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_nar
     first.show()
     qtbot.waitExposed(first)
     first.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, first.findChild(QDockWidget, "Filters"))
-    qtbot.wait(20)
+    settle()
     assert first.close()
     again = Desktop(qapp, settings, lambda _n: ClockOutput())
     again.window.resize(1016, 700)

@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.devices import Device
 from phonemeengine.audio.tone.settings import ToneKind
 from phonemeengine.presets.files import DEFAULT_PRESET
-from tests.desktop.hands import press
+from tests.desktop.hands import press, settle
 from tests.desktop.studio import Booth, choose
 from tests.desktop.test_window_sizes import name_of, room_and_need
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -87,7 +87,7 @@ def test_every_text_has_room_while_it_records_and_says_the_most(open_booth: Open
         if page != "microphone":
             turned_to(booth, page)
             booth.until(lambda: booth.banner.startswith("Recorded "))
-        QTest.qWait(30)
+        settle()
         assert (window.width(), window.height()) == size
         kinds = QLabel | QAbstractButton | QComboBox | QAbstractSpinBox
         texts = [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]

@@ -6,14 +6,11 @@ import pytest
 from PySide6.QtCore import Qt
 
 from phonemeanalyser.desktop.session.sources import SourceKind
-from phonemeengine.audio import stream
 from phonemeengine.errors import EngineError
-from phonemeengine.live.listener import MicrophoneAnalyser
 from tests.desktop.hands import press
 from tests.desktop.session.test_microphone_trouble import MEASURED
 from tests.desktop.studio import DESK, Booth, choose
 from tests.fakes.microphones import HandDrivenMicrophone
-from tests.fakes.portaudio import FakePortAudio
 from tests.sounds import noise
 
 Open = Callable[..., Booth]
@@ -84,15 +81,10 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
 
 
 def test_a_recogniser_that_fails_while_it_listens_lets_the_microphone_go_with_a_sentence(
-    booth: Booth, mic: HandDrivenMicrophone, monkeypatch: pytest.MonkeyPatch
+    booth: Booth, mic: HandDrivenMicrophone
 ):
     booth.hear(mic, noise(0.2))
-
-    def refuse(_ear: MicrophoneAnalyser, _block: object) -> None:
-        raise EngineError("it cannot be recognised; choose another recogniser")
-
-    monkeypatch.setattr(MicrophoneAnalyser, "analyse", refuse)
-    booth.give(mic, noise(0.1))
+    mic.fault = EngineError("it cannot be recognised; choose another recogniser")
     booth.until(lambda: booth.banner == "it cannot be recognised; choose another recogniser")
     assert not booth.desktop.session.source.playing
     booth.until(mic.closed.is_set)
@@ -150,10 +142,8 @@ def test_no_latency_is_claimed_while_nothing_comes(booth: Booth, mic: HandDriven
     assert "lost" not in booth.status
 
 
-def test_without_a_device_a_measurement_by_clicks_says_so_in_one_sentence(
-    open_booth: Open, monkeypatch: pytest.MonkeyPatch
-):
-    monkeypatch.setattr(stream, "_sounddevice", FakePortAudio)
+@pytest.mark.usefixtures("portaudio")
+def test_without_a_device_a_measurement_by_clicks_says_so_in_one_sentence(open_booth: Open):
     booth = open_booth()
     press(booth.window, Qt.Key.Key_M, CONTROL)
     assert booth.banner.startswith("Listening for clicks from the loudspeaker")

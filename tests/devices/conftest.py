@@ -1,6 +1,5 @@
 """What the tests in this folder share: virtual sound cards, and a minute that is recorded beside them."""
 
-import time
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
@@ -9,6 +8,7 @@ import pytest
 
 from tests.devices.programs import PATIENCE, SETTLED, pcm_noise, recorder
 from tests.fakes.virtual_sound import VirtualSound
+from tests.waiting import let_pass
 
 MINUTE = 60.0
 
@@ -22,7 +22,7 @@ class Minute:
         with VirtualSound() as card:
             self._programs = [recorder(folder, card, take) for take in self.takes]
             card.play_into_microphone(folder / "noise.wav").wait(MINUTE + PATIENCE)
-            time.sleep(SETTLED)
+            let_pass(SETTLED)
             self.codes = [program.end() for program in self._programs]
         self.said = [program.errors[-1] for program in self._programs]
 

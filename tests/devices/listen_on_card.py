@@ -10,6 +10,7 @@ from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live.listener import Listener
 from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from tests.waiting import let_pass
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
@@ -26,7 +27,7 @@ while not ending:
         }),
         flush=True,
     )  # fmt: skip
-    time.sleep(0.02)
+    let_pass(0.02)
 lost = listener.lost_seconds
 listener.close()
 frames += [(block.start, block.phonemes.tolist()) for block in listener.take_analyses()]

@@ -8,6 +8,7 @@ from pathlib import Path
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.live.player import Player
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from tests.waiting import let_pass
 
 player = Player(SoundReader(Path(sys.argv[1])), load_preset(DEFAULT_PRESET))
 seen: list[tuple[float, float]] = []
@@ -29,7 +30,7 @@ while not player.finished and time.monotonic() - started < 120:
         frames += range(block.start, last + 1)
         late.append(player.position - (last + 0.5) * 0.01)
         early += (last + 0.5) * 0.01 > player.position + 0.001
-    time.sleep(0.005)
+    let_pass(0.005)
 print(
     json.dumps({
         "card": player.has_card, "name": player.output_name, "seen": seen, "frames": frames, "early": early,

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from phonemeengine.live.sound import Sound
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from tests.waiting import let_pass
 
 SECONDS = 4.0
 
@@ -15,7 +16,7 @@ phonemes: list[int] = []
 with Sound(Path(sys.argv[1]), load_preset(DEFAULT_PRESET)) as sound:
     sound.play(loop=True)
     while sound.position < SECONDS:
-        time.sleep(0.01)
+        let_pass(0.01)
         asked = time.perf_counter()
         heard = sound.poll()
         waits.append(time.perf_counter() - asked)

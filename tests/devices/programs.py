@@ -22,6 +22,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError
 from tests.fakes.virtual_sound import VirtualSound
 from tests.sounds import noise
+from tests.waiting import let_pass
 
 HERE = Path(__file__).parent
 PATIENCE = 120.0
@@ -68,7 +69,7 @@ class Program:
         while not true():
             assert self.process.poll() is None, self.errors
             assert time.monotonic() < deadline, (self.out[-1:], self.errors)
-            time.sleep(0.02)
+            let_pass(0.02)
 
     def end(self, number: int | None = signal.SIGTERM) -> int:
         """Send a signal, unless it is None, and give the exit code."""

@@ -8,13 +8,14 @@ from pathlib import Path
 
 from phonemeengine.live.listener import Listener
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from tests.waiting import let_pass
 
 preset = load_preset(DEFAULT_PRESET)
 for _ in range(int(sys.argv[1])):
     deadline = time.monotonic() + 120
     listener = Listener(preset)
     while not listener.status.listening and time.monotonic() < deadline:
-        time.sleep(0.002)
+        let_pass(0.002)
     heard = listener.status.listening
     listener.close()
     held = dict(line.split(":", 1) for line in Path("/proc/self/status").read_text().splitlines())

@@ -4,7 +4,6 @@ import json
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +14,7 @@ from phonemeanalyser.cli.window import DEMO
 from phonemeengine.audio.wav import HEADER
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, recorder, samples_of
 from tests.fakes.virtual_sound import VirtualSound
+from tests.waiting import let_pass
 
 SENTENCE = "phonemeanalyser: "
 LOUD = 100
@@ -71,7 +71,7 @@ def test_a_text_is_heard_to_its_end_on_a_card_that_sleeps(tmp_path: Path) -> Non
             speak = Program(tmp_path, card, *words, "en-us")
             assert speak.end(None) == 0, speak.errors
             assert speak.out == ["The first sentence is heard.", "And so is the second one."]
-        time.sleep(SETTLED)  # until the recorder has taken everything
+        let_pass(SETTLED)  # until the recorder has taken everything
         recording.terminate()
         recording.wait(PATIENCE)
     heard = np.fromfile(tmp_path / "heard.wav", np.int16, offset=44).reshape(-1, 2)[:, 0]

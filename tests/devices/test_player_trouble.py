@@ -1,7 +1,6 @@
 """A sound server that dies, comes back, or stands still, while a file is played."""
 
 import json
-import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ import pytest
 
 from tests.devices.programs import HERE, PATIENCE, SIGNATURE, Program, Samples, followed, pcm_noise, place_of
 from tests.fakes.virtual_sound import VirtualSound
+from tests.waiting import let_pass
 
 SECONDS = 40.0
 """Of sound: it goes on, however long a busy machine takes to see what is there."""
@@ -34,15 +34,15 @@ def play_through(folder: Path, begin: Callable[[VirtualSound], None], end: Calla
     with VirtualSound() as card:
         program = Program(folder, card, HERE / "play_on_card.py", folder / "noise.wav")
         program.wait_for(lambda: WITH in program.out)
-        time.sleep(1.0)
+        let_pass(1.0)
         begin(card)
         program.wait_for(lambda: program.out[-1] == WITHOUT)
-        time.sleep(1.0)
+        let_pass(1.0)
         end(card)
         speaker = card.record_speaker(folder / "heard.wav")
         program.wait_for(lambda: program.out[-1] == WITH)
         assert program.end(None) == 0, program.errors
-        time.sleep(1.0)
+        let_pass(1.0)
         speaker.terminate()
         speaker.wait(PATIENCE)
     heard = np.fromfile(folder / "heard.wav", np.int16, offset=44).reshape(-1, 2)[:, 0]

@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 from dataclasses import dataclass
@@ -24,6 +23,7 @@ from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.conftest import CORPUS
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, listener
 from tests.fakes.virtual_sound import VirtualSound
+from tests.waiting import let_pass
 
 CARDS = Path(__file__).parents[1] / "data" / "cards.flac"
 CODES = {phoneme.label: phoneme.value for phoneme in Phoneme}
@@ -109,7 +109,7 @@ def hear_once(folder: Path, sentence: Path, rate: int = SAMPLE_RATE, device_rate
         live = listener(folder, card, folder / "take.wav", device_rate)
         listen.wait_for(lambda: listen.out)
         card.play_into_microphone(played).wait(PATIENCE)
-        time.sleep(SETTLED)
+        let_pass(SETTLED)
         assert listen.end() == live.end() == 0
         assert live.log[-2]["rate"] == (device_rate or SAMPLE_RATE)
         end = live.log[-1]

@@ -23,6 +23,7 @@ from tests.devices.programs import (
     samples_of,
 )
 from tests.fakes.virtual_sound import VirtualSound
+from tests.waiting import let_pass
 
 SECONDS = 1.5
 """Length of the noises that are played before the trouble and after it."""
@@ -83,7 +84,7 @@ def test_a_server_that_dies_ends_nothing_and_recording_goes_on_when_it_is_back(
     card.kill()
     killed = time.monotonic()
     seen = away(program, killed)
-    time.sleep(AWAY)
+    let_pass(AWAY)
     with SoundReader(take) as reader:
         assert reader.duration > SECONDS
     assert not looks(program, killed + seen, listening=True)
@@ -106,12 +107,12 @@ def test_a_suspended_microphone_is_told_of_and_goes_on(seconds: float, card: Vir
     suspended = time.monotonic()
     seen = away(program, suspended)
     words = looks(program, suspended, listening=False)[0]["words"]
-    time.sleep(max(0.0, suspended + seconds - time.monotonic()))
+    let_pass(max(0.0, suspended + seconds - time.monotonic()))
     card.suspend_microphone(False)
     resumed = time.monotonic()
     again = back(program, resumed)
     after = play(card, program, take, 2)
-    time.sleep(SETTLED)
+    let_pass(SETTLED)
     recorded, lost = finish(program, take)
     gap = resumed - suspended
     print(f"{words!r} after {seen:.2f} s, back after {again:.2f} s; gap {gap:.2f} s, lost {lost:.2f} s")
@@ -123,7 +124,7 @@ def test_a_suspended_microphone_is_told_of_and_goes_on(seconds: float, card: Vir
 def test_what_could_not_be_heard_is_counted(card: VirtualSound, takes: Path) -> None:
     def trouble(_program: Program) -> None:
         card.suspend_microphone(True)
-        time.sleep(0.8)
+        let_pass(0.8)
         card.suspend_microphone(False)
 
     missing, lost = missing_and_lost(card, takes, trouble)
@@ -134,7 +135,7 @@ def test_what_could_not_be_heard_is_counted(card: VirtualSound, takes: Path) -> 
 def test_a_process_that_stood_still_hears_on_or_counts_what_it_lost(card: VirtualSound, takes: Path) -> None:
     def trouble(program: Program) -> None:
         os.kill(program.process.pid, signal.SIGSTOP)
-        time.sleep(1.5)
+        let_pass(1.5)
         os.kill(program.process.pid, signal.SIGCONT)
 
     missing, lost = missing_and_lost(card, takes, trouble)
@@ -150,7 +151,7 @@ def missing_and_lost(card: VirtualSound, takes: Path, trouble: Callable[[Program
     program.wait_for(lambda: np.count_nonzero(samples_of(take)) > 44_100)
     trouble(program)
     assert player.wait(PATIENCE) == 0
-    time.sleep(SETTLED)
+    let_pass(SETTLED)
     recorded, lost = finish(program, take)
     missing = followed(pcm, recorded).missing
     print(f"missing in the recording: {missing:.4f} s, counted as lost: {lost:.4f} s")

@@ -3,7 +3,6 @@
 import json
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +12,7 @@ import soundfile
 from tests.devices.programs import followed
 from tests.fakes.virtual_sound import VirtualSound
 from tests.sounds import noise
+from tests.waiting import let_pass
 
 DRIVER = Path(__file__).with_name("play_on_card.py")
 SECONDS = 3.0
@@ -43,10 +43,10 @@ def play_once(folder: Path, pcm: np.ndarray) -> tuple[dict, np.ndarray]:
     soundfile.write(folder / "noise.wav", pcm, 44_100)
     with VirtualSound() as sound:
         recorder = sound.record_speaker(folder / "heard.wav")
-        time.sleep(0.3)
+        let_pass(0.3)
         player = play(folder / "noise.wav", sound)
         out, errors = player.communicate(timeout=240)
-        time.sleep(1.0)
+        let_pass(1.0)
         recorder.terminate()
         recorder.wait(60)
     assert player.returncode == 0, errors
@@ -88,7 +88,7 @@ def test_a_server_that_dies_leaves_the_picture_going_on_without_sound(tmp_path):
     soundfile.write(tmp_path / "noise.wav", noise(SECONDS, 0.1), 44_100)
     with VirtualSound() as sound:
         player = play(tmp_path / "noise.wav", sound)
-        time.sleep(1.8)
+        let_pass(1.8)
         sound.kill()
         out, errors = player.communicate(timeout=240)
     assert player.returncode == 0, errors

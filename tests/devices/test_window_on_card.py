@@ -13,6 +13,7 @@ from phonemeanalyser.cli.window import DEMO
 from tests.devices.programs import HERE, PATIENCE, Program, followed, samples_of
 from tests.devices.test_server_trouble import AWAY, SLACK, play
 from tests.fakes.virtual_sound import VirtualSound
+from tests.waiting import let_pass
 
 
 def said(program: Program, since: float, true: Callable[[dict[str, Any]], bool]) -> list[dict[str, Any]]:
@@ -62,7 +63,7 @@ def test_a_server_that_dies_is_said_and_recording_goes_on_by_itself(
     trouble = wait_for(window, lambda line: line["banner"].endswith("; the recording waits for it."))
     assert trouble["label"].startswith("waiting ")
     assert trouble["late_ms"] is None
-    time.sleep(AWAY)
+    let_pass(AWAY)
     card.restart()
     restarted = time.monotonic()
     well = wait_for(window, lambda line: line["label"].startswith("● ") and "is there" in line["banner"])

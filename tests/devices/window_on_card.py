@@ -11,6 +11,7 @@ from PySide6.QtCore import QSettings
 from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.sources import SourceKind
+from tests.waiting import let_pass
 
 ending: list[int] = []
 signal.signal(signal.SIGTERM, lambda number, _frame: ending.append(number))
@@ -55,7 +56,7 @@ def live(seconds: float) -> None:
     until = time.monotonic() + seconds
     while time.monotonic() < until:
         app.processEvents()
-        time.sleep(0.002)
+        let_pass(0.002)
 
 
 while not ending:

@@ -3,7 +3,6 @@
 import errno
 import os
 import threading
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from phonemeengine.errors import ExportError
 from phonemeengine.execution import Cancelled, Progress, report_progress
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.files import atomic_write
+from tests.waiting import wait_for
 
 SECONDS = 2.0
 
@@ -100,6 +100,5 @@ def _find_full(source: Path, _progress: Progress) -> None:
 
 def _wait(source: Path, progress: Progress) -> None:
     source.with_suffix(".waiting").touch()
-    while progress(0.5):
-        time.sleep(0.01)
+    wait_for(lambda: not progress(0.5))
     raise Cancelled

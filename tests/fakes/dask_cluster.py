@@ -5,11 +5,11 @@ import signal
 import socket
 import subprocess
 import sys
-import time
 from pathlib import Path
 from typing import Self
 
 from tests.conftest import ROOT
+from tests.waiting import wait_for
 
 SECONDS = 60.0
 """For a process to come up, which only a hang reaches."""
@@ -89,8 +89,4 @@ def _kill(process: "subprocess.Popen[bytes]") -> None:
 
 
 def _wait_for(log: Path, words: str) -> None:
-    began = time.monotonic()
-    while words not in log.read_text(encoding="utf-8", errors="replace"):
-        if time.monotonic() - began > SECONDS:
-            raise TimeoutError(log.read_text(encoding="utf-8", errors="replace"))
-        time.sleep(0.05)
+    wait_for(lambda: words in log.read_text(encoding="utf-8", errors="replace"), words)

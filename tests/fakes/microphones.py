@@ -25,7 +25,12 @@ REFUSAL = "the microphone is not there; plug it in"
 
 
 class HandDrivenMicrophone:
-    """Hears what it is given, when it is given."""
+    """Hears what it is given, when it is given.
+
+    Attributes
+    ----------
+    fault : raised to who reads from now on, unless it is None.
+    """
 
     def __init__(self, rate: int = SAMPLE_RATE, n_channels: int = 1, name: str = "moved by hand") -> None:
         self.name = name
@@ -36,6 +41,7 @@ class HandDrivenMicrophone:
         self.delay = 0.02
         self.n_lost = 0
         self.begun = 1000.0
+        self.fault: Exception | None = None
         self.closed = threading.Event()
         self._given: queue.SimpleQueue[NDArray[np.float32]] = queue.SimpleQueue()
 
@@ -48,6 +54,8 @@ class HandDrivenMicrophone:
 
     def read(self, timeout: float) -> NDArray[np.float32]:
         """Give the next block."""
+        if self.fault is not None:
+            raise self.fault
         try:
             return self._given.get(timeout=min(timeout, 0.01))
         except queue.Empty:

@@ -11,6 +11,8 @@ import tempfile
 import time
 from pathlib import Path
 
+from tests.waiting import let_pass
+
 ASOUND = """pcm_type.pulse {{ lib "{plugins}/libasound_module_pcm_pulse.so" }}
 ctl_type.pulse {{ lib "{plugins}/libasound_module_ctl_pulse.so" }}
 pcm.pulse {{ type pulse hint {{ show on description "PulseAudio" }} }}
@@ -145,5 +147,5 @@ class VirtualSound:
             with socket.socket(socket.AF_UNIX) as connection:
                 if connection.connect_ex(str(self._socket)) == 0:
                     return
-            time.sleep(0.01)
+            let_pass(0.01)
         raise TimeoutError(f"the virtual sound server did not start: {self._log.read_text()}")

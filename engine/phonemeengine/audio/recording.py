@@ -27,9 +27,6 @@ PERIOD = 0.2
 MOST_WAITING = 60.0
 """Sound that waits for the disk at most, seconds; then the disk counts as stuck."""
 
-CLOSE_TIMEOUT = 5.0
-"""Time that `close` waits for a disk that takes nothing, seconds."""
-
 GONE = "its folder or the file itself has gone"
 STUCK = "check the disk or record to another"
 ELSEWHERE = "record to another folder"
@@ -93,6 +90,9 @@ class Recording:
     RecordingError : the recording cannot begin.
     """
 
+    close_timeout = 5.0
+    """Time that `close` waits for a disk that takes nothing, seconds."""
+
     def __init__(self, path: Path, rate: int, n_channels: int, *, journal: Path, rescue: Path) -> None:
         self.path = path
         self.rate = rate
@@ -101,7 +101,7 @@ class Recording:
         self._rescue = rescue
         self._name = printable_name(path)
         _check_form(path, rate, n_channels, self._name)
-        self._file = RecordingFile(path)
+        self._file = self._make_file(path)
         with ExitStack() as unless_begun:
             unless_begun.callback(self._file.discard)
             self._encoder = _encoder(self._file, rate, n_channels, self._name)
@@ -114,6 +114,10 @@ class Recording:
         _log.info("recording to %s begins: %d Hz, %d channels", path, rate, n_channels)
         self._thread = threading.Thread(target=self._run, name="recording", daemon=True)
         self._thread.start()
+
+    def _make_file(self, path: Path) -> RecordingFile:
+        """Make the file; a subclass writes to another disk."""
+        return RecordingFile(path)
 
     @property
     def n_samples(self) -> int:
@@ -156,9 +160,9 @@ class Recording:
         n_samples = -1
         while self._thread.is_alive() and (self._rescuing or n_samples != self.n_samples):
             n_samples = self.n_samples
-            self._thread.join(CLOSE_TIMEOUT)
+            self._thread.join(self.close_timeout)
         if self._thread.is_alive():
-            self._fail(f"the disk has taken nothing for {CLOSE_TIMEOUT:.0f} s", STUCK, shown_folder(self.path))
+            self._fail(f"the disk has taken nothing for {self.close_timeout:.0f} s", STUCK, shown_folder(self.path))
 
     def _run(self) -> None:
         try:

@@ -28,8 +28,6 @@ COLUMNS = 512
 """Of a tile."""
 MOST_READ = 20.0
 """Seconds of sound that are read at a time."""
-MOST_TILES = 96
-"""That are kept, the newest: 25 MB of 256 rows."""
 REST = 1.0
 """Seconds between two beginnings of such work: who scrolls on and on wants each tile for a moment only, sees
 coarser ones meanwhile, and leaves the processor to others."""
@@ -82,6 +80,9 @@ class SonagramTiles(QObject):
     changed = Signal()
     error = Signal(str)
     _kept = Signal()
+
+    most_tiles = 96
+    """That are kept, the newest: 25 MB of 256 rows."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -201,7 +202,7 @@ class SonagramTiles(QObject):
             low, high = level_range_of(levels)
             if (levels > FLOOR).any() and (self._highest is None or high > self._highest):
                 self._highest, self.level_range = high, (low, high)
-            while len(self._tiles) > MOST_TILES:
+            while len(self._tiles) > self.most_tiles:
                 self._tiles.popitem(last=False)
         self._kept.emit()
 
@@ -218,11 +219,12 @@ class SonagramTiles(QObject):
 
 
 def _levels_of(
-    reader: SoundReader, settings: SonagramSettings, filters: AnalysisSettings | None, key: _Key, progress: Progress
+    reader: SoundReader, settings: SonagramSettings, filters: AnalysisSettings | None, key: _Key, progress: Progress,
+    most_read: float = MOST_READ,
 ) -> Float32Array:  # fmt: skip
     """Measure a tile from the file, some seconds at a time."""
     period = key.period * SAMPLE_RATE
-    at_once = max(1, int(MOST_READ / key.period))
+    at_once = max(1, int(most_read / key.period))
     parts = []
     for column in range(0, COLUMNS, at_once):
         report_progress(progress, column / COLUMNS)

@@ -1,12 +1,13 @@
 """Where the speech encoder's model is, in the window: found, chosen, forgotten, fetched."""
 
+import sys
+from types import SimpleNamespace
+
 import pytest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
-from phonemeanalyser.desktop.analyse.recognition import recogniser_choice
 from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
-from phonemeengine.errors import ModelError
 from tests.desktop.hands import FileAnswers
 
 
@@ -66,19 +67,24 @@ def test_a_folder_without_a_model_is_refused(dialog, files, qtbot, tmp_path):
 
 
 def test_fetching_is_told_and_so_is_its_failure(dialog, qtbot, monkeypatch):
-    def fetch() -> None:
-        raise ModelError("Whisper base cannot be fetched (no network); see to the network, or name a folder")
+    def refuse(*_arguments, **_options) -> None:
+        raise OSError("no network")
 
     said(dialog, qtbot)
-    monkeypatch.setattr(recogniser_choice, "fetch_whisper", fetch)
+    monkeypatch.setitem(sys.modules, "huggingface_hub", SimpleNamespace(snapshot_download=refuse))
     dialog.buttons[2].click()
     assert dialog.state.text() == "Fetching the model, 145 MB …"
     assert not dialog.buttons[2].isEnabled()
     assert said(dialog, qtbot).startswith("Whisper base cannot be fetched (no network)")
 
 
-def test_the_menu_shows_it(desktop, qtbot, monkeypatch, whisper):
+def test_the_menu_shows_it(desktop, qtbot, hand, whisper):
     shown = []
-    monkeypatch.setattr(EncoderDialog, "exec", lambda self: shown.append(said(self, qtbot)))
+
+    def look(dialog) -> None:
+        shown.append(said(dialog, qtbot))
+        dialog.reject()
+
+    hand.act = look
     desktop.window.menus.actions["Speech Encoder…"].trigger()
     assert shown[0].startswith("In use: Whisper base")

@@ -8,8 +8,9 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLineEdit
 
-from phonemeanalyser.desktop.session import phoneme_writer
+from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.sources import SourceKind
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.files import read_labels
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
@@ -151,22 +152,22 @@ def test_a_sound_that_was_cut_off_meanwhile_leaves_the_old_labels(window, qtbot,
 
 
 @pytest.fixture
-def held(monkeypatch):
-    """Holds the analysis until the test lets it go on."""
+def held():
+    """Lets a writer that waits for it go on."""
     go_on = threading.Event()
-    analyse_blocks = phoneme_writer.analyse_blocks
-
-    def slowly(*arguments):
-        assert go_on.wait(60)
-        yield from analyse_blocks(*arguments)
-
-    monkeypatch.setattr(phoneme_writer, "analyse_blocks", slowly)
     yield go_on
     go_on.set()
 
 
+def wait_behind(held: threading.Event, desktop: Desktop, sound: Path) -> None:
+    """Have the writer be at another sound, which gives nothing yet."""
+    writer, target = desktop.session.writer, sound.with_name("another.csv")
+    writer.write("another", lambda: held.wait(60) and SoundReader(sound), desktop.preset.preset, target)
+
+
 def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, window, qtbot, sound, answer, held):
     answer(sound.with_suffix(".TextGrid"))
+    wait_behind(held, desktop, sound)
     press(window, Qt.Key.Key_E, CONTROL)
     assert said(window) == "The phonemes of speech.wav are looked for, and then saved in speech.TextGrid …"
     window.dialogs.open_sound(CARDS)
@@ -181,6 +182,7 @@ def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, w
 
 def test_what_was_asked_for_is_written_before_the_program_ends(own_desktop, qtbot, sound, held):
     own_desktop.files.show = FileAnswers(sound.with_suffix(".csv"))
+    wait_behind(held, own_desktop, sound)
     press(shown(own_desktop, qtbot, sound), Qt.Key.Key_E, CONTROL)
     threading.Timer(0.2, held.set).start()
     own_desktop.session.close()

@@ -4,21 +4,18 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QMessageBox
 
-from phonemeanalyser.desktop import dialogs
 from phonemeengine.presets import files
 from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.storage.paths import presets_folder
 from tests.desktop.hands import FileAnswers, answer, press, shown, type_number
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
-def window(desktop, qtbot, tmp_path, monkeypatch):
-    monkeypatch.setattr(files, "presets_folder", lambda: tmp_path / "mine")
-    monkeypatch.setattr(dialogs, "presets_folder", lambda: tmp_path / "mine")
+def window(desktop, qtbot, home):
     return shown(desktop, qtbot)
 
 
@@ -67,10 +64,10 @@ def test_the_one_in_use_is_ticked(window):
 
 def test_one_s_own_presets_and_those_used_lately_are_listed(window, tmp_path):
     assert entries(window).keys() == {"Factory", ""}
-    (tmp_path / "mine").mkdir()
-    save_preset(Preset(name="Anna", notes="Anna, in the studio.\nMore."), tmp_path / "mine" / "anna.toml")
+    presets_folder().mkdir(parents=True)
+    save_preset(Preset(name="Anna", notes="Anna, in the studio.\nMore."), presets_folder() / "anna.toml")
     save_preset(Preset(name="Ben"), tmp_path / "ben.phonemedata")
-    (tmp_path / "mine" / "broken.toml").write_text("[")
+    (presets_folder() / "broken.toml").write_text("[")
     window.dialogs.load_preset(tmp_path / "ben.phonemedata")
     listed = entries(window)
     assert listed["Mine"] == ["Anna:  Anna, in the studio."]
@@ -83,7 +80,7 @@ def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(d
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     assert window.preset_box.text() == "Thesis*"
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
-    assert files_asked.suggested == [tmp_path / "mine" / "thesis-mine.toml"]
+    assert files_asked.suggested == [presets_folder() / "thesis-mine.toml"]
     assert window.preset_box.text() == "thesis-mine"
     assert entries(window)["Mine"] == [f"thesis-mine:  {desktop.preset.preset.summary}"]
 
@@ -102,13 +99,13 @@ def old(desktop, window, tmp_path) -> Path:
     return path
 
 
-def test_numbers_alone_are_saved_without_a_question(desktop, window, tmp_path, monkeypatch):
+def test_numbers_alone_are_saved_without_a_question(desktop, window, tmp_path, hand):
     path = tmp_path / "old.phonemedata"
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
     window.dialogs.load_preset(path)
-    monkeypatch.setattr(QMessageBox, "exec", lambda _box: pytest.fail("asked"))
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_S, CONTROL)
+    assert hand.titles == []
     assert load_preset(path).thresholds.sz_s1 == 3.5
     assert not window.isWindowModified()
 

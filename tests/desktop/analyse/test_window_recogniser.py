@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -272,7 +273,7 @@ def test_a_recogniser_that_fails_while_playing_is_one_sentence_and_another_goes_
     outputs.last.ahead = ahead
     qtbot.waitUntil(lambda: bool(session.poll() or sentences))
     for _ in range(30):  # as many pictures
-        qtbot.wait(5)
+        QApplication.processEvents()
         session.poll()
     assert len(sentences) == 1
     assert sentences[0].startswith("the recogniser 'own' of the package own-package cannot")

@@ -9,7 +9,7 @@ from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.tone.settings import VOWEL_FORMANTS, ToneKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH
-from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, shown, type_number
+from tests.desktop.hands import CARDS, TimeEyes, click, drag, press, settle, shown, type_number
 from tests.desktop.studio import choose
 
 CONTROL = Qt.KeyboardModifier.ControlModifier
@@ -153,13 +153,9 @@ def test_space_pauses_and_goes_on(desktop, window, heard, qtbot):
     window.analysis.spectrum.setFocus()
     press(window, Qt.Key.Key_Space)
     assert not desktop.session.source.playing
-
-    def stands_still() -> bool:  # what was heard until then is still taken
-        n = desktop.session.history.n
-        qtbot.wait(100)
-        return desktop.session.history.n == n
-
-    qtbot.waitUntil(stands_still)
+    n = desktop.session.history.n
+    settle()
+    assert desktop.session.history.n <= n + 40  # what was heard until then is still taken
     click(window.transport.play)
     heard()
     assert desktop.session.source.playing

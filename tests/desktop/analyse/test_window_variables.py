@@ -6,13 +6,13 @@ from dataclasses import dataclass
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialogButtonBox, QInputDialog
+from PySide6.QtWidgets import QDialog, QDialogButtonBox
 
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import BIN_WIDTH
-from tests.desktop.hands import LEFT, click, followed, place, press
+from tests.desktop.hands import LEFT, back_in, click, followed, place, press
 
 pytestmark = pytest.mark.usefixtures("lender")
 
@@ -32,12 +32,11 @@ def window(desktop, qtbot):
     return followed(desktop, qtbot, seconds=2.0)
 
 
-def will_answer(monkeypatch, name, *, kind="sum", accepted=True):
+def will_answer(hand, name, *, kind="sum", accepted=True):
     """Fill in the dialog for a new variable, and choose OK, and Cancel if it stays; gives what was seen of it."""
     seen = []
 
-    def answer(dialog: VariableDialog) -> int:
-        dialog.show()
+    def answer(dialog: VariableDialog) -> None:
         offered = dialog.low.value(), dialog.high.value()
         dialog.name.setText(name)
         dialog.kind.setCurrentText(kind)
@@ -47,9 +46,8 @@ def will_answer(monkeypatch, name, *, kind="sum", accepted=True):
         seen.append(Seen(offered, stays, dialog.trouble.text() * dialog.trouble.isVisible(), dialog.name.text()))
         if stays:
             dialog.reject()
-        return dialog.result()
 
-    monkeypatch.setattr(VariableDialog, "exec", answer)
+    hand.act = answer
     return seen
 
 
@@ -68,11 +66,9 @@ def pull(view, start: float, end: float) -> None:
     viewport = view.graphics.viewport()
     places = [place(view.graphics, view.item, start + k / 8 * (end - start), 0.5) for k in range(9)]
     QTest.mouseMove(viewport, places[0])
-    QTest.qWait(30)
     QTest.mousePress(viewport, LEFT, pos=places[0])
     for to in places[1:]:
         QTest.mouseMove(viewport, to)
-        QTest.qWait(15)
     QTest.mouseRelease(viewport, LEFT, pos=places[-1])
     QTest.mouseMove(viewport, QPoint(3, 3))
 
@@ -82,8 +78,8 @@ def chosen(window) -> list[str]:
     return [box.itemText(k) for k in range(box.count())]
 
 
-def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, window, qtbot, monkeypatch):
-    offered = will_answer(monkeypatch, "my_hiss")
+def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, window, qtbot, hand):
+    offered = will_answer(hand, "my_hiss")
     mark(window, 2500, 4000)
     width = 5513 / window.analysis.averaged.item.vb.width()
     assert offered[0].range == pytest.approx((2500, 4000), abs=3 * width + BIN_WIDTH)
@@ -96,8 +92,8 @@ def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, 
     assert desktop.session.history.extremes("my_hiss")[0] > 0
 
 
-def test_a_variable_is_in_the_saved_preset(desktop, window, monkeypatch, tmp_path):
-    will_answer(monkeypatch, "my_hiss", kind="max")
+def test_a_variable_is_in_the_saved_preset(desktop, window, hand, tmp_path):
+    will_answer(hand, "my_hiss", kind="max")
     click(window.analysis.averaged.measure)
     click(window.analysis.averaged.measure)
     desktop.preset.save(tmp_path / "mine.toml")
@@ -110,10 +106,10 @@ def test_a_variable_is_in_the_saved_preset(desktop, window, monkeypatch, tmp_pat
     assert (variable.low, variable.high) == pytest.approx((1000, 1500), abs=BIN_WIDTH / 2 + 0.1)
 
 
-def test_a_name_that_cannot_be_is_refused_in_the_dialog_which_keeps_the_entry(desktop, window, monkeypatch):
+def test_a_name_that_cannot_be_is_refused_in_the_dialog_which_keeps_the_entry(desktop, window, hand):
     before, names = desktop.preset.preset, chosen(window)
     for name in ("9 lives", "", "ä", "energy", "m_s1", "phoneme", "a-b"):
-        seen = will_answer(monkeypatch, name)
+        seen = will_answer(hand, name)
         click(window.analysis.averaged.measure)
         click(window.analysis.averaged.measure)
         (seen,) = seen
@@ -140,8 +136,8 @@ def test_what_was_wrong_is_said_no_longer_once_the_name_is_mended(desktop, windo
     assert [v.name for v in desktop.preset.preset.variables] == ["lives"]
 
 
-def test_cancel_adds_nothing(desktop, window, monkeypatch):
-    will_answer(monkeypatch, "my_hiss", accepted=False)
+def test_cancel_adds_nothing(desktop, window, hand):
+    will_answer(hand, "my_hiss", accepted=False)
     click(window.analysis.averaged.measure)
     click(window.analysis.averaged.measure)
     assert not desktop.preset.preset.variables
@@ -149,8 +145,8 @@ def test_cancel_adds_nothing(desktop, window, monkeypatch):
 
 
 @pytest.mark.parametrize(("start", "end"), [(3000, 4500), (1200, 2500), (4000, 300)])
-def test_a_drag_anywhere_in_the_plot_draws_the_range(window, monkeypatch, start, end):
-    offered = will_answer(monkeypatch, "my_hiss", accepted=False)
+def test_a_drag_anywhere_in_the_plot_draws_the_range(window, hand, start, end):
+    offered = will_answer(hand, "my_hiss", accepted=False)
     view = window.analysis.averaged
     seen = view.item.viewRange()
     click(view.measure)
@@ -162,16 +158,16 @@ def test_a_drag_anywhere_in_the_plot_draws_the_range(window, monkeypatch, start,
     assert view.region.getRegion() == pytest.approx(sorted((start, end)), abs=60)  # the drag draws no more
 
 
-def test_the_key_v_marks_too(desktop, window, monkeypatch):
-    will_answer(monkeypatch, "my_hiss")
+def test_the_key_v_marks_too(desktop, window, hand):
+    will_answer(hand, "my_hiss")
     press(window, Qt.Key.Key_V)
     assert window.analysis.averaged.region.isVisible()
     press(window, Qt.Key.Key_V)
     assert [v.name for v in desktop.preset.preset.variables] == ["my_hiss"]
 
 
-def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, monkeypatch):
-    seen = will_answer(monkeypatch, "my_hiss")
+def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, hand):
+    seen = will_answer(hand, "my_hiss")
     press(window, Qt.Key.Key_Space)
     press(window, Qt.Key.Key_V)
     press(window, Qt.Key.Key_Escape)
@@ -187,8 +183,8 @@ def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, monkeypat
     assert len(seen) == 1
 
 
-def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkeypatch):
-    will_answer(monkeypatch, "my_hiss")
+def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, hand):
+    will_answer(hand, "my_hiss")
     click(window.analysis.averaged.measure)
     window.analysis.averaged.region.setRegion((-500, 99_999))
     click(window.analysis.averaged.measure)
@@ -197,12 +193,13 @@ def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, monkey
     assert 0 <= variable.low <= variable.high <= 22_050
 
 
-def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, window, monkeypatch):
+def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, window, hand, qtbot):
     desktop.preset.add_variable(Variable("my_hiss", 3000, 5000))
     desktop.preset.add_variable(Variable("my_hum", 50, 200))
     window.analysis.scroll_view.variable.setCurrentText("my_hiss")
-    monkeypatch.setattr(QInputDialog, "getItem", lambda *a, **_k: (a[3][0], True))
+    hand.act = QDialog.accept
     window.menus.actions["Remove Variable…"].trigger()
+    back_in(window, qtbot)
     assert "my_hiss" not in chosen(window)
     assert window.analysis.scroll_view.variable.currentText() == "energy"
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)

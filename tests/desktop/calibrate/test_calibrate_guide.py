@@ -207,16 +207,12 @@ def test_window_api_and_command_line_make_the_same_of_a_voice(
 
 
 def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_one_is_saved(
-    by_sounds: Calibrator, monkeypatch: pytest.MonkeyPatch, tmp_path
+    by_sounds: Calibrator, tmp_path
 ):
     guide, preset, view = by_sounds.model.guide, by_sounds.booth.desktop.preset, by_sounds.page.guide
     before = preset.preset
     better = load_preset(DEFAULT_PRESET)  # whatever the takes teach: the learned one hears this voice better
-    learn = calibrate
-    monkeypatch.setattr(
-        "phonemeanalyser.desktop.calibrate.guide.guide_model.calibrate",
-        lambda preset, takes, **given: replace(learn(preset, takes, **given), preset=better),
-    )
+    guide.learn = lambda preset, takes, **given: replace(calibrate(preset, takes, **given), preset=better)
     for k in range(1, 4):
         answer(by_sounds, k)
     while guide.index < READING:

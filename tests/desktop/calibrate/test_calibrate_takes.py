@@ -20,7 +20,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, in_room, said
-from tests.desktop.hands import DEMO, LEFT, answer, choose, click, copied, drag, edits, press
+from tests.desktop.hands import DEMO, LEFT, answer, choose, click, copied, drag, edits, press, settle
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import silence
@@ -56,7 +56,7 @@ def test_keys_and_buttons_show_the_pages_and_each_has_its_docks(open_booth: Open
     assert not any(d.isVisible() for d in window.findChildren(QDockWidget))
     click(window.switch.buttons[0])
     assert not window.calibration.isVisible()
-    QTest.qWait(30)
+    settle()
     assert {d.objectName(): (d.isVisible(), d.width()) for d in window.findChildren(QDockWidget)} == docks
     click(window.switch.buttons[1])
     assert window.calibration.isVisible()

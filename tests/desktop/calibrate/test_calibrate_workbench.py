@@ -23,7 +23,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
-from tests.desktop.hands import LEFT, FileAnswers, click, copied, press
+from tests.desktop.hands import LEFT, FileAnswers, click, copied, press, settle
 from tests.desktop.hands import choose as choose_entry
 from tests.desktop.studio import Booth, choose
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -418,7 +418,7 @@ def choose_preset(box: object, name: str) -> None:
 def test_the_page_fits_and_nothing_lies_outside(loaded: Calibrator, size: tuple[int, int]):
     window = loaded.booth.window
     window.resize(*size)
-    QTest.qWait(50)
+    settle()
     assert (window.width(), window.height()) == size
     page = bench_of(loaded)
     assert page.confusion.height() >= 190

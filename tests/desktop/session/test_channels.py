@@ -1,5 +1,6 @@
 """Any channel of a file can be chosen: in the window, and in every command that reads sound."""
 
+import argparse
 import csv
 from collections.abc import Callable
 from pathlib import Path
@@ -112,12 +113,11 @@ def test_labelled_recordings_are_heard_on_their_channel(eight: Path) -> None:
             (folder / "manifest.csv").unlink()
 
 
-def test_a_microphone_takes_words_and_numbers(monkeypatch: pytest.MonkeyPatch) -> None:
-    asked: list[int] = []
-    monkeypatch.setattr(cli, "listen", lambda _preset, choice, *_rest: asked.append(choice.channel))
-    for word in ([], ["--channel", "mix"], ["--channel", "0"], ["--channel", "right"], ["--channel", "7"]):
-        main(["listen", *word])
-    assert asked == [1, 0, 0, 2, 7]
+def test_a_microphone_takes_words_and_numbers() -> None:
+    parser = argparse.ArgumentParser()
+    cli.add_input(parser)
+    asked = ([], ["--channel", "mix"], ["--channel", "0"], ["--channel", "right"], ["--channel", "7"])
+    assert [cli.input_of(parser.parse_args(words)).channel for words in asked] == [1, 0, 0, 2, 7]
 
 
 # -- the window ---------------------------------------------------------------------------------------

@@ -19,15 +19,15 @@ from tests.sounds import noise
 
 HEARD = SPEECH[: len(SPEECH) // HOP * HOP]
 CUT_OFF = """
-import os, sys, time
+import os, sys
 from pathlib import Path
 import numpy as np
 from phonemeengine.audio.recording import Recording
+from tests.waiting import wait_for
 take, journal = map(Path, sys.argv[1:])
 recording = Recording(take, 44_100, 1, journal=journal, rescue=take.parent)
 recording.write(np.full((44_100, 1), 0.25, np.float32))
-while recording.seconds < 0.9:
-    time.sleep(0.01)
+wait_for(lambda: recording.seconds >= 0.9)
 os._exit(9)
 """
 

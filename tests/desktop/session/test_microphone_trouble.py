@@ -6,14 +6,12 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from phonemeengine.audio import stream
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.live.loopback import Loopback
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.desktop.studio import DESK, Studio
 from tests.fakes.microphones import REFUSAL, HandDrivenMicrophone
 from tests.fakes.players import PRESET
-from tests.fakes.portaudio import FakePortAudio
 from tests.fakes.recorders import samples_in, samples_of_16_bits
 from tests.sounds import noise
 
@@ -145,10 +143,10 @@ def test_nothing_is_recorded_while_clicks_are_played_which_is_said(studio: Studi
     studio.until(lambda: studio.model.active)
 
 
+@pytest.mark.usefixtures("portaudio")
 def test_without_a_device_the_latency_is_not_measured_which_is_one_sentence(
-    open_studio: Callable[..., Studio], monkeypatch: pytest.MonkeyPatch
+    open_studio: Callable[..., Studio],
 ) -> None:
-    monkeypatch.setattr(stream, "_sounddevice", FakePortAudio)
     studio = open_studio()
     studio.model.measure()
     studio.until(lambda: studio.failed)

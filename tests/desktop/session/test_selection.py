@@ -55,13 +55,13 @@ def test_a_sound_is_not_saved_under_the_name_of_another_format(session, selectio
 def test_it_is_played_once_and_stands_at_its_beginning_then(session, selection, outputs, qtbot):
     session.view.select(SPAN)
     selection.play()
-    for _ in range(200):
-        if not session.source.playing:
-            break
+
+    def over() -> bool:
         outputs.last.move(4410)
-        qtbot.wait(5)
         session.poll()
-    assert not session.source.playing
+        return not session.source.playing
+
+    qtbot.waitUntil(over)
     assert session.source.position == pytest.approx(0.5)
 
 
@@ -71,10 +71,13 @@ def test_it_is_looped_on_demand(session, selection, outputs, qtbot):
     assert session.playback.loop
     heard = []
     session.heard.connect(heard.extend)
-    while sum(map(len, heard)) < 100:
+
+    def heard_enough() -> bool:
         outputs.last.move(2205)
-        qtbot.wait(5)
         session.poll()
+        return sum(map(len, heard)) >= 100
+
+    qtbot.waitUntil(heard_enough)
     frames = [k for block in heard for k in range(block.start, block.start + len(block))]
     assert set(frames) == set(range(50, 125))
     assert frames.count(50) == 2

@@ -86,8 +86,8 @@ def test_other_settings_and_another_file_begin_anew(tiles, qtbot, tmp_path):
     assert tiles.tiles_for(WHOLE, 500) == []
 
 
-def test_no_more_is_kept_than_there_is_room_for_and_what_is_seen_stays(tiles, qtbot, monkeypatch):
-    monkeypatch.setattr(sonagram_tiles, "MOST_TILES", 3)
+def test_no_more_is_kept_than_there_is_room_for_and_what_is_seen_stays(tiles, qtbot):
+    tiles.most_tiles = 3
     for second in range(6):
         measured(tiles, qtbot, TimeSpan(second, second + 0.5), 500)
     assert len(tiles._tiles) == 3
@@ -109,17 +109,15 @@ def test_nothing_is_measured_of_nothing(qtbot):
     assert tiles.settings == SonagramSettings()
 
 
-def test_a_tile_that_is_read_in_parts_is_the_same(monkeypatch):
+def test_a_tile_that_is_read_in_parts_is_the_same():
     module, key = sonagram_tiles, sonagram_tiles._Key(4, 0)
     with SoundReader(CARDS) as reader:
         whole = module._levels_of(reader, SonagramSettings(), None, key, lambda _: True)
         filters = AnalysisSettings()
         seen = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True)
-        monkeypatch.setattr(module, "MOST_READ", 0.5)
-        np.testing.assert_allclose(
-            module._levels_of(reader, SonagramSettings(), None, key, lambda _: True), whole, atol=0.01
-        )
-        parts = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True)
+        again = module._levels_of(reader, SonagramSettings(), None, key, lambda _: True, 0.5)
+        np.testing.assert_allclose(again, whole, atol=0.01)
+        parts = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True, 0.5)
     np.testing.assert_allclose(parts, seen, atol=0.05)
     assert np.abs(seen - whole).max() > 3
 

@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.widgets.level_meter import words_of
 from phonemeengine.audio.devices import Device
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP
-from tests.desktop.hands import CARDS, DEMO, ON_BIN, FileAnswers, TimeEyes, click, drag, press
+from tests.desktop.hands import CARDS, DEMO, ON_BIN, FileAnswers, TimeEyes, click, drag, press, settle
 from tests.desktop.studio import DESK, HEADSET, Booth, Studio, choose
 from tests.fakes.microphones import HandDrivenMicrophone, offline
 from tests.fakes.players import SPEECH
@@ -244,7 +244,7 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     studio = Studio(tmp_path)
     again = Desktop(qapp, booth.settings, microphone=studio.model)
     again.window.show()
-    qtbot.wait(100)
+    settle()
     assert studio.openers.asked == []
     assert again.session.source.kind is SourceKind.FILE
     assert studio.model.choice == booth.studio.model.choice

@@ -1,6 +1,7 @@
 """Texts that a voice speaks, by which voice and which lexicon."""
 
 import shlex
+import socket
 import sys
 from pathlib import Path
 
@@ -219,19 +220,16 @@ def test_a_program_that_fails_is_told_in_a_sentence_and_the_sound_in_hand_stays(
 
 def test_the_program_ends_though_a_program_of_ones_own_speaks_for_ever(session, outputs, qtbot, tmp_path):
     desk = Desk(session, outputs, qtbot)
-    started, end = tmp_path / "started", tmp_path / "end"
-    hangs = (
-        "import pathlib, time\n"
-        f"pathlib.Path({str(started)!r}).touch()\n"
-        f"while not pathlib.Path({str(end)!r}).exists(): time.sleep(0.02)"
-    )
+    server = socket.create_server(("127.0.0.1", 0))
+    hangs = f"import socket; socket.create_connection({server.getsockname()}).recv(1)"
     desk.texts.tools = TextTools(desk.aligner.align)
     desk.texts.voice.choose(program=own_program(tmp_path, hangs), by_program=True)
     desk.texts.set_text("so oh")
     desk.texts.say()
-    qtbot.waitUntil(started.exists)
+    started, _ = server.accept()
     desk.stage.talking.close()
-    end.touch()
+    started.close()
+    server.close()
 
 
 def test_a_command_without_a_place_for_the_sound_is_refused(desk):

@@ -22,7 +22,7 @@ from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
-from tests.desktop.hands import LEFT, FileAnswers, click, press, shown, wav
+from tests.desktop.hands import LEFT, FileAnswers, click, press, settle, shown, wav
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.desk import drawn
 from tests.sounds import vowel
@@ -399,7 +399,7 @@ def test_the_window_keeps_its_width_whichever_page_is_shown(window, desktop, qtb
     desktop.set_theme("dark")
     for key in (Qt.Key.Key_1, Qt.Key.Key_3, Qt.Key.Key_2, Qt.Key.Key_1):
         press(desktop.window, key, CONTROL)
-        QTest.qWait(30)
+        settle()
     assert abs(desktop.window.width() - width) <= 2
 
 

@@ -24,7 +24,7 @@ from phonemeengine.labels.utterance_files import format_utterance, read_utteranc
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import write_table
-from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, shown, type_number, wav
+from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, settle, shown, type_number, wav
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
 from tests.desktop.test_window_sizes import SMALLEST, fits
@@ -283,7 +283,7 @@ def test_the_page_fits_on_a_small_screen_with_lanes_and_a_sentence(window, qtbot
     qtbot.waitUntil(lambda: fits(window))
     window.resize(*SMALLEST)
     qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
-    qtbot.wait(20)
+    settle()
     assert window.talk.head.height() > 100
     for part in (panel(window).field, panel(window).language, panel(window).say, panel(window).lanes):
         assert window.rect().contains(part.mapTo(window, part.rect().bottomRight()))

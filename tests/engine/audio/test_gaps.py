@@ -29,15 +29,15 @@ Mark = tuple[int, str]
 """A place in samples, and what stands there."""
 
 KILLED = """
-import os, sys, time
+import os, sys
 from pathlib import Path
+from tests.waiting import wait_for
 from tests.fakes.recorders import begun, samples_of_16_bits
 recording = begun(Path(sys.argv[1]), 16_000)
 recording.write(samples_of_16_bits(0, 16_000))
 recording.skip(4.2)
 recording.write(samples_of_16_bits(16_000, 16_000))
-while recording.seconds < 1.5:
-    time.sleep(0.01)
+wait_for(lambda: recording.seconds >= 1.5)
 os._exit(9)
 """
 

@@ -14,13 +14,15 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.journal import interrupted_recordings
 from phonemeengine.errors import AudioError
 from tests.fakes.recorders import samples_in, samples_of_16_bits
+from tests.waiting import let_pass
 
 RATES = {"a.wav": (44_100, 2), "b.flac": (44_100, 1), "c.wav": (16_000, 1), "d.flac": (8_000, 2)}
 """What each process records at the same time: rate in Hz, and channels."""
 
 RECORD = """
-import sys, time
+import sys
 from pathlib import Path
+from tests.waiting import let_pass
 from tests.engine.audio.test_recording_killed import RATES
 from tests.fakes.recorders import begun, samples_of_16_bits
 folder = Path(sys.argv[1])
@@ -32,12 +34,13 @@ while True:
         recordings[name].write(samples_of_16_bits(n_blocks * rate // 100, rate // 100, n_channels))
     n_blocks += 1
     print(*(recording.n_samples for recording in recordings.values()), flush=True)
-    time.sleep(0.01)
+    let_pass(0.01)
 """
 
 TAKES = """
-import sys, time
+import sys
 from pathlib import Path
+from tests.waiting import let_pass
 from tests.fakes.recorders import begun, samples_of_16_bits
 folder = Path(sys.argv[1])
 print("begun", flush=True)
@@ -45,7 +48,7 @@ for number in range(1000):
     recording = begun(folder / f"{number}{'.wav' if number % 2 else '.flac'}", 16_000)
     for block in range(10):
         recording.write(samples_of_16_bits(block * 800, 800))
-        time.sleep(0.002)
+        let_pass(0.002)
     recording.close()
     print(recording.path.name, flush=True)
 """
@@ -111,7 +114,7 @@ def test_killing_at_a_beginning_or_an_end_spoils_no_other_recording(tmp_path: Pa
     with running(TAKES, folders) as processes:
         start, said = time.monotonic(), []
         for process, moment in zip(processes, moments, strict=True):
-            time.sleep(max(0.0, start + moment - time.monotonic()))
+            let_pass(max(0.0, start + moment - time.monotonic()))
             said.append(last_words(process))
     for folder, finished in zip(folders, said, strict=True):
         for name in finished:

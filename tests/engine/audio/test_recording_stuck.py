@@ -2,15 +2,15 @@
 
 import io
 import threading
-import time
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from phonemeengine.audio import recording as recording_room
+from phonemeengine.audio.recording import Recording
+from phonemeengine.audio.recording_file import RecordingFile
 from phonemeengine.audio.wav import HEADER
-from tests.fakes.recorders import begun, check_kept, check_sentence, samples_of_16_bits
+from tests.fakes.recorders import check_kept, check_sentence, samples_of_16_bits
 from tests.waiting import wait_for
 
 SUFFIXES = [".wav", ".flac"]
@@ -18,39 +18,52 @@ RATE = 16_000
 
 
 class Gate:
-    """A file on a disk that takes nothing while the gate is shut, as a network disk without its network."""
+    """A disk that takes nothing while the gate is shut, as a network disk without its network."""
 
     def __init__(self) -> None:
-        self.opened = threading.Event()
+        self.opened, self.turns, self.slow = threading.Event(), threading.Semaphore(0), False
         self.opened.set()
-        self.seconds_per_write = 0.0
 
-    def made(self, path: Path) -> io.FileIO:
-        gate = self
 
-        class Gated(io.FileIO):
-            def write(self, content: object) -> int:  # type: ignore[override]
-                gate.opened.wait()
-                time.sleep(gate.seconds_per_write)
-                return super().write(content)  # type: ignore[arg-type]
+class GatedFile(io.FileIO):
+    """A file on that disk."""
 
-        return Gated(path, "x+b")
+    gate: Gate
+
+    def write(self, content: object) -> int:  # type: ignore[override]
+        self.gate.opened.wait()
+        if self.gate.slow:
+            self.gate.turns.acquire()
+        return super().write(content)  # type: ignore[arg-type]
+
+
+class GatedRecording(Recording):
+    """A recording to that disk."""
+
+    def __init__(self, path: Path, gate: Gate, close_timeout: float = 60.0) -> None:
+        self.gate, self.close_timeout = gate, close_timeout
+        super().__init__(path, RATE, 1, journal=path.parent / "journal", rescue=path.parent / "rescue")
+
+    def _make_file(self, path: Path) -> RecordingFile:
+        file = super()._make_file(path)
+        file.raw.close()
+        file.raw = GatedFile(path, "r+b")
+        file.raw.gate = self.gate
+        return file
 
 
 @pytest.fixture
-def gate(monkeypatch: pytest.MonkeyPatch) -> Iterator[Gate]:
+def gate() -> Iterator[Gate]:
     gate = Gate()
-    monkeypatch.setattr("phonemeengine.audio.recording_file._made", gate.made)
     yield gate
     gate.opened.set()
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 def test_a_disk_that_is_a_minute_behind_stops_the_recording_and_the_minute_is_written_late(
-    suffix: str, gate: Gate, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    suffix: str, gate: Gate, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr(recording_room, "CLOSE_TIMEOUT", 60)
-    recording = begun(tmp_path / f"take{suffix}", RATE)
+    recording = GatedRecording(tmp_path / f"take{suffix}", gate)
     recording.write(samples_of_16_bits(0, 2 * RATE))
     wait_for(lambda: recording.n_samples > RATE)
     gate.opened.clear()
@@ -63,11 +76,8 @@ def test_a_disk_that_is_a_minute_behind_stops_the_recording_and_the_minute_is_wr
     check_kept(recording.path, recording.n_samples)
 
 
-def test_closing_does_not_wait_for_a_disk_that_takes_nothing(
-    gate: Gate, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
-) -> None:
-    monkeypatch.setattr(recording_room, "CLOSE_TIMEOUT", 0.2)
-    recording = begun(tmp_path / "take.wav", RATE)
+def test_closing_does_not_wait_for_a_disk_that_takes_nothing(gate: Gate, tmp_path: Path) -> None:
+    recording = GatedRecording(tmp_path / "take.wav", gate, 0.2)
     recording.write(samples_of_16_bits(0, RATE))
     wait_for(lambda: int.from_bytes(recording.path.read_bytes()[HEADER - 4 : HEADER], "little") == 3 * RATE)
     gate.opened.clear()
@@ -82,8 +92,8 @@ def test_closing_does_not_wait_for_a_disk_that_takes_nothing(
 
 def test_a_slow_disk_gets_the_time_it_needs_at_the_end(gate: Gate, tmp_path: Path) -> None:
     """Whoever closes looks again and again, and each time the disk has taken something meanwhile."""
-    recording = begun(tmp_path / "take.wav", RATE)
-    gate.seconds_per_write = 0.01
+    recording = GatedRecording(tmp_path / "take.wav", gate)
+    gate.slow = True
     gate.opened.clear()
     for second in range(50):
         recording.write(samples_of_16_bits(second * RATE, RATE))
@@ -93,7 +103,7 @@ def test_a_slow_disk_gets_the_time_it_needs_at_the_end(gate: Gate, tmp_path: Pat
         looks.append(patience)
         before = recording.n_samples
         gate.opened.set()
-        wait_for(lambda: recording.n_samples > before or not recording._thread.is_alive())
+        wait_for(lambda: gate.turns.release() or recording.n_samples > before or not recording._thread.is_alive())
 
     recording._thread.join = until_it_took_something  # type: ignore[method-assign]
     recording.close()

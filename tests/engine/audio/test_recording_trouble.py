@@ -4,7 +4,6 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -55,7 +54,7 @@ def test_a_full_disk_stops_the_recording_with_one_sentence(
     while recording.failure is None and n_given < 100 * RATE:
         recording.write(samples_of_16_bits(n_given, 1600, n_channels))
         n_given += 1600
-        time.sleep(0.002)
+        wait_for(lambda: recording.failure or recording.n_samples >= n_given - RATE)  # noqa: B023 - it is over at once
     wait_for(lambda: recording.failure)
     recording.close()
     sentence = check_sentence(recording, f"take{suffix}")
@@ -69,15 +68,16 @@ def test_a_full_disk_stops_the_recording_with_one_sentence(
 
 
 LIMITED = """
-import resource, sys, time
+import resource, sys
 from pathlib import Path
+from tests.waiting import wait_for
 from tests.fakes.recorders import begun, samples_of_16_bits
 resource.setrlimit(resource.RLIMIT_FSIZE, (300_003, 300_003))
 recording, n = begun(Path(sys.argv[1]), 16_000), 0
 while recording.failure is None and n < 3_200_000:
     recording.write(samples_of_16_bits(n, 1600))
     n += 1600
-    time.sleep(0.002)
+    wait_for(lambda: recording.failure or recording.n_samples >= n - 16_000)
 recording.close()
 print(recording.n_samples, recording.failure)
 """

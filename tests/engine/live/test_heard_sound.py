@@ -1,5 +1,6 @@
 """What a microphone heard since Clear, kept on disk."""
 
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ from phonemeengine import SoundReader
 from phonemeengine.live import heard_sound
 from phonemeengine.live.heard_sound import HeardSound
 from phonemeengine.settings import SAMPLE_RATE
+from tests.disks import refused
 from tests.sounds import noise
 
 
@@ -51,12 +53,8 @@ def test_clear_begins_anew() -> None:
         assert len(samples_of(heard.snapshot())) == 50
 
 
-def test_a_full_disk_is_said_and_nobody_waits(monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuse(*_arguments: object, **_options: object) -> None:
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(heard_sound.tempfile, "TemporaryDirectory", refuse)
-    with HeardSound() as heard:
+def test_a_full_disk_is_said_and_nobody_waits() -> None:
+    with refused(Path(tempfile.gettempdir()), events={"tempfile.mkdtemp"}), HeardSound() as heard:
         heard.add_samples(np.zeros((100, 1), np.float32), SAMPLE_RATE)
         assert heard.snapshot() is None
         assert heard.failure is not None

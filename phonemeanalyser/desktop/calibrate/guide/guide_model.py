@@ -143,6 +143,7 @@ class GuideModel(QObject):
 
     def __init__(self, session: Session, preset: PresetModel, takes: TakesModel) -> None:
         super().__init__()
+        self.learn = calibrate
         self.phase = Phase.OFF
         self.index = 0
         self.advice = ""
@@ -436,7 +437,7 @@ class GuideModel(QObject):
         takes += [said for k, said in self.sentences.items() if self.steps[k].teaches]
         held_back = [said for k, said in self.sentences.items() if not self.steps[k].teaches]
         self._work.replace(
-            lambda progress: calibrate(preset, takes, held_back=held_back, progress=progress), self._take_outcome
+            lambda progress: self.learn(preset, takes, held_back=held_back, progress=progress), self._take_outcome
         )  # fmt: skip
 
     def _take_outcome(self, outcome: CalibrationResult) -> None:
