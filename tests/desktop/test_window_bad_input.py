@@ -70,7 +70,7 @@ def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     desktop.preset.set_setting("minimum_hold", 0.05)
     session.seek(1.5)
     session.play()
-    qtbot.waitUntil(lambda: bool(errors) or session.position > 1.6 or not session.playing)
+    qtbot.waitUntil(lambda: bool(errors) or session.source.position > 1.6 or not session.source.playing)
     session.stop()
     qtbot.waitUntil(lambda: not session.busy and not window.selection._work.busy)
     window.analysis.file.view.repaint()
