@@ -39,7 +39,6 @@ def test_everything_that_one_can_use_or_read_explains_itself(window, page):
     assert silent == unexplained == []
 
 
-@pytest.mark.qt_log_ignore("does not support")
 def test_a_click_asks_and_the_answer_leads_into_the_manual(window):
     window.menus.actions["What Is This?"].trigger()
     assert QWhatsThis.inWhatsThisMode()
