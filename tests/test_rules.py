@@ -31,6 +31,8 @@ def sources(*folders: str) -> Iterator[tuple[Path, str]]:
 
 def broken(names: set[str], source: str) -> list[int]:
     """Give the lines that call one of these, also in programs that stand in a text."""
+    if not any(name in source for name in names):
+        return []
     programs = [source, *(node.value for node in ast.walk(ast.parse(source)) if is_program(node))]
     return [line for program in programs for name, line in called(program) if name in names]
 
