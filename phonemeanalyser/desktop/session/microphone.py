@@ -17,11 +17,10 @@ from phonemeengine.audio.journal import InterruptedRecording, interrupted_record
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.errors import EngineError
-from phonemeengine.live.capture import SampleCapture
 from phonemeengine.live.heard_sound import HeardSound
 from phonemeengine.live.listener import NOT_LISTENING, Latency, Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
-from phonemeengine.live.recorder import Recorder
+from phonemeengine.live.recorder import Recorder, SampleCapture
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.paths import journal_folder, new_recording_path, recordings_folder
 

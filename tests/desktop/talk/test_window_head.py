@@ -17,7 +17,7 @@ from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
-from phonemeengine.mouth.gaze import EYES
+from phonemeengine.mouth.idle_motion import EYES
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme

@@ -4,8 +4,17 @@ import numpy as np
 import pytest
 
 from phonemeengine import load_head
-from phonemeengine.mouth.gaze import EYES, FARTHEST, HIGH, SIDEWAYS, WIDE, Gaze, GazeDirection, gaze_weights
-from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.idle_motion import (
+    EYES,
+    FARTHEST,
+    HIGH,
+    SIDEWAYS,
+    WIDE,
+    Gaze,
+    GazeDirection,
+    HeadPose,
+    gaze_weights,
+)
 
 TIMES = np.arange(0, 120, 0.01)
 

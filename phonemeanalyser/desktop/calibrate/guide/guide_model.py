@@ -25,7 +25,7 @@ from phonemeengine.calibration.takes.room_noise import RoomNoise, measure_room
 from phonemeengine.calibration.takes.spoken import keep_sentence, onset_in, quiet_at_end
 from phonemeengine.errors import EngineError, TakeError
 from phonemeengine.execution import Progress
-from phonemeengine.live.capture import to_mono_44k
+from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 
 ABOVE_ROOM = 4.0

@@ -13,7 +13,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.takes.room_noise import RoomNoise, SilenceAccuracy, measure_room, speech_in
 from phonemeengine.errors import EngineError
-from phonemeengine.live.capture import to_mono_44k
+from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.presets.preset import Preset
 
 SECONDS = 2.0

@@ -18,7 +18,7 @@ from phonemeengine.calibration.takes.project import TakeProject, read_mono, room
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.take import TAKES, Take
 from phonemeengine.errors import TakeError
-from phonemeengine.live.capture import to_mono_44k
+from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
 

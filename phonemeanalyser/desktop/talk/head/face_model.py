@@ -13,9 +13,8 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
-from phonemeengine.mouth.gaze import EYES, Gaze, gaze_weights
 from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.idle_motion import EYES, Gaze, HeadPose, gaze_weights
 from phonemeengine.mouth.morph_mesh import MorphMesh, matched
 from phonemeengine.mouth.movestate import MOST_PERCENT, MovestateSet
 from phonemeengine.mouth.performer import IdleMotion, Performer
