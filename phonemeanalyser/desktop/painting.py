@@ -34,7 +34,7 @@ def draw_text(
     set_size(painter, size)
     painter.setPen(QColor(colour))
     if size * len(text) > box.width():  # no letter is wider than high
-        text = shortened(painter.fontMetrics(), text, math.ceil(box.width()))
+        text = shortened(painter.fontMetrics(), text, math.floor(box.width()))
     painter.drawText(box, align, text)
 
 
@@ -44,7 +44,8 @@ def shortened(metrics: QFontMetrics, text: str, width: int) -> str:
     A single letter is whole or not there, and no word is told by its first letter alone: it would read as another.
     """
     short = metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
-    has_room = short == text or (len(text) > 1 and metrics.horizontalAdvance(short) <= width)
+    whole_or_told = short == text or len(text) > 1
+    has_room = whole_or_told and metrics.horizontalAdvance(short) <= width  # Qt gives one letter uncut
     return short if has_room else ""
 
 

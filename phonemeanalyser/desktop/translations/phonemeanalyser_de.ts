@@ -1777,7 +1777,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Freq. smoothing</source>
-            <translation>Freq.-Glättung</translation>
+            <translation>F-Glättung</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />

@@ -231,7 +231,7 @@ def _paint_span(painter: QPainter, box: QRectF, lane: Lane, k: int, theme: Theme
         painter.fillRect(box, QBrush(QColor(theme.bad), Qt.BrushStyle.BDiagPattern))
         painter.fillRect(box.adjusted(0, box.height() - UNDERLINE, 0, 0), QColor(theme.bad))
     align = AT_LEFT if lane.are_points else CENTRED
-    draw_text(painter, box.adjusted(1, 0, 0, 0), lane.texts[k], letters_on(colour.name()), SIZE, align)
+    draw_text(painter, box.adjusted(1, 0, -1, 0), lane.texts[k], letters_on(colour.name()), SIZE, align)
 
 
 def paint_name(painter: QPainter, row: QRectF, name: str, theme: Theme) -> None:

@@ -3,11 +3,12 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtGui import QColor, QFontMetrics, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from phonemeanalyser.desktop.painting import shortened
 from phonemeanalyser.desktop.theme import LIGHT
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, lane_of_frames, wave_pixels
 from phonemeanalyser.desktop.widgets.timeline import GAP, HEADING, HEIGHT, LEFT, Chapter, Timeline, TimelineView
@@ -185,3 +186,10 @@ def test_the_wheel_zooms_at_the_pointer_a_drag_scrolls_and_all_is_seen_in_any_wi
     for width in (LEFT + 800, LEFT + 300):
         view.resize(width, 90)
         assert (view.lanes.axis.start, view.lanes.axis.end) == pytest.approx((0.0, 2.0))
+
+
+def test_a_letter_is_written_where_all_of_it_has_room(qapp: QApplication) -> None:
+    metrics = QFontMetrics(qapp.font())
+    for text in ("p", "m"):
+        room = metrics.horizontalAdvance(text)
+        assert [shortened(metrics, text, width) for width in (0, room - 1, room)] == ["", "", text]
