@@ -29,15 +29,33 @@ class Theme:
 
 
 LIGHT = Theme(
-    name="light", window="#f3f4f6", base="#ffffff", field="#ffffff",
-    raised="#e6e8ec", text="#1c2128", faint="#616974",
-    line="#c3c8d0", accent="#2563c9", signal="#1a5fb4", good="#1a7742", bad="#bd382a",
-)  # fmt: skip
+    name="light",
+    window="#f3f4f6",
+    base="#ffffff",
+    field="#ffffff",
+    raised="#e6e8ec",
+    text="#1c2128",
+    faint="#616974",
+    line="#c3c8d0",
+    accent="#2563c9",
+    signal="#1a5fb4",
+    good="#1a7742",
+    bad="#bd382a",
+)
 DARK = Theme(
-    name="dark", window="#1f2228", base="#15171c", field="#343a45",
-    raised="#2c3038", text="#e4e7ec", faint="#9ba4b1",
-    line="#434954", accent="#5b9bf5", signal="#7cc4ff", good="#58c98a", bad="#ff7d6d",
-)  # fmt: skip
+    name="dark",
+    window="#1f2228",
+    base="#15171c",
+    field="#343a45",
+    raised="#2c3038",
+    text="#e4e7ec",
+    faint="#9ba4b1",
+    line="#434954",
+    accent="#5b9bf5",
+    signal="#7cc4ff",
+    good="#58c98a",
+    bad="#ff7d6d",
+)
 
 PHONEME_COLOURS: dict[Phoneme, str] = {
     Phoneme.SILENCE: "#7a828e",

@@ -17,9 +17,17 @@ APP = Path(__file__).with_name("web_app")
 PACKAGES = ("vite@6.4.6", "esbuild@0.25.9", "typescript@5.9.3")
 BUNDLERS = ("vite", "esbuild")
 ESBUILD = (
-    "main.js", "--bundle", "--minify", "--target=es2020", "--format=esm", "--outdir=dist/assets",
-    "--public-path=/assets", "--loader:.wasm=file", "--loader:.ear=file", "--asset-names=[name]",
-)  # fmt: skip
+    "main.js",
+    "--bundle",
+    "--minify",
+    "--target=es2020",
+    "--format=esm",
+    "--outdir=dist/assets",
+    "--public-path=/assets",
+    "--loader:.wasm=file",
+    "--loader:.ear=file",
+    "--asset-names=[name]",
+)
 
 
 def project(place: Path, package: Path) -> Path:

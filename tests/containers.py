@@ -11,9 +11,15 @@ RATE = 44_100
 
 
 def contained(
-    samples: Sound, form: str, codec: str, *, rate: int = RATE, pictures: bool = False, n_tracks: int = 1,
+    samples: Sound,
+    form: str,
+    codec: str,
+    *,
+    rate: int = RATE,
+    pictures: bool = False,
+    n_tracks: int = 1,
     options: dict[str, str] | None = None,
-) -> bytes:  # fmt: skip
+) -> bytes:
     """A sound, shape (n,) or (n, 2), in a container; FFmpeg's names of format and codec."""
     file = io.BytesIO()
     planes = np.atleast_2d(samples.T).astype(np.float32)

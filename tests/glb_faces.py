@@ -17,10 +17,16 @@ def face_with_targets(names: Sequence[str] | None, n_targets: int | None = None)
     blocks = [corners, *(np.full((3, 3), (0, k + 1, 0), "<f4") for k in range(n_targets))]
     views = [{"buffer": 0, "byteOffset": 36 * k, "byteLength": 36} for k in range(len(blocks))]
     accessors = [
-        {"bufferView": k, "componentType": 5126, "count": 3, "type": "VEC3", "min": block.min(0).tolist(),
-         "max": block.max(0).tolist()}
+        {
+            "bufferView": k,
+            "componentType": 5126,
+            "count": 3,
+            "type": "VEC3",
+            "min": block.min(0).tolist(),
+            "max": block.max(0).tolist(),
+        }
         for k, block in enumerate(blocks)
-    ]  # fmt: skip
+    ]
     mesh = {
         "primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": k + 1} for k in range(n_targets)]}],
         "weights": [0.0] * n_targets,
@@ -28,10 +34,15 @@ def face_with_targets(names: Sequence[str] | None, n_targets: int | None = None)
     if names is not None:
         mesh["extras"] = {"targetNames": list(names)}
     document = {
-        "asset": {"version": "2.0", "generator": "tests"}, "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": [{"name": "head", "mesh": 0}], "meshes": [mesh], "accessors": accessors, "bufferViews": views,
+        "asset": {"version": "2.0", "generator": "tests"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"name": "head", "mesh": 0}],
+        "meshes": [mesh],
+        "accessors": accessors,
+        "bufferViews": views,
         "buffers": [{"byteLength": 36 * len(blocks)}],
-    }  # fmt: skip
+    }
     return glb_of(document, b"".join(block.tobytes() for block in blocks))
 
 

@@ -53,11 +53,14 @@ def recordings(folder: Path) -> tuple[LabelledUtterance, ...]:
     """Write four recordings of two speakers."""
     return tuple(
         recording(
-            folder / f"{k}.wav", [*SAID[k:], *SAID[:k]], speaker=("ada", "bob")[k % 2],
-            pitch=110.0 + 25 * k, level=0.3 + 0.1 * k,
+            folder / f"{k}.wav",
+            [*SAID[k:], *SAID[:k]],
+            speaker=("ada", "bob")[k % 2],
+            pitch=110.0 + 25 * k,
+            level=0.3 + 0.1 * k,
         )
         for k in range(4)
-    )  # fmt: skip
+    )
 
 
 OF_THE_SCORER = {

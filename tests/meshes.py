@@ -91,32 +91,54 @@ _INTERLEAVED = np.column_stack((moved_by((1, 3), (0.1, 0, 0)), np.full((8, 1), 7
 _BUFFER = _POINTS + _INDICES + _SPARSE + _INTERLEAVED
 _AT = (0, 96, 96 + 72, 96 + 72 + 4, 96 + 72 + 52)
 GLTF: dict = {
-    "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "asset": {"version": "2.0"},
+    "scene": 0,
+    "scenes": [{"nodes": [0]}],
     "nodes": [{"children": [1], "scale": [2, 2, 2]}, {"mesh": 0, "translation": [5, 0, 0]}],
-    "meshes": [{
-        "name": "cube", "extras": {"targetNames": ["lid up", "wide"]},
-        "primitives": [{
-            "attributes": {"POSITION": 0}, "indices": 1, "material": 0, "targets": [{"POSITION": 2}, {"POSITION": 3}],
-        }],
-    }],
+    "meshes": [
+        {
+            "name": "cube",
+            "extras": {"targetNames": ["lid up", "wide"]},
+            "primitives": [
+                {
+                    "attributes": {"POSITION": 0},
+                    "indices": 1,
+                    "material": 0,
+                    "targets": [{"POSITION": 2}, {"POSITION": 3}],
+                }
+            ],
+        }
+    ],
     "materials": [{"name": "red", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}],
     "accessors": [
         {"bufferView": 0, "componentType": 5126, "count": 8, "type": "VEC3"},
         {"bufferView": 1, "componentType": 5123, "count": 36, "type": "SCALAR"},
-        {"componentType": 5126, "count": 8, "type": "VEC3", "sparse": {
-            "count": 4, "indices": {"bufferView": 2, "componentType": 5121}, "values": {"bufferView": 3},
-        }},
+        {
+            "componentType": 5126,
+            "count": 8,
+            "type": "VEC3",
+            "sparse": {
+                "count": 4,
+                "indices": {"bufferView": 2, "componentType": 5121},
+                "values": {"bufferView": 3},
+            },
+        },
         {"bufferView": 4, "componentType": 5126, "count": 8, "type": "VEC3"},
     ],
     "bufferViews": [
-        {"buffer": 0, "byteOffset": _AT[0], "byteLength": 96}, {"buffer": 0, "byteOffset": _AT[1], "byteLength": 72},
-        {"buffer": 0, "byteOffset": _AT[2], "byteLength": 4}, {"buffer": 0, "byteOffset": _AT[3], "byteLength": 48},
+        {"buffer": 0, "byteOffset": _AT[0], "byteLength": 96},
+        {"buffer": 0, "byteOffset": _AT[1], "byteLength": 72},
+        {"buffer": 0, "byteOffset": _AT[2], "byteLength": 4},
+        {"buffer": 0, "byteOffset": _AT[3], "byteLength": 48},
         {"buffer": 0, "byteOffset": _AT[4], "byteLength": 128, "byteStride": 16},
     ],
-    "buffers": [{
-        "byteLength": len(_BUFFER), "uri": "data:application/gltf;base64," + base64.b64encode(_BUFFER).decode(),
-    }],
-}  # fmt: skip
+    "buffers": [
+        {
+            "byteLength": len(_BUFFER),
+            "uri": "data:application/gltf;base64," + base64.b64encode(_BUFFER).decode(),
+        }
+    ],
+}
 """The cube, twice as large and 10 to the right, with a sparse and an interleaved morph target."""
 GLTF_TEXT = json.dumps(GLTF).encode()
 

@@ -22,9 +22,7 @@ def band_of(frequency: float) -> int:
     return int(log_mels(wave.astype(np.float32)[np.newaxis])[0].argmax())
 
 
-def tone_model(
-    tones: dict[float, Phoneme], n_heads: int = 6, visemes: dict[float, Viseme] | None = None
-) -> Model:  # fmt: skip
+def tone_model(tones: dict[float, Phoneme], n_heads: int = 6, visemes: dict[float, Viseme] | None = None) -> Model:
     """Give a model that names tones: each frequency a phoneme, silence where none of them sounds; and maybe a viseme.
 
     Head k answers for the frame k before the newest one, which the network finds by a second layer that hands on

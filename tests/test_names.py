@@ -10,9 +10,18 @@ from tests.conftest import ROOT
 
 PACKAGES = (ROOT / "engine" / "phonemeengine", ROOT / "engine" / "phonemetraining", ROOT / "phonemeanalyser")
 PYTHON_S_OWN = (
-    "builtins", "collections", "collections.abc", "contextlib", "dataclasses", "enum", "functools", "itertools",
-    "pathlib", "types", "typing",
-)  # fmt: skip
+    "builtins",
+    "collections",
+    "collections.abc",
+    "contextlib",
+    "dataclasses",
+    "enum",
+    "functools",
+    "itertools",
+    "pathlib",
+    "types",
+    "typing",
+)
 """The modules whose names people use without the module's before them."""
 
 

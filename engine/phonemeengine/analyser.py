@@ -154,9 +154,16 @@ class Analyser:
     """
 
     def __init__(
-        self, preset: Preset, *, rate: int = SAMPLE_RATE, live: bool = False, pitch: bool = False, start: int = 0,
-        phonemes_only: bool = False, recogniser: object | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        preset: Preset,
+        *,
+        rate: int = SAMPLE_RATE,
+        live: bool = False,
+        pitch: bool = False,
+        start: int = 0,
+        phonemes_only: bool = False,
+        recogniser: object | None = None,
+    ) -> None:
         self._live = live
         self._intake = SampleIntake(rate, steady=live)
         preset = self._in_force(preset)
@@ -427,9 +434,14 @@ def _statistics_of(preset: Preset) -> PhonemeSmoother:
 
 
 def analyse_blocks(
-    blocks: Iterable[ArrayLike], preset: Preset, *, rate: int = SAMPLE_RATE, pitch: bool = False, start: int = 0,
+    blocks: Iterable[ArrayLike],
+    preset: Preset,
+    *,
+    rate: int = SAMPLE_RATE,
+    pitch: bool = False,
+    start: int = 0,
     recogniser: object | None = None,
-) -> Iterator[Analysis]:  # fmt: skip
+) -> Iterator[Analysis]:
     """Analyse a whole sound, given as consecutive blocks of samples; ends with the frames at its end.
 
     Parameters

@@ -219,8 +219,12 @@ IN_A_ROOM, IN_NOISE = 0.4, 0.2
 SNRS = (3.0, 30.0)
 """Level of the speech above those sounds, dB."""
 CHAINS: tuple[tuple[float, Chain], ...] = (
-    (0.25, microphone), (0.06, automatic_gain), (0.05, overdrive), (0.1, codec), (0.05, telephone),
-)  # fmt: skip
+    (0.25, microphone),
+    (0.06, automatic_gain),
+    (0.05, overdrive),
+    (0.1, codec),
+    (0.05, telephone),
+)
 """Shares of the variations that go through each, in the order in which they follow each other."""
 
 

@@ -101,9 +101,13 @@ class _Entry:
 
 
 def write_examples(
-    folder: Path, utterances: Sequence[LabelledUtterance], n_variations: int, seed: int,
-    soft_labels: SoftLabels | None = None, progress: Callable[[int], object] = lambda _n: None,
-) -> None:  # fmt: skip
+    folder: Path,
+    utterances: Sequence[LabelledUtterance],
+    n_variations: int,
+    seed: int,
+    soft_labels: SoftLabels | None = None,
+    progress: Callable[[int], object] = lambda _n: None,
+) -> None:
     """Make all examples and write them into a folder, last of all its index; `progress` is told of each recording.
 
     Raises
@@ -175,9 +179,12 @@ def _examples(
 
 
 def _augmented_example(
-    samples: Float32Array, labels: tuple[Label, ...], variation: Augmentation, generator: np.random.Generator,
+    samples: Float32Array,
+    labels: tuple[Label, ...],
+    variation: Augmentation,
+    generator: np.random.Generator,
     heard: NDArray[np.float16] | None,
-) -> TrainingExample:  # fmt: skip
+) -> TrainingExample:
     moved = tuple(
         replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
     )

@@ -151,9 +151,17 @@ class TrainingResult:
 
 
 def train_and_validate(
-    corpora: Sequence[Path], config: TrainingConfig, n_variations: int, n_folds: int, on_progress: OnProgress,
-    work: Path, *, n_validated: int | None = None, channel: Channel = Channel.MIX, whisper: Path | None = None,
-) -> TrainingResult:  # fmt: skip
+    corpora: Sequence[Path],
+    config: TrainingConfig,
+    n_variations: int,
+    n_folds: int,
+    on_progress: OnProgress,
+    work: Path,
+    *,
+    n_validated: int | None = None,
+    channel: Channel = Channel.MIX,
+    whisper: Path | None = None,
+) -> TrainingResult:
     """Train the model for live sound and its twin for files, and validate both on speakers left out.
 
     Parameters
@@ -290,7 +298,7 @@ def _begin(work: Path, plan: str) -> None:
 
 def _trained(
     model: Model, config: TrainingConfig, groups: Sequence[HeldOutGroup], people: Collection[str]
-) -> TrainedModel:  # fmt: skip
+) -> TrainedModel:
     heard = [h for group in groups for h in group.heard]
     adapted = [a for group in groups for a in group.adapted]
     chosen = {"all": adapted, PEOPLE: [a for a in adapted if a.voice in people]}

@@ -208,10 +208,10 @@ def realign_people(
         parts = [
             TrainingPart(f"without-{k}", small, tuple(u for u in labelled if u.labels and u.voice in group))
             for k, group in enumerate(groups)
-        ]  # fmt: skip
+        ]
         found = train_parts(
             parts, folder, weights, partial(_hear, people), lambda share: on_progress((number + share) / (ROUNDS + 1))
-        )  # fmt: skip
+        )
         return [heard for _, answers in found for heard in answers]
 
     before = listen(kept, 0)

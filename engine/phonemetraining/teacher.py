@@ -131,9 +131,11 @@ def projection_of(encoded: Encoded, seed: int) -> tuple[Float32Array, Float32Arr
 
 
 def lesson_of(
-    utterances: Sequence[LabelledUtterance], encoded: Encoded, weights: dict[str, float],
+    utterances: Sequence[LabelledUtterance],
+    encoded: Encoded,
+    weights: dict[str, float],
     projection: tuple[Float32Array, Float32Array],
-) -> Lesson:  # fmt: skip
+) -> Lesson:
     """Put together what heads are trained on: the labelled recordings."""
     names = tuple(sorted(weights))
     numbers = {name: k for k, name in enumerate(names)}
@@ -157,15 +159,24 @@ def lesson_of(
     places, phonemes, visemes, certainties, voices = (np.concatenate(column) for column in zip(*parts, strict=True))
     counts = np.array([weights[name] for name in names], np.float32)
     return Lesson(
-        np.concatenate(components), places.astype(np.int64), phonemes.astype(np.uint8), visemes.astype(np.uint8),
-        certainties.astype(np.float32), voices.astype(np.int64), names, counts,
-    )  # fmt: skip
+        np.concatenate(components),
+        places.astype(np.int64),
+        phonemes.astype(np.uint8),
+        visemes.astype(np.uint8),
+        certainties.astype(np.float32),
+        voices.astype(np.int64),
+        names,
+        counts,
+    )
 
 
 def train_head(
-    lesson: Lesson, left_out: Collection[str], projection: tuple[Float32Array, Float32Array], seed: int,
+    lesson: Lesson,
+    left_out: Collection[str],
+    projection: tuple[Float32Array, Float32Array],
+    seed: int,
     on_progress: OnShare = lambda _share: None,
-) -> EncoderHead:  # fmt: skip
+) -> EncoderHead:
     """Train a head on all speakers but some."""
     generator = np.random.default_rng(seed)
     strange = np.array([name in left_out for name in lesson.names])
@@ -228,9 +239,13 @@ def _gradients(
 
 
 def teach(
-    utterances: Sequence[LabelledUtterance], encoded: Encoded, weights: dict[str, float], seed: int, folder: Path,
+    utterances: Sequence[LabelledUtterance],
+    encoded: Encoded,
+    weights: dict[str, float],
+    seed: int,
+    folder: Path,
     on_progress: OnShare,
-) -> tuple[dict[str, NDArray[np.float16]], EncoderHead]:  # fmt: skip
+) -> tuple[dict[str, NDArray[np.float16]], EncoderHead]:
     """Return what heads hear in all recordings that did not hear their speakers before, and a head that heard all.
 
     Parameters

@@ -90,9 +90,16 @@ class TrainableLayer:
     """
 
     def __init__(
-        self, n_in: int, n_out: int, dilation: int, *, residual: bool, centred: bool = False, dropout: float,
+        self,
+        n_in: int,
+        n_out: int,
+        dilation: int,
+        *,
+        residual: bool,
+        centred: bool = False,
+        dropout: float,
         generator: np.random.Generator,
-    ) -> None:  # fmt: skip
+    ) -> None:
         spread = np.sqrt(2 / (TAPS * n_in))  # K. He et al., arXiv:1502.01852
         self.values = {
             "weights": generator.normal(0, spread, (TAPS * n_in, n_out)).astype(np.float32),
@@ -187,9 +194,14 @@ class TrainableNetwork:
     """
 
     def __init__(
-        self, width: int, dilations: tuple[int, ...], dropout: float, generator: np.random.Generator, *,
+        self,
+        width: int,
+        dilations: tuple[int, ...],
+        dropout: float,
+        generator: np.random.Generator,
+        *,
         centred: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> None:
         layer = partial(TrainableLayer, centred=centred, generator=generator)
         first = layer(N_BANDS, width, 1, residual=False, dropout=0.0)
         others = [layer(width, width, d, residual=True, dropout=dropout) for d in dilations]

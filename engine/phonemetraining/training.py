@@ -248,9 +248,7 @@ def train_parts(
     spawned = multiprocessing.get_context("spawn")
     done = spawned.Array("d", len(parts))
     with single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _share, (done,)) as pool:
-        jobs = [
-            pool.submit(_train_without, k, part, examples, weights, answers_of) for k, part in enumerate(parts)
-        ]  # fmt: skip
+        jobs = [pool.submit(_train_without, k, part, examples, weights, answers_of) for k, part in enumerate(parts)]
         while wait(jobs, timeout=0.5).not_done:
             on_progress(sum(done[:]) / len(jobs))
         return [job.result() for job in jobs]
@@ -267,9 +265,12 @@ def _share(done: Any) -> None:
 
 
 def _train_without(
-    number: int, part: TrainingPart, examples: Path, weights: dict[str, float],
+    number: int,
+    part: TrainingPart,
+    examples: Path,
+    weights: dict[str, float],
     answers_of: Callable[[Model, Sequence[LabelledUtterance]], Answer],
-) -> tuple[Model, Answer]:  # fmt: skip
+) -> tuple[Model, Answer]:
     """Train on all voices but those left out, and let the model recognise these."""
     path, state = examples / f"{part.name}.npz", examples / f"{part.name}-state.npz"
     if not path.is_file():

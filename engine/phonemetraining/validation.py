@@ -122,9 +122,7 @@ class HeldOut:
     with_encoder: Predictions | None = None
 
 
-def hear_held_out(
-    model: Model, utterances: Sequence[LabelledUtterance], teacher: Path | None = None
-) -> HeldOutGroup:  # fmt: skip
+def hear_held_out(model: Model, utterances: Sequence[LabelledUtterance], teacher: Path | None = None) -> HeldOutGroup:
     """Recognise recordings as a user's program does, some with other look-aheads, and some once it knows the voice.
 
     Parameters
@@ -159,7 +157,7 @@ def hear_held_out(
 
 def _with_encoder(
     utterance: LabelledUtterance, preset: Preset, heard: NDArray[np.float16], priors: Float32Array
-) -> Predictions:  # fmt: skip
+) -> Predictions:
     """Recognise a recording by the network together with what the teacher heard in it."""
     assert preset.model is not None
     shares, n_heard = heard.astype(np.float32), 0

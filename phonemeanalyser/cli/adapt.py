@@ -44,16 +44,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help=words)
     parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PRESET", help="the new preset, .toml")
     parser.add_argument(
-        "--held-back", type=Path, nargs="+", default=[], metavar="FILE",
+        "--held-back",
+        type=Path,
+        nargs="+",
+        default=[],
+        metavar="FILE",
         help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
-    )  # fmt: skip
+    )
     parser.add_argument(
         "--room", type=Path, metavar="SOUND", help="seconds of the room in which nobody speaks (default: the takes')"
     )
     parser.add_argument(
-        "--line", choices=[language.lower() for language in LANGUAGES],
+        "--line",
+        choices=[language.lower() for language in LANGUAGES],
         help="somebody reads the line that the window shows: " + sentences_in(LANGUAGES[0])[0].text + " (english)",
-    )  # fmt: skip
+    )
     add_options(parser, "preset", *SAID, "channel", "overwrite")
     add_map(parser)
 

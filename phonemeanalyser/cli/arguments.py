@@ -76,9 +76,13 @@ def add_options(parser: argparse.ArgumentParser, *names: str, **defaults: Any) -
             continue
         default = defaults.get(key, option.default)
         parser.add_argument(
-            f"--{name}", type=reading(option.read), default=None if option.several else default, metavar=option.value,
-            action="append" if option.several else "store", help=words,
-        )  # fmt: skip
+            f"--{name}",
+            type=reading(option.read),
+            default=None if option.several else default,
+            metavar=option.value,
+            action="append" if option.several else "store",
+            help=words,
+        )
 
 
 def given(options: argparse.Namespace, **values: Any) -> ConversionOptions:

@@ -90,9 +90,11 @@ def batch_options(options: argparse.Namespace, jobs: int | None = None) -> Batch
 
 
 def work_through(
-    jobs: Sequence[Job], work: Work, options: BatchOptions | None = None,
+    jobs: Sequence[Job],
+    work: Work,
+    options: BatchOptions | None = None,
     then: Callable[[Outcome], object] = lambda _: None,
-) -> list[Outcome]:  # fmt: skip
+) -> list[Outcome]:
     """Do something with every file; say what is odd, report those that fail on standard error and go on.
 
     Where it is noted what is done, what was wrong is told by two files in the folder as well. `then` is told what
@@ -124,9 +126,7 @@ def work_through(
     return outcomes
 
 
-def finish_jobs(
-    jobs: Sequence[Job], work: Work, options: argparse.Namespace, processes: int | None = None
-) -> int:  # fmt: skip
+def finish_jobs(jobs: Sequence[Job], work: Work, options: argparse.Namespace, processes: int | None = None) -> int:
     """Do what a command line with the arguments of `add_batch` asks with every file; return the exit code.
 
     Parameters

@@ -127,9 +127,13 @@ def list_devices() -> None:
 
 
 def listen(
-    preset: Preset, choice: InputChoice, seconds: float | None, kind: str, osc: OscSettings | None = None,
+    preset: Preset,
+    choice: InputChoice,
+    seconds: float | None,
+    kind: str,
+    osc: OscSettings | None = None,
     open_listener: Callable[..., Listener] = Listener,
-) -> None:  # fmt: skip
+) -> None:
     """Print a line at each change of phoneme, for some seconds or until Ctrl-C.
 
     Parameters
@@ -166,9 +170,15 @@ def listen(
 
 
 def record(
-    path: Path, preset: Preset, choice: InputChoice, seconds: float | None, *, with_phonemes: bool,
-    fill_gaps: bool = False, open_listener: Callable[..., Listener] = Listener,
-) -> None:  # fmt: skip
+    path: Path,
+    preset: Preset,
+    choice: InputChoice,
+    seconds: float | None,
+    *,
+    with_phonemes: bool,
+    fill_gaps: bool = False,
+    open_listener: Callable[..., Listener] = Listener,
+) -> None:
     """Record to a file, for some seconds or until Ctrl-C; see `Recorder`.
 
     Raises

@@ -52,9 +52,12 @@ def run(options: argparse.Namespace) -> int:
     stretch = (options.sound, options.start, end)
     with tqdm(total=100, unit="%", file=sys.stderr, disable=None, leave=False, desc=options.sound.name) as bar:
         found = measure(
-            *stretch, preset, channel=options.channel, ceiling=options.ceiling,
+            *stretch,
+            preset,
+            channel=options.channel,
+            ceiling=options.ceiling,
             progress=lambda share: bool(bar.update(100 * share - bar.n)) or True,
-        )  # fmt: skip
+        )
     if options.out is not None or STANDARD_OUTPUT not in (options.sound_out, options.spectrum_out):
         with guarded_text(options.out, table) as file:
             file.write(format_measurement(found))

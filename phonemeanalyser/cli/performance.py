@@ -95,9 +95,13 @@ def _make(options: argparse.Namespace) -> Iterator[str]:
     read = sentences(options.seed) if options.sentences is None else _sentences_in(options.sentences)
     with _progress(options.folder) as progress:
         made = make_corpus(
-            options.folder, read, lambda text: speak(text, voice), seconds=60 * options.minutes, seed=options.seed,
+            options.folder,
+            read,
+            lambda text: speak(text, voice),
+            seconds=60 * options.minutes,
+            seed=options.seed,
             progress=progress,
-        )  # fmt: skip
+        )
     yield f"{options.folder}: {made.n_recordings} synthetic recordings, {made.duration / 60:.1f} minutes"
 
 

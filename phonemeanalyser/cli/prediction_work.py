@@ -201,8 +201,12 @@ class PredictionWork:
             arrays = read_npz(path, LARGEST)
             labels = frame_labels_of(utterance.labels)
             return Predictions(
-                utterance, labels, arrays["phonemes"], arrays["intensities"], arrays.get("visemes"),
+                utterance,
+                labels,
+                arrays["phonemes"],
+                arrays["intensities"],
+                arrays.get("visemes"),
                 arrays.get("confidences"),
-            )  # fmt: skip
+            )
         except (OSError, ValueError, KeyError) as error:
             raise CorpusError(f"{printable_name(path)}: these answers cannot be read; remove the file") from error

@@ -17,9 +17,7 @@ DELAY = 1.0
 def batch_bar(n_files: int) -> Iterator[Callable[[BatchProgress], bool]]:
     """Show a bar at terminals; of a single file only where the work is long."""
     delay = DELAY if n_files == 1 else 0.0
-    with tqdm(
-        total=1.0, bar_format=FORM, delay=delay, leave=n_files > 1, disable=None, file=sys.stderr
-    ) as bar:  # fmt: skip
+    with tqdm(total=1.0, bar_format=FORM, delay=delay, leave=n_files > 1, disable=None, file=sys.stderr) as bar:
 
         def show(progress: BatchProgress) -> bool:
             bar.set_description_str(_words_of(progress), refresh=False)

@@ -20,7 +20,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Record until the time is over, or Ctrl-C."""
     record(
-        options.out, load_preset(options.preset), input_of(options), options.seconds,
-        with_phonemes=options.phonemes, fill_gaps=options.fill_gaps,
-    )  # fmt: skip
+        options.out,
+        load_preset(options.preset),
+        input_of(options),
+        options.seconds,
+        with_phonemes=options.phonemes,
+        fill_gaps=options.fill_gaps,
+    )
     return 0

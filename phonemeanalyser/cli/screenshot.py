@@ -32,7 +32,13 @@ def run(options: argparse.Namespace) -> int:
     """Take the picture."""
     os.environ["QT_QPA_PLATFORM"] = "offscreen"
     load_desktop().screenshot(
-        options.file, options.out, at=options.at, size=options.size, theme=options.theme, language=options.language,
-        preset=options.preset, channel=options.channel,
-    )  # fmt: skip
+        options.file,
+        options.out,
+        at=options.at,
+        size=options.size,
+        theme=options.theme,
+        language=options.language,
+        preset=options.preset,
+        channel=options.channel,
+    )
     return 0

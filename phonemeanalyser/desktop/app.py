@@ -104,9 +104,13 @@ class Desktop:
     """
 
     def __init__(
-        self, app: QApplication, settings: QSettings, open_device: Callable[[int], Output] = open_output,
-        microphone: Microphone | None = None, preset: PresetModel | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        app: QApplication,
+        settings: QSettings,
+        open_device: Callable[[int], Output] = open_output,
+        microphone: Microphone | None = None,
+        preset: PresetModel | None = None,
+    ) -> None:
         QLocale.setDefault(QLocale.c())  # one decimal sign everywhere, the point, as in all our files
         self._app = app
         self._settings = settings
@@ -317,9 +321,16 @@ def _begin(desktop: Desktop, file: Path | None, last_sound: Path, channel: Chann
 
 
 def screenshot(
-    file: Path, out: Path, *, at: float | None, size: tuple[int, int], theme: str, language: str,
-    preset: Path | None, channel: Channel,
-) -> None:  # fmt: skip
+    file: Path,
+    out: Path,
+    *,
+    at: float | None,
+    size: tuple[int, int],
+    theme: str,
+    language: str,
+    preset: Path | None,
+    channel: Channel,
+) -> None:
     """Save a picture of the window, with a file analysed up to a time (seconds; None means its end).
 
     Raises

@@ -95,9 +95,13 @@ def selection_commands(selection: Selection, dialogs: SelectionDialogs) -> Comma
 
 
 def add_selection_menu(
-    menus: Menus, selection: Selection, dialogs: SelectionDialogs, use_as_take: Callable[[Phoneme], object],
-    view: QWidget, pictures: Dialogs,
-) -> None:  # fmt: skip
+    menus: Menus,
+    selection: Selection,
+    dialogs: SelectionDialogs,
+    use_as_take: Callable[[Phoneme], object],
+    view: QWidget,
+    pictures: Dialogs,
+) -> None:
     """List what is done with the selected part of a file in the menu bar, and in the menu of its view."""
     menu = menus.add(tr("&Selection"), *selection_commands(selection, dialogs))
     takes = menu.addMenu(tr("Use as a Take of"))

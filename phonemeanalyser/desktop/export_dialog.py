@@ -85,9 +85,16 @@ class ExportDialog(QDialog):
     """
 
     def __init__(
-        self, preset: Preset, channel: Channel, sounds: list[Path], settings: QSettings, parent: QWidget,
-        presets: Iterable[PresetEntry] = (), face: FaceInUse | None = None, files: FileAsker | None = None,
-    ) -> None:  # fmt: skip
+        self,
+        preset: Preset,
+        channel: Channel,
+        sounds: list[Path],
+        settings: QSettings,
+        parent: QWidget,
+        presets: Iterable[PresetEntry] = (),
+        face: FaceInUse | None = None,
+        files: FileAsker | None = None,
+    ) -> None:
         super().__init__(parent)
         self._preset, self._channel, self._settings = preset, channel, settings
         self._face, self._asker = face or FaceInUse(), files or FileAsker(settings)
@@ -143,9 +150,15 @@ class ExportDialog(QDialog):
         chosen = talk.driver if self.driver.currentData() == ON_TALK else DriverChoice(FaceDriver.RULES)
         driver = chosen if knows_words else USUAL_DRIVER
         return ExportOrder(
-            kind.name, preset, self._options(kind.options), self._channel, timing, driver,
-            talk.movestates if self.mesh.currentData() == ON_TALK else None, talk.speech,
-        )  # fmt: skip
+            kind.name,
+            preset,
+            self._options(kind.options),
+            self._channel,
+            timing,
+            driver,
+            talk.movestates if self.mesh.currentData() == ON_TALK else None,
+            talk.speech,
+        )
 
     def _options(self, offered: frozenset[str]) -> ExportOptions:
         """Return how mouths move, by the choices that the format offers."""
@@ -153,9 +166,13 @@ class ExportDialog(QDialog):
         as_on_talk = table == ON_TALK
         feels = "expression" in offered and self.expression.currentData() == ON_TALK
         idle = replace(
-            talk.idle, blinks=self.blinks.isChecked(), head=self.head.isChecked(), seed=self.seed.value(),
-            detail=Detail(self.detail.currentData()), expression=talk.idle.expression if feels else None,
-        )  # fmt: skip
+            talk.idle,
+            blinks=self.blinks.isChecked(),
+            head=self.head.isChecked(),
+            seed=self.seed.value(),
+            detail=Detail(self.detail.currentData()),
+            expression=talk.idle.expression if feels else None,
+        )
         anticipation = self.anticipation.value()
         return replace(
             talk if as_on_talk else ExportOptions(),
@@ -242,12 +259,22 @@ class ExportDialog(QDialog):
     def _lay_out(self) -> None:
         self._form = QFormLayout()
         rows: tuple[tuple[str, QWidget], ...] = (
-            (tr("Becomes"), self.kind), (tr("Heard with"), self.heard), (tr("Timing"), self.timing),
-            (tr("Moved by"), self.driver), (tr("Mouth table"), self.table), (tr("Face"), self.mesh),
-            (tr("Expression"), self.expression), (tr("Rate"), self.rate), (tr("Shortest cue"), self.minimum),
-            (tr("Mouth ahead"), self.anticipation), (tr("Follows"), self.detail), (tr("Seed"), self.seed),
-            ("", self.blinks), ("", self.head), (tr("Goes"), self.folder),
-        )  # fmt: skip
+            (tr("Becomes"), self.kind),
+            (tr("Heard with"), self.heard),
+            (tr("Timing"), self.timing),
+            (tr("Moved by"), self.driver),
+            (tr("Mouth table"), self.table),
+            (tr("Face"), self.mesh),
+            (tr("Expression"), self.expression),
+            (tr("Rate"), self.rate),
+            (tr("Shortest cue"), self.minimum),
+            (tr("Mouth ahead"), self.anticipation),
+            (tr("Follows"), self.detail),
+            (tr("Seed"), self.seed),
+            ("", self.blinks),
+            ("", self.head),
+            (tr("Goes"), self.folder),
+        )
         for words, widget in rows:
             self._form.addRow(words, named(widget, words or str(widget.property("text"))))
         for box in (self.kind, self.heard, self.driver, self.table, self.mesh):
@@ -404,9 +431,11 @@ class ExportDialog(QDialog):
             tr("{name} is there already.") if len(there) == 1 else tr("{n} files are there already, such as {name}.")
         )
         self.question = QMessageBox(
-            QMessageBox.Icon.Question, tr("Replace files?"), words.format(n=len(there), name=targets[there[0]].name),
+            QMessageBox.Icon.Question,
+            tr("Replace files?"),
+            words.format(n=len(there), name=targets[there[0]].name),
             parent=self,
-        )  # fmt: skip
+        )
         self.question.setInformativeText(tr("Perhaps edited by hand, or made with other settings."))
         roles = QMessageBox.ButtonRole
         self.replace = self.question.addButton(tr("Replace"), roles.DestructiveRole)

@@ -14,10 +14,27 @@ from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_butto
 from phonemeanalyser.licences import licences_text
 
 PAGES = (
-    "index", "manual", "calibrating", "recognisers", "presets", "script", "speaking", "pinyin", "performance",
-    "expression", "blender", "formats", "command-line", "cluster", "engine", "ship", "server",
-    "program", "training", "glossary",
-)  # fmt: skip
+    "index",
+    "manual",
+    "calibrating",
+    "recognisers",
+    "presets",
+    "script",
+    "speaking",
+    "pinyin",
+    "performance",
+    "expression",
+    "blender",
+    "formats",
+    "command-line",
+    "cluster",
+    "engine",
+    "ship",
+    "server",
+    "program",
+    "training",
+    "glossary",
+)
 """Those that users read, in this order."""
 SIZE = 980, 640
 """Of the window at first, pixels."""

@@ -22,9 +22,13 @@ def set_size(painter: QPainter, size: int) -> None:
 
 
 def draw_text(
-    painter: QPainter, box: QRectF | QRect, text: str, colour: str | QColor, size: int,
+    painter: QPainter,
+    box: QRectF | QRect,
+    text: str,
+    colour: str | QColor,
+    size: int,
     align: Qt.AlignmentFlag = AT_LEFT,
-) -> None:  # fmt: skip
+) -> None:
     """Write one line into a box; words that have no room are shortened by `shortened`.
 
     Parameters

@@ -31,10 +31,17 @@ class RedrawLoop(QObject):
     """
 
     def __init__(
-        self, parent: QObject, session: Session, pages: PageStack, analysis: AnalysisPage,
-        calibration: "LazyPage[calibrate.CalibrationPage]", heads: Heads, transport: Transport, status: StatusLine,
+        self,
+        parent: QObject,
+        session: Session,
+        pages: PageStack,
+        analysis: AnalysisPage,
+        calibration: "LazyPage[calibrate.CalibrationPage]",
+        heads: Heads,
+        transport: Transport,
+        status: StatusLine,
         look_ahead: LookAheadSlider,
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__(parent)
         self.frozen = False
         self.dirty = True

@@ -32,9 +32,13 @@ class WindowState:
     """Keeps and restores the layout of a window, the session's choices, and what its switches say."""
 
     def __init__(
-        self, window: QMainWindow, splitters: dict[str, QSplitter],
-        switches: dict[str, QAbstractButton | QAction], choices: dict[str, QComboBox], settings: QSettings,
-    ) -> None:  # fmt: skip
+        self,
+        window: QMainWindow,
+        splitters: dict[str, QSplitter],
+        switches: dict[str, QAbstractButton | QAction],
+        choices: dict[str, QComboBox],
+        settings: QSettings,
+    ) -> None:
         self._window = window
         self._settings = settings
         self._switches, self._choices = switches, choices

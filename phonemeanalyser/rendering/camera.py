@@ -182,9 +182,11 @@ class Camera:
 def _perspective(aspect: float, near: float, far: float) -> Float64Array:
     scale = 1 / math.tan(FIELD_OF_VIEW / 2)
     tall = min(aspect, 1.0)
-    return np.array([
-        [scale * tall / aspect, 0, 0, 0],
-        [0, scale * tall, 0, 0],
-        [0, 0, (near + far) / (near - far), 2 * near * far / (near - far)],
-        [0, 0, -1, 0],
-    ])  # fmt: skip
+    return np.array(
+        [
+            [scale * tall / aspect, 0, 0, 0],
+            [0, scale * tall, 0, 0],
+            [0, 0, (near + far) / (near - far), 2 * near * far / (near - far)],
+            [0, 0, -1, 0],
+        ]
+    )

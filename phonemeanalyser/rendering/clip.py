@@ -93,9 +93,14 @@ LONGEST, END = 200, 12
 SMALLEST = 9.0
 """Pixels: smaller letters cannot be read."""
 FONTS = (
-    "DejaVuSans.ttf", "NotoSansCJK-Regular.ttc", "wqy-microhei.ttc", "DroidSansFallback.ttf", "segoeui.ttf",
-    "msyh.ttc", "Arial Unicode.ttf",
-)  # fmt: skip
+    "DejaVuSans.ttf",
+    "NotoSansCJK-Regular.ttc",
+    "wqy-microhei.ttc",
+    "DroidSansFallback.ttf",
+    "segoeui.ttf",
+    "msyh.ttc",
+    "Arial Unicode.ttf",
+)
 """Of Linux, Windows and macOS, for what the font that Pillow brings lacks: it has the letters of English alone."""
 NO_LETTER = "\U0010ffff"
 
@@ -198,10 +203,15 @@ def check_clip(out: Path, size: tuple[int, int]) -> None:
 
 
 def write_clip(
-    out: Path, morph_mesh: MorphMesh, animations: Sequence[Animation], options: ClipOptions,
-    captions: Sequence[str] = (), sound: SoundTrack | None = None, progress: Progress = no_progress,
+    out: Path,
+    morph_mesh: MorphMesh,
+    animations: Sequence[Animation],
+    options: ClipOptions,
+    captions: Sequence[str] = (),
+    sound: SoundTrack | None = None,
+    progress: Progress = no_progress,
     guard: Guard = REPLACING,
-) -> None:  # fmt: skip
+) -> None:
     """Write a clip so that it is there complete, or not at all; a folder of pictures may be left in part.
 
     Parameters
@@ -249,9 +259,12 @@ def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = Non
 
 
 def _pictures_of(
-    players: Sequence[AnimationPlayer], morph_mesh: MorphMesh, offscreen: OffscreenRenderer, background: str,
+    players: Sequence[AnimationPlayer],
+    morph_mesh: MorphMesh,
+    offscreen: OffscreenRenderer,
+    background: str,
     progress: Progress,
-) -> Iterator[list[UInt8Array]]:  # fmt: skip
+) -> Iterator[list[UInt8Array]]:
     """Take the pictures of all heads, frame by frame."""
     camera, colour = Camera.facing(morph_mesh.mesh).orbit(ASIDE, ABOVE), colour_of(background)
     for k, heads in enumerate(zip(*(player.scenes() for player in players), strict=True)):
@@ -260,9 +273,13 @@ def _pictures_of(
 
 
 def _write(
-    out: Path, n_frames: int, pictures: Iterable[UInt8Array], options: ClipOptions, sound: SoundTrack | None,
+    out: Path,
+    n_frames: int,
+    pictures: Iterable[UInt8Array],
+    options: ClipOptions,
+    sound: SoundTrack | None,
     guard: Guard,
-) -> None:  # fmt: skip
+) -> None:
     kind = out.suffix.lower()
     if kind not in {".mp4", ".gif"}:
         write_pictures(out, pictures)

@@ -116,9 +116,17 @@ class OffscreenRenderer:
         width, height = self._sheet.size
         with self._context:
             self._renderer.draw(
-                camera, positions, pose, size=(width, height), background=background,
-                wireframe=wireframe, light=light, fine=fine, glow=glow, target=self._sheet,
-            )  # fmt: skip
+                camera,
+                positions,
+                pose,
+                size=(width, height),
+                background=background,
+                wireframe=wireframe,
+                light=light,
+                fine=fine,
+                glow=glow,
+                target=self._sheet,
+            )
             rows = np.frombuffer(self._sheet.read(components=3, alignment=1), np.uint8)
         picture: UInt8Array = rows.reshape(height, width, 3)[::-1]
         return picture

@@ -249,6 +249,10 @@ def _lights_of(camera: Camera, light: Light, room: BoundingSphere) -> dict[str, 
     """Return the uniforms of the light, which stay while nobody moves the camera."""
     key = direction_of(camera, light.azimuth, light.elevation)
     return {
-        "key": key, "key_view": room.seen_from(key).T, "fill": direction_of(camera, *FILL), "eye": camera.eye,
-        "rims": [direction_of(camera, *rim) for rim in RIMS], "strength": light.strength,
-    }  # fmt: skip
+        "key": key,
+        "key_view": room.seen_from(key).T,
+        "fill": direction_of(camera, *FILL),
+        "eye": camera.eye,
+        "rims": [direction_of(camera, *rim) for rim in RIMS],
+        "strength": light.strength,
+    }

@@ -144,9 +144,14 @@ def subdivided(morph_mesh: MorphMesh) -> MorphMesh:
     rows[: len(mesh)], rows[len(mesh) + apart.edge_of] = points, len(first) + welded.edge_of
     form = welded.weights[rows]
     finer = mesh_of(
-        form @ mesh.positions[first], apart.triangles, name=mesh.name, normals=form @ mesh.normals[first],
-        colours=apart.weights @ mesh.colours, materials=mesh.materials, material_of=np.repeat(mesh.material_of, 4),
-    )  # fmt: skip
+        form @ mesh.positions[first],
+        apart.triangles,
+        name=mesh.name,
+        normals=form @ mesh.normals[first],
+        colours=apart.weights @ mesh.colours,
+        materials=mesh.materials,
+        material_of=np.repeat(mesh.material_of, 4),
+    )
     return MorphMesh(finer, tuple(_moved(state, form, first, len(mesh)) for state in morph_mesh.states))
 
 

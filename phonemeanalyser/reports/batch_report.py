@@ -56,9 +56,13 @@ def write_batch_report(outcomes: Sequence[Outcome], folder: Path) -> None:
                 (folder / name).unlink(missing_ok=True)
         return
     page = rendered(
-        "batch.html.j2", {"light": LIGHT, "dark": DARK}, {"clock": clock}, rows=rows, folder=folder.name,
+        "batch.html.j2",
+        {"light": LIGHT, "dark": DARK},
+        {"clock": clock},
+        rows=rows,
+        folder=folder.name,
         words=_summary_of(outcomes),
-    )  # fmt: skip
+    )
     for name, text in ((TABLE, _table_of(rows)), (PAGE, page)):
         if is_remote(folder):
             write_place(folder / name, text.encode())

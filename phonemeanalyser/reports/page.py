@@ -152,9 +152,14 @@ Groups = list[GroupScores]
 def page_of(report: Report) -> str:
     """Write a report as HTML in ASCII that is well-formed XML too, and asks the network for nothing."""
     return rendered(
-        "report.html.j2", VALUES, FILTERS, report=report, parts=_parts(report), mistakes=_mistakes(report),
+        "report.html.j2",
+        VALUES,
+        FILTERS,
+        report=report,
+        parts=_parts(report),
+        mistakes=_mistakes(report),
         examples=_examples(report),
-    )  # fmt: skip
+    )
 
 
 def _parts(report: Report) -> Iterator[list[tuple[str, Groups]]]:

@@ -6,9 +6,7 @@ from typing import Any
 from phonemeengine.storage.files import printable
 
 
-def rendered(
-    template: str, values: Mapping[str, Any], filters: Mapping[str, Callable[..., Any]], **more: Any
-) -> str:  # fmt: skip
+def rendered(template: str, values: Mapping[str, Any], filters: Mapping[str, Callable[..., Any]], **more: Any) -> str:
     """Write a page as HTML in ASCII that is well-formed XML too, and asks the network for nothing.
 
     Parameters

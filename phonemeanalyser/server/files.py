@@ -127,9 +127,12 @@ NICE, NICEST = 1, 19
 LONGEST_FIELD, LONGEST_PART = 64, 2048
 """Characters of a field other than the text, and of one that may be given several times."""
 KINDS = {
-    ".json": "application/json", ".xml": "application/xml", ".csv": "text/csv", ".glb": "model/gltf-binary",
+    ".json": "application/json",
+    ".xml": "application/xml",
+    ".csv": "text/csv",
+    ".glb": "model/gltf-binary",
     ".tsv": "text/tab-separated-values",
-}  # fmt: skip
+}
 """Media types by the ending of a format; all others are plain text."""
 GENTLY = getattr(subprocess, "BELOW_NORMAL_PRIORITY_CLASS", 0)
 """Flags of a process on Windows, so that streams go first; elsewhere there are none."""

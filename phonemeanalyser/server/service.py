@@ -178,11 +178,18 @@ class Service:
     async def tell(self, _request: web.Request) -> web.StreamResponse:
         """Say what is served."""
         told = {
-            "program": "phonemeanalyser", "version": __version__, "preset": self._preset.name,
-            "stream": STREAM, "export": EXPORT, "encodings": [*Encoding], "formats": [*FORMATS],
-            "tables": shipped_tables(), "streams": self._n_streams, "most_streams": self._limits.most_streams,
+            "program": "phonemeanalyser",
+            "version": __version__,
+            "preset": self._preset.name,
+            "stream": STREAM,
+            "export": EXPORT,
+            "encodings": [*Encoding],
+            "formats": [*FORMATS],
+            "tables": shipped_tables(),
+            "streams": self._n_streams,
+            "most_streams": self._limits.most_streams,
             "files": self._exporter.n_files,
-        }  # fmt: skip
+        }
         return web.json_response(told)
 
     async def export(self, request: web.Request) -> web.StreamResponse:
@@ -194,9 +201,12 @@ class Service:
         if self._n_streams >= self._limits.most_streams:
             raise RefusedError(f"there are {self._n_streams} streams, as many as this server takes; try later", 503)
         stream = _StreamSocket(
-            timeout=CLOSING, protocols=[PROTOCOL], compress=False, writer_limit=WRITER_LIMIT,
+            timeout=CLOSING,
+            protocols=[PROTOCOL],
+            compress=False,
+            writer_limit=WRITER_LIMIT,
             max_msg_size=int(self._limits.largest_message * MEGABYTE),
-        )  # fmt: skip
+        )
         if not stream.can_prepare(request):
             raise RefusedError(f"{STREAM} is a WebSocket; open it as one", 426)
         self._n_streams += 1

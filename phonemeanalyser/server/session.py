@@ -85,9 +85,13 @@ class StreamSession:
     speech: IncomingSpeech
 
     def __init__(
-        self, socket: web.WebSocketResponse, preset: Preset, limits: ServerLimits, turns: Turns,
+        self,
+        socket: web.WebSocketResponse,
+        preset: Preset,
+        limits: ServerLimits,
+        turns: Turns,
         words_of_text: WordsOfText,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self._socket, self._preset, self._limits, self._turns = socket, preset, limits, turns
         self._words_of_text = words_of_text
         self._pace = Pace(limits.most_speed, AHEAD)

@@ -26,9 +26,15 @@ CUES = [
 
 def curves(path: Path, **changes: Any) -> str:
     document = {
-        "format": "phonemeanalyser curves 1", "sound": "a.wav", "duration": 0.8, "rate": 5, "table": "arkit",
-        "cues": CUES, "curves": [{"name": "jawOpen", "values": [0, 0.5, 1, 0.25, 0]}], "head": [],
-    }  # fmt: skip
+        "format": "phonemeanalyser curves 1",
+        "sound": "a.wav",
+        "duration": 0.8,
+        "rate": 5,
+        "table": "arkit",
+        "cues": CUES,
+        "curves": [{"name": "jawOpen", "values": [0, 0.5, 1, 0.25, 0]}],
+        "head": [],
+    }
     path.write_text(json.dumps(document | changes), encoding="utf-8")
     return str(path)
 
@@ -136,8 +142,10 @@ def test_cues_are_strips_of_poses_that_fade_into_each_other(mouth: Any, tmp_path
     tracks = mouth.data.shape_keys.animation_data.nla_tracks
     assert [len(track.strips) for track in tracks] == [3, 2]
     assert {strip.action.name for track in tracks for strip in track.strips} == {"Cube silence", "Cube a", "Cube o"}
-    at = {t: (value_at(mouth, "JawOpen", 1 + 25 * t), value_at(mouth, "mouthFunnel", 1 + 25 * t)) for t in
-          (0.2, 0.4, 1.0, 1.2, 1.9, 2.0, 2.3, 2.4, 3.5)}  # fmt: skip
+    at = {
+        t: (value_at(mouth, "JawOpen", 1 + 25 * t), value_at(mouth, "mouthFunnel", 1 + 25 * t))
+        for t in (0.2, 0.4, 1.0, 1.2, 1.9, 2.0, 2.3, 2.4, 3.5)
+    }
     rest, open_, rounded = (0, 0), (0.6, 0), (0.2, 0.8)
     wanted = {
         0.2: rest,

@@ -66,9 +66,14 @@ def test_a_mirrored_tree_has_the_endings_that_the_programs_know(kind: str, sound
 
 def test_the_ending_of_a_single_table_says_its_format(sound: Path, tmp_path: Path) -> None:
     begin = {
-        "a.csv": HEADER, "a.dat": HEADER, "a.json": "{", "a.JSON": "{", "a.txt": "0.000000\t",
-        "a.TextGrid": "File type", "a.textgrid": "File type",
-    }  # fmt: skip
+        "a.csv": HEADER,
+        "a.dat": HEADER,
+        "a.json": "{",
+        "a.JSON": "{",
+        "a.txt": "0.000000\t",
+        "a.TextGrid": "File type",
+        "a.textgrid": "File type",
+    }
     for name, start in begin.items():
         analysed(sound, "-o", tmp_path / name)
         assert (tmp_path / name).read_text(encoding="utf-8").startswith(start), name

@@ -91,8 +91,9 @@ def test_two_heads_are_those_of_two_drivers_alone_in_step(recorded: Path) -> Non
     assert both.shape == (13, 96, 128, 3)  # the sound, and until both faces are at rest
     size = ["--size", "64x88"]
     letters, table = (
-        shown("pinyin", "--text-driver", "pinyin", *size), shown("table", "--text-driver", "table", *performer, *size)
-    )  # fmt: skip
+        shown("pinyin", "--text-driver", "pinyin", *size),
+        shown("table", "--text-driver", "table", *performer, *size),
+    )
     for head, alone in ((both[:, :88, :64], letters), (both[:, :88, 64:], table)):
         n = len(alone)
         assert np.array_equal(head[:n], alone)

@@ -187,9 +187,13 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
     ],
 )
 def test_what_cannot_be_done_is_said_in_one_sentence(
-    words: tuple[str, ...], sentence: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    words: tuple[str, ...],
+    sentence: str,
+    sound: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
-) -> None:  # fmt: skip
+) -> None:
     monkeypatch.chdir(tmp_path)
     assert refused(capsys, "export", sound, *words).startswith(sentence)
 
@@ -217,9 +221,15 @@ def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture
 
 @pytest.mark.parametrize(
     ("name", "kind"),
-    [("x.tsv", "rhubarb-tsv"), ("x.pgo", "papagayo-pgo"), ("x.glb", "gltf"), ("x.LiveLink.csv", "livelink-csv"),
-     ("x.curves.json", "curves-json"), ("x.anno", "anno")],
-)  # fmt: skip
+    [
+        ("x.tsv", "rhubarb-tsv"),
+        ("x.pgo", "papagayo-pgo"),
+        ("x.glb", "gltf"),
+        ("x.LiveLink.csv", "livelink-csv"),
+        ("x.curves.json", "curves-json"),
+        ("x.anno", "anno"),
+    ],
+)
 def test_the_ending_of_a_file_says_its_format_where_one_alone_ends_so(
     name: str, kind: str, sound: Path, tmp_path: Path
 ) -> None:

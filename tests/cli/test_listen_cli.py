@@ -297,9 +297,14 @@ def test_what_fails_in_the_listening_reaches_the_caller(
 
 @pytest.mark.parametrize("fill", [False, True])
 def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_gap_are(
-    microphone: HandDrivenMicrophone, openers: Openers, capsys: pytest.CaptureFixture[str], tmp_path: Path,
-    clock: Clock, listener: Callable[..., HandDrivenListener], fill: bool,
-) -> None:  # fmt: skip
+    microphone: HandDrivenMicrophone,
+    openers: Openers,
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+    clock: Clock,
+    listener: Callable[..., HandDrivenListener],
+    fill: bool,
+) -> None:
     def wait() -> None:
         clock.now += 4.21 if openers.asked else 0.0
 
@@ -323,9 +328,12 @@ def test_a_recording_across_a_lost_microphone_says_how_long_the_sound_and_the_ga
 
 
 def test_a_microphone_that_vanishes_while_it_is_recorded_is_reported_as_lost(
-    microphone: HandDrivenMicrophone, clock: Clock, listener: Callable[..., HandDrivenListener],
-    capsys: pytest.CaptureFixture[str], tmp_path: Path,
-) -> None:  # fmt: skip
+    microphone: HandDrivenMicrophone,
+    clock: Clock,
+    listener: Callable[..., HandDrivenListener],
+    capsys: pytest.CaptureFixture[str],
+    tmp_path: Path,
+) -> None:
     class Closed(Event):
         def set(self) -> None:
             clock.now += 60.0

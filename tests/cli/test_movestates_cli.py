@@ -138,7 +138,7 @@ REFUSED = {
     "a mesh alone": (("convert", "base.obj", "a.3dm"), "this is a mesh without morph targets"),
     "elsewhere": (("convert", "good.3dm", "b.3dm", "--mesh", "far.obj"), "2 of the 2 vertices that move are not in"),
     "no place": (("convert", "good.3dm", "none/b.3dm"), "b.3dm: cannot be written (No such file or directory)"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("words", "said"), REFUSED.values(), ids=REFUSED)

@@ -137,17 +137,20 @@ def test_what_somebody_changed_in_a_folder_stays_when_the_sound_changes(
     assert target.read_text() == changed
 
 
-@pytest.mark.parametrize(("words", "name"), [
-    (["adapt", "--room", "{sound}", "-o", "{out}"], "mine.toml"),
-    (["score", "{folder}", "-o", "{out}"], "mine.html"),
-    (["score", "{folder}", "--errors", "{out}"], "mine.csv"),
-    (["movestates", "export", "head", "-o", "{out}"], "mine.3dma"),
-    (["movestates", "convert", "head", "{out}"], "mine.3dma"),
-    (["preview", "{sound}", "-o", "{out}", "--size", "32x32", "--fps", "2"], "mine.gif"),
-    (["performance", "build", "{folder}", "-o", "{out}"], "mine.sqlite"),
-    (["speak", "Hello.", "--language", "en", "-o", "{out}"], "mine.wav"),
-    (["measure", "{sound}", "--sound-out", "{out}"], "mine.wav"),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (["adapt", "--room", "{sound}", "-o", "{out}"], "mine.toml"),
+        (["score", "{folder}", "-o", "{out}"], "mine.html"),
+        (["score", "{folder}", "--errors", "{out}"], "mine.csv"),
+        (["movestates", "export", "head", "-o", "{out}"], "mine.3dma"),
+        (["movestates", "convert", "head", "{out}"], "mine.3dma"),
+        (["preview", "{sound}", "-o", "{out}", "--size", "32x32", "--fps", "2"], "mine.gif"),
+        (["performance", "build", "{folder}", "-o", "{out}"], "mine.sqlite"),
+        (["speak", "Hello.", "--language", "en", "-o", "{out}"], "mine.wav"),
+        (["measure", "{sound}", "--sound-out", "{out}"], "mine.wav"),
+    ],
+)
 def test_no_command_replaces_a_file_unasked(
     words: list[str], name: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -222,11 +225,23 @@ def test_all_formats_lie_side_by_side_in_one_folder_with_the_tables(sound: Path,
     for name in FORMATS:
         assert exported(sound, "--format", name, "-o", out) == 0
     assert {path.name for path in out.iterdir()} == {
-        "speech.csv", "speech.json", "speech.TextGrid", "speech.txt",
-        "speech.rhubarb.tsv", "speech.rhubarb.xml", "speech.rhubarb.json", "speech.moho.dat", "speech.pgo",
-        "speech.anno", "speech.mouth.TextGrid", "speech.mouth.txt", "speech.livelink.csv", "speech.oculus.csv",
-        "speech.glb", "speech.curves.json",
-    }  # fmt: skip
+        "speech.csv",
+        "speech.json",
+        "speech.TextGrid",
+        "speech.txt",
+        "speech.rhubarb.tsv",
+        "speech.rhubarb.xml",
+        "speech.rhubarb.json",
+        "speech.moho.dat",
+        "speech.pgo",
+        "speech.anno",
+        "speech.mouth.TextGrid",
+        "speech.mouth.txt",
+        "speech.livelink.csv",
+        "speech.oculus.csv",
+        "speech.glb",
+        "speech.curves.json",
+    }
 
 
 @pytest.mark.parametrize("name", FORMATS)

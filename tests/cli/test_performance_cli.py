@@ -138,9 +138,12 @@ def test_a_recording_that_cannot_be_shown_is_refused_in_a_sentence(
     ],
 )
 def test_what_cannot_be_done_is_said_in_a_sentence(
-    words: list[str], sentence: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    words: list[str],
+    sentence: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
-) -> None:  # fmt: skip
+) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "file").touch()
     assert main(["performance", *words]) == 1

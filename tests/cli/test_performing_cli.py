@@ -49,9 +49,7 @@ def test_lips_meet_in_an_export_unless_poses_are_left_out(recorded: Path) -> Non
     assert min(second_m) < 0.06
 
 
-def test_a_text_is_said_by_the_table_without_sound_too(
-    recorded: Path, capsys: pytest.CaptureFixture[str]
-) -> None:  # fmt: skip
+def test_a_text_is_said_by_the_table_without_sound_too(recorded: Path, capsys: pytest.CaptureFixture[str]) -> None:
     words = ["妈咪", "--silent", "--performance", "ann.sqlite", "--export", "out.csv", "--format", "livelink-csv"]
     assert main(["speak", *words]) == 0
     assert max(jaws_in(recorded / "out.csv")) > 0.3
@@ -88,7 +86,7 @@ def test_the_head_makes_the_gestures_of_key_words_unless_it_is_left_out(recorded
 
 def test_formats_with_shapes_of_their_own_follow_the_phones(
     recorded: Path, capsys: pytest.CaptureFixture[str]
-) -> None:  # fmt: skip
+) -> None:
     words = ["mami.wav", "--performance", "ann.sqlite", "--format", "rhubarb-tsv", "--script", "mami.TextGrid"]
     assert main(["export", *words]) == 0
     said = capsys.readouterr()

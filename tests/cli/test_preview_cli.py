@@ -170,9 +170,13 @@ def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
     ],
 )
 def test_what_cannot_be_done_is_said_in_one_sentence(
-    words: tuple[str, ...], sentence: str, sound: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    words: tuple[str, ...],
+    sentence: str,
+    sound: Path,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
     monkeypatch: pytest.MonkeyPatch,
-) -> None:  # fmt: skip
+) -> None:
     monkeypatch.chdir(tmp_path)
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "mine").write_text("mine")

@@ -48,16 +48,18 @@ def show() -> None:
     page = window().pages.currentIndex()
     window().show_page(0)
     print(
-        json.dumps({
-            "page": page,
-            "docks": [dock.windowTitle() for dock in window().findChildren(QDockWidget) if dock.isVisible()],
-            "switches": [switch.isChecked() for switch in window().filters.switches.values()],
-            "modified": window().isWindowModified(),
-            "banner": window().banner.label.text(),
-            "offer": window().banner.action.text(),
-        }),
+        json.dumps(
+            {
+                "page": page,
+                "docks": [dock.windowTitle() for dock in window().findChildren(QDockWidget) if dock.isVisible()],
+                "switches": [switch.isChecked() for switch in window().filters.switches.values()],
+                "modified": window().isWindowModified(),
+                "banner": window().banner.label.text(),
+                "offer": window().banner.action.text(),
+            }
+        ),
         flush=True,
-    )  # fmt: skip
+    )
 
 
 class User(QTimer):

@@ -33,8 +33,11 @@ def test_tab_reaches_every_control_from_the_top_down(desktop, qtbot, page):
     window = shown(desktop, qtbot)
     window.show_page(page)
     window.activateWindow()
-    wanted = {w for w in controls_of(window) if w.isEnabled() and w.focusPolicy() & Qt.FocusPolicy.TabFocus
-              and not grouped(w)}  # fmt: skip
+    wanted = {
+        w
+        for w in controls_of(window)
+        if w.isEnabled() and w.focusPolicy() & Qt.FocusPolicy.TabFocus and not grouped(w)
+    }
     reached = []
     for _ in range(400):
         QTest.keyClick(window.focusWidget() or window, Qt.Key.Key_Tab)

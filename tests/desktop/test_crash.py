@@ -28,9 +28,13 @@ sys.exit(run(Path(sys.argv[1]), Path(sys.argv[1])))
 def test_a_crash_is_shown_and_kept_with_where_it_happened(tmp_path: Path) -> None:
     places = {name: str(tmp_path / name) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
     done = subprocess.run(
-        [sys.executable, "-c", PROGRAM, str(DEMO)], env=os.environ | places | {"QT_QPA_PLATFORM": "offscreen"},
-        capture_output=True, text=True, timeout=120, check=False,
-    )  # fmt: skip
+        [sys.executable, "-c", PROGRAM, str(DEMO)],
+        env=os.environ | places | {"QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
     (log,) = tmp_path.rglob("phonemeanalyser.log")
     assert done.returncode == 0, done.stderr
     assert done.stdout == f"Something went wrong in the program itself; the details are in {log}.\n"

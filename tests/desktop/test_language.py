@@ -48,9 +48,32 @@ from tools.translations.ts_file import read_translations
 
 GERMAN = read_translations(TRANSLATIONS / "phonemeanalyser_de.ts")
 SAME = {
-    "Analyse", "Auto", "Detail", "Esc", "Export", "Median", "Mel", "Movestates", "Name", "Neutral", "Pause", "Preset",
-    "Rate", "Return", "Takes", "Text", "Variable", "Variable:", "auto", "linear", "live", "max", "mel", "min", "mono",
-}  # fmt: skip
+    "Analyse",
+    "Auto",
+    "Detail",
+    "Esc",
+    "Export",
+    "Median",
+    "Mel",
+    "Movestates",
+    "Name",
+    "Neutral",
+    "Pause",
+    "Preset",
+    "Rate",
+    "Return",
+    "Takes",
+    "Text",
+    "Variable",
+    "Variable:",
+    "auto",
+    "linear",
+    "live",
+    "max",
+    "mel",
+    "min",
+    "mono",
+}
 """Words that are the same in both languages."""
 NAMES = re.compile(
     r"Annosoft|ARKit|Live Link|Moho|Oculus 15|Papagayo|Praat( \(|$)|Preston Blair|Rhubarb|VRM|Whisper|HOST:PORT|"
@@ -267,9 +290,14 @@ def test_every_fault_of_a_take_is_told_in_german(spoken: Callable[[str], None]) 
     loud = np.concatenate((silence(0.2), 4 * vowel((700, 1200, 2500), 0.6), silence(0.2))).clip(-1, 1)
     soft = np.concatenate((silence(0.2), 0.002 * vowel((700, 1200, 2500), 0.6), silence(0.2)))
     takes = [
-        (loud, 0.0, Phoneme.A), (loud[:12_000], 0.0, Phoneme.A), (soft, 0.0, Phoneme.A), (loud, 0.5, Phoneme.A),
-        (soft, 0.001, Phoneme.A), (loud, 0.0, Phoneme.SILENCE), (silence(0.05), 0.0, Phoneme.SILENCE),
-    ]  # fmt: skip
+        (loud, 0.0, Phoneme.A),
+        (loud[:12_000], 0.0, Phoneme.A),
+        (soft, 0.0, Phoneme.A),
+        (loud, 0.5, Phoneme.A),
+        (soft, 0.001, Phoneme.A),
+        (loud, 0.0, Phoneme.SILENCE),
+        (silence(0.05), 0.0, Phoneme.SILENCE),
+    ]
     sentences = {told for take in takes for told in check_take(*take).faults.values()}
     spoken("de")
     assert len(sentences) >= 6
@@ -278,15 +306,22 @@ def test_every_fault_of_a_take_is_told_in_german(spoken: Callable[[str], None]) 
 
 def test_all_words_of_the_engines_tables_are_translated() -> None:
     shown_words = {
-        *(axis.value for axis in FrequencyAxis), *(kind.value for kind in Kind),
-        *(c.words for c in CONVERSIONS.values()), *(driver.caption for driver in FaceDriver),
-        *(kind.value for kind in UnitKind), *(unit.value for unit in LabelUnit), *(fault.value for fault in Fault),
-        *(kind.value.replace("_", " ") for kind in ToneKind), *LANGUAGES, *expression_presets(),
+        *(axis.value for axis in FrequencyAxis),
+        *(kind.value for kind in Kind),
+        *(c.words for c in CONVERSIONS.values()),
+        *(driver.caption for driver in FaceDriver),
+        *(kind.value for kind in UnitKind),
+        *(unit.value for unit in LabelUnit),
+        *(fault.value for fault in Fault),
+        *(kind.value.replace("_", " ") for kind in ToneKind),
+        *LANGUAGES,
+        *expression_presets(),
         *(words for stage in STAGES.values() for words in (stage.label, stage.hint)),
         *(words for stage in STAGES.values() for of in stage.parameters for words in (of.label, of.part) if words),
         *(preset_entries(FACTORY_PRESETS)[k].summary for k in range(len(FACTORY_PRESETS))),
         *(load_table(name).name for name in shipped_tables() if "mouth shapes" in load_table(name).name),
-        *({source.value for source in Spectrum} - {"mel"}), *({unit_of(name) for name in BUILT_IN_NAMES} - {"Hz"}),
-    }  # fmt: skip
+        *({source.value for source in Spectrum} - {"mel"}),
+        *({unit_of(name) for name in BUILT_IN_NAMES} - {"Hz"}),
+    }
     known = {text for text, _ in GERMAN}
     assert {words for words in shown_words - known if not NAMES.match(words) and words not in SAME} == set()

@@ -28,8 +28,11 @@ def run(home: Path, way: str, sound: str, *words: object) -> tuple[int, list[str
     ended = subprocess.run(
         [sys.executable, "-m", "tests.desktop.edit_and_quit", way, sound, *map(str, words)],
         env={**os.environ, "HOME": str(home), "QT_QPA_PLATFORM": "offscreen", **places},
-        timeout=PATIENCE, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+        timeout=PATIENCE,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     said = (ended.stdout + ended.stderr).splitlines()
     return ended.returncode, [line for line in said if "propagateSizeHints" not in line]
 

@@ -86,9 +86,13 @@ def test_a_program_that_is_started_with_a_preset_has_a_sound_too(tmp_path, given
     words = {"preset": [str(tmp_path / "mine.toml")], "sound": [str(CARDS)], "nothing": []}[given]
     places = {name: str(tmp_path / name) for name in ("HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME")}
     done = subprocess.run(
-        [sys.executable, "-c", STARTED, *words], env=os.environ | places | {"QT_QPA_PLATFORM": "offscreen"},
-        capture_output=True, text=True, timeout=120, check=False,
-    )  # fmt: skip
+        [sys.executable, "-c", STARTED, *words],
+        env=os.environ | places | {"QT_QPA_PLATFORM": "offscreen"},
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=False,
+    )
     assert (
         done.stdout.split()
         == {

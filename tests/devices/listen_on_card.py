@@ -21,12 +21,19 @@ while not ending:
     status = listener.status
     frames += [(block.start, block.phonemes.tolist()) for block in listener.take_analyses()]
     print(
-        json.dumps({
-            "time": time.monotonic(), "listening": status.listening, "words": status.words, "rate": listener.rate,
-            "seconds": listener.seconds, "lost": listener.lost_seconds, "failure": tape.failure,
-        }),
+        json.dumps(
+            {
+                "time": time.monotonic(),
+                "listening": status.listening,
+                "words": status.words,
+                "rate": listener.rate,
+                "seconds": listener.seconds,
+                "lost": listener.lost_seconds,
+                "failure": tape.failure,
+            }
+        ),
         flush=True,
-    )  # fmt: skip
+    )
     let_pass(0.02)
 lost = listener.lost_seconds
 listener.close()

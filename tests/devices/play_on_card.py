@@ -32,9 +32,18 @@ while not player.finished and time.monotonic() - started < 120:
         early += (last + 0.5) * 0.01 > player.position + 0.001
     let_pass(0.005)
 print(
-    json.dumps({
-        "card": player.has_card, "name": player.output_name, "seen": seen, "frames": frames, "early": early,
-        "late": late, "dropped": player.n_dropped, "finished": player.finished, "cards": cards,
-    })
-)  # fmt: skip
+    json.dumps(
+        {
+            "card": player.has_card,
+            "name": player.output_name,
+            "seen": seen,
+            "frames": frames,
+            "early": early,
+            "late": late,
+            "dropped": player.n_dropped,
+            "finished": player.finished,
+            "cards": cards,
+        }
+    )
+)
 player.close()

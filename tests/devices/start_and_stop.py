@@ -20,9 +20,14 @@ for _ in range(int(sys.argv[1])):
     listener.close()
     held = dict(line.split(":", 1) for line in Path("/proc/self/status").read_text().splitlines())
     print(
-        json.dumps({
-            "heard": heard, "memory_kb": int(held["VmRSS"].split()[0]), "threads": int(held["Threads"]),
-            "python_threads": threading.active_count(), "files": len(list(Path("/proc/self/fd").iterdir())),
-        }),
+        json.dumps(
+            {
+                "heard": heard,
+                "memory_kb": int(held["VmRSS"].split()[0]),
+                "threads": int(held["Threads"]),
+                "python_threads": threading.active_count(),
+                "files": len(list(Path("/proc/self/fd").iterdir())),
+            }
+        ),
         flush=True,
-    )  # fmt: skip
+    )

@@ -103,9 +103,12 @@ def test_a_signal_ends_listening_and_recording_in_good_order(
 
 def test_a_reader_that_leaves_ends_listening_without_noise(card: VirtualSound, tmp_path: Path) -> None:
     listen = subprocess.Popen(
-        [sys.executable, "-m", "phonemeanalyser", "listen", "--format", "json"], env=card.environment,
-        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-    )  # fmt: skip
+        [sys.executable, "-m", "phonemeanalyser", "listen", "--format", "json"],
+        env=card.environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
     assert listen.stdout is not None
     assert listen.stderr is not None
     with listen:

@@ -13,9 +13,13 @@ DRIVER = Path(__file__).with_name("list_devices.py")
 def test_a_new_microphone_is_listed_while_another_is_heard() -> None:
     with VirtualSound() as sound:
         driver = subprocess.Popen(
-            [sys.executable, str(DRIVER)], env=sound.environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL, text=True,
-        )  # fmt: skip
+            [sys.executable, str(DRIVER)],
+            env=sound.environment,
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
         assert driver.stdin is not None
         assert driver.stdout is not None
 

@@ -39,15 +39,22 @@ def say() -> str:
     """Print what the window says, and give what the banner says."""
     banner = window.banner.label.text() if window.banner.isVisible() else ""
     print(
-        json.dumps({
-            "time": time.monotonic(), "banner": banner, "left": window.status.left.text(),
-            "right": window.status.chips.words(), "label": window.transport.time.text(),
-            "ticks": window.redraw.n_ticks,
-            "lost": microphone.listener.lost_seconds, "late_ms": window.status.latency_ms,
-            "frames": desktop.session.history.n, "devices": [device.label for device in microphone.devices],
-        }),
+        json.dumps(
+            {
+                "time": time.monotonic(),
+                "banner": banner,
+                "left": window.status.left.text(),
+                "right": window.status.chips.words(),
+                "label": window.transport.time.text(),
+                "ticks": window.redraw.n_ticks,
+                "lost": microphone.listener.lost_seconds,
+                "late_ms": window.status.latency_ms,
+                "frames": desktop.session.history.n,
+                "devices": [device.label for device in microphone.devices],
+            }
+        ),
         flush=True,
-    )  # fmt: skip
+    )
     return str(banner)
 
 

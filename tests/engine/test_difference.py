@@ -30,8 +30,10 @@ def test_only_frames_that_both_know_differ() -> None:
     found = difference_in(one, other, FrameRange(0, 10))
     assert found.share == pytest.approx(4 / 8)
     assert [(s.row()) for s in found.stretches] == [
-        ("0.02", "0.04", "a", "o"), ("0.04", "0.05", "a", "u"), ("0.07", "0.08", "a", "o"),
-    ]  # fmt: skip
+        ("0.02", "0.04", "a", "o"),
+        ("0.04", "0.05", "a", "u"),
+        ("0.07", "0.08", "a", "o"),
+    ]
     assert difference_in(one, other, FrameRange(0, 2)) == (0.0, ())
     assert difference_in(one, other, FrameRange(9, 10)) == (0.0, ())
 

@@ -75,8 +75,11 @@ def build(target: str, out: Path, source: Path = ROOT) -> Path:
     """Build a wheel or a source distribution; its file."""
     done = subprocess.run(
         [sys.executable, "-m", "hatchling", "build", "-t", target, "-d", str(out)],
-        cwd=source, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+        cwd=source,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     (built,) = out.iterdir()
     return built
@@ -140,8 +143,10 @@ def names_in(wheel: Path) -> set[str]:
 def test_three_packages_are_installed_and_nothing_else(wheel: Path) -> None:
     names = names_in(wheel)
     assert {name.split("/")[0].split("-")[0] for name in names} == {
-        "phonemeengine", "phonemetraining", "phonemeanalyser",
-    }  # fmt: skip
+        "phonemeengine",
+        "phonemetraining",
+        "phonemeanalyser",
+    }
     typed = {
         "phonemeengine/py.typed",
         "phonemeengine/__init__.pyi",
@@ -180,8 +185,9 @@ def test_a_checkout_that_is_installed_for_editing_finds_the_presets(tmp_path: Pa
     python = fresh_python(tmp_path / "fresh", build("wheel:editable", tmp_path / "built"))
     program = "import phonemeanalyser, phonemeengine as e; print(e.__file__, e.load_preset('learned').name)"
     assert run(python, "-c", program, folder=tmp_path).split() == [
-        str(ROOT / "engine" / "phonemeengine" / "__init__.py"), "Learned",
-    ]  # fmt: skip
+        str(ROOT / "engine" / "phonemeengine" / "__init__.py"),
+        "Learned",
+    ]
 
 
 def test_a_user_s_type_checker_sees_the_types(installed: Path, tmp_path: Path) -> None:

@@ -29,9 +29,20 @@ def test_visemes_are_called_as_avatars_call_them():
 
 @pytest.mark.parametrize(
     ("phone", "viseme"),
-    [("v", Viseme.FF), ("tʰ", Viseme.DD), ("ð", Viseme.TH), ("ŋ", Viseme.KK), ("iː", Viseme.IH), ("ɹ", Viseme.RR),
-     ("h", None), ("ə", None), ("aɪ", None), ("tʃ", None), ("w", None)],
-)  # fmt: skip
+    [
+        ("v", Viseme.FF),
+        ("tʰ", Viseme.DD),
+        ("ð", Viseme.TH),
+        ("ŋ", Viseme.KK),
+        ("iː", Viseme.IH),
+        ("ɹ", Viseme.RR),
+        ("h", None),
+        ("ə", None),
+        ("aɪ", None),
+        ("tʃ", None),
+        ("w", None),
+    ],
+)
 def test_a_phone_has_the_viseme_that_nobody_doubts(phone, viseme):
     assert viseme_of(phone, ipa_phoneme(phone)) is viseme
 

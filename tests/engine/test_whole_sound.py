@@ -123,9 +123,13 @@ def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path):
     view = FrameRange(1000, 3000)
     with pytest.raises(Cancelled):
         analyse_whole(
-            lambda: SoundReader(long), load_preset("thesis"), tracks, in_view=lambda: view, progress=watch,
+            lambda: SoundReader(long),
+            load_preset("thesis"),
+            tracks,
+            in_view=lambda: view,
+            progress=watch,
             most_previewed=300,
-        )  # fmt: skip
+        )
     assert known[-1][1000:1300].all()
     assert not known[-1][1300:].any()
 

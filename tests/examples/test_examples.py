@@ -29,8 +29,12 @@ def run(program: str, *words: object, code: int = 0, **environment: str) -> list
     """Run an example to its end; the lines that it prints, on standard error where it fails."""
     done = subprocess.run(
         [sys.executable, str(EXAMPLES / program), *map(str, words)],
-        env=os.environ | environment, capture_output=True, text=True, timeout=300, check=False,
-    )  # fmt: skip
+        env=os.environ | environment,
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
     assert done.returncode == code, done.stderr
     return (done.stderr if code else done.stdout).splitlines()
 

@@ -60,8 +60,13 @@ class CopyWork:
 def _trouble(name: str, job: Job, progress: Progress) -> None:
     troubles = {
         "holds": _hold,
-        "fails": _fail, "crashes": _crash, "dies-once": _die_once, "dies": _die, "full": _find_full, "waits": _wait,
-    }  # fmt: skip
+        "fails": _fail,
+        "crashes": _crash,
+        "dies-once": _die_once,
+        "dies": _die,
+        "full": _find_full,
+        "waits": _wait,
+    }
     act = next((act for word, act in troubles.items() if name.startswith(word)), None)
     if act is not None:
         act(job.source, progress)

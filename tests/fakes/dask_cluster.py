@@ -74,9 +74,13 @@ class DaskCluster:
                     [sys.executable, "-m", f"distributed.cli.{module}", *words, "--local-directory", self._folder]
                     if module == "dask_worker"
                     else [sys.executable, "-m", f"distributed.cli.{module}", *words],
-                    stdout=file, stderr=file, env=self._environment, cwd=self._folder, start_new_session=True,
+                    stdout=file,
+                    stderr=file,
+                    env=self._environment,
+                    cwd=self._folder,
+                    start_new_session=True,
                 )
-            )  # fmt: skip
+            )
         return log
 
 

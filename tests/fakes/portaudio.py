@@ -77,15 +77,25 @@ class FakePortAudio:
         self._up = True
 
     def plug(
-        self, name: str, n_inputs: int = 1, *, api: int = 0, rate: float = 48_000.0,
+        self,
+        name: str,
+        n_inputs: int = 1,
+        *,
+        api: int = 0,
+        rate: float = 48_000.0,
         hears: NDArray[np.float32] | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Plug a device in; it is listed after the next initialisation, and brings what it hears at once."""
         self.hears.append(hears)
-        self.plugged.append({
-            "name": name, "hostapi": api, "max_input_channels": n_inputs, "max_output_channels": 0,
-            "default_samplerate": rate,
-        })  # fmt: skip
+        self.plugged.append(
+            {
+                "name": name,
+                "hostapi": api,
+                "max_input_channels": n_inputs,
+                "max_output_channels": 0,
+                "default_samplerate": rate,
+            }
+        )
 
     def hears_of(self, device: int) -> NDArray[np.float32]:
         """Give what a device hears, shape (n, 1); nothing where the test brings it."""

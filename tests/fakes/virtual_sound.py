@@ -84,10 +84,19 @@ class VirtualSound:
         """Write what is played into a WAV file until terminated; a sleepy speaker is not woken by that."""
         latency = 5000 if self._sleepy else 10
         return subprocess.Popen(
-            ["parec", "-d", "speaker.monitor", "--format=s16le", "--channels=2", f"--rate={self._rate}",
-             f"--latency-msec={latency}", "--file-format=wav", str(path)],
+            [
+                "parec",
+                "-d",
+                "speaker.monitor",
+                "--format=s16le",
+                "--channels=2",
+                f"--rate={self._rate}",
+                f"--latency-msec={latency}",
+                "--file-format=wav",
+                str(path),
+            ],
             env=self.environment,
-        )  # fmt: skip
+        )
 
     def plug(self, name: str) -> None:
         """Add a sound device of a name, which is the same server once more."""
@@ -116,15 +125,31 @@ class VirtualSound:
         steady = f"{rate} norewinds=1"
         log = os.open(self._log, os.O_WRONLY | os.O_CREAT | os.O_APPEND)
         self._server = subprocess.Popen(
-            ["pulseaudio", "-n", "--daemonize=no", "--exit-idle-time=-1", "--disable-shm=yes", "--use-pid-file=no",
-             "--realtime=no", "--high-priority=no", "--log-target=stderr",
-             "-L", f"module-null-sink sink_name=speaker channels=2 {rate if self._sleepy else steady}",
-             "-L", f"module-null-sink sink_name=mic_in channels=1 channel_map=mono {steady}",
-             "-L", "module-remap-source source_name=mic master=mic_in.monitor",
-             "-L", f"module-native-protocol-unix socket={self._socket} auth-anonymous=1"],
-            env=self._server_environment(), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-            stderr=log, start_new_session=True,
-        )  # fmt: skip
+            [
+                "pulseaudio",
+                "-n",
+                "--daemonize=no",
+                "--exit-idle-time=-1",
+                "--disable-shm=yes",
+                "--use-pid-file=no",
+                "--realtime=no",
+                "--high-priority=no",
+                "--log-target=stderr",
+                "-L",
+                f"module-null-sink sink_name=speaker channels=2 {rate if self._sleepy else steady}",
+                "-L",
+                f"module-null-sink sink_name=mic_in channels=1 channel_map=mono {steady}",
+                "-L",
+                "module-remap-source source_name=mic master=mic_in.monitor",
+                "-L",
+                f"module-native-protocol-unix socket={self._socket} auth-anonymous=1",
+            ],
+            env=self._server_environment(),
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=log,
+            start_new_session=True,
+        )
         os.close(log)
         self._wait_for_the_socket()
 
@@ -134,9 +159,13 @@ class VirtualSound:
     def _server_environment(self) -> dict[str, str]:
         here = str(self._folder)
         environment = {
-            **os.environ, "HOME": here, "XDG_RUNTIME_DIR": here, "PULSE_RUNTIME_PATH": here, "PULSE_STATE_PATH": here,
+            **os.environ,
+            "HOME": here,
+            "XDG_RUNTIME_DIR": here,
+            "PULSE_RUNTIME_PATH": here,
+            "PULSE_STATE_PATH": here,
             "PULSE_COOKIE": str(self._folder / "cookie"),
-        }  # fmt: skip
+        }
         for name in ("PULSE_SERVER", "DBUS_SESSION_BUS_ADDRESS", "DISPLAY"):
             environment.pop(name, None)
         return environment

@@ -64,9 +64,11 @@ def encoder_head(n_components: int = 6, n_hidden: int = 9, seed: int = 1) -> Enc
     """Give a head of random weights."""
     chance = np.random.default_rng(seed)
     free = {
-        "projection": (512, n_components), "hidden_weights": (5 * n_components, n_hidden),
-        "hidden_bias": (n_hidden,), "weights": (n_hidden, 52),
-    }  # fmt: skip
+        "projection": (512, n_components),
+        "hidden_weights": (5 * n_components, n_hidden),
+        "hidden_bias": (n_hidden,),
+        "weights": (n_hidden, 52),
+    }
     arrays = {name: chance.normal(0, 0.3, free.get(name, sizes)).astype(np.float32) for name, sizes in SHAPES.items()}
     arrays["priors"] = np.full(26, 1 / 26, np.float32)
     return EncoderHead(**arrays).rounded()

@@ -21,11 +21,21 @@ TOKEN = "0123456789abcdef-secret"
 @pytest.mark.parametrize(
     ("host", "own"),
     [
-        ("127.0.0.1", True), ("127.9.9.9", True), ("::1", True), ("[::1]", True), ("localhost", True),
-        ("LOCALHOST.", True), ("0.0.0.0", False), ("::", False), ("192.168.1.5", False), ("example.org", False),
-        ("localhost.example.org", False), ("127.0.0.1.example.org", False), ("", False),
+        ("127.0.0.1", True),
+        ("127.9.9.9", True),
+        ("::1", True),
+        ("[::1]", True),
+        ("localhost", True),
+        ("LOCALHOST.", True),
+        ("0.0.0.0", False),
+        ("::", False),
+        ("192.168.1.5", False),
+        ("example.org", False),
+        ("localhost.example.org", False),
+        ("127.0.0.1.example.org", False),
+        ("", False),
     ],
-)  # fmt: skip
+)
 def test_names_of_this_machine_are_known(host: str, own: bool) -> None:
     assert is_loopback(host) is own
 

@@ -108,7 +108,7 @@ def test_table_and_rate_are_those_that_were_asked_for(server: str) -> None:
         ({"format": "gltf", "attack": "20"}, "attack must be a factor in 0.1..10, got 20"),
     ],
     ids=str,
-)  # fmt: skip
+)
 def test_nonsense_is_answered_by_a_sentence(server: str, fields: dict[str, Any], words: str) -> None:
     status, sentence = told(exported(server, **fields))
     assert words in sentence
@@ -164,7 +164,7 @@ def test_a_sound_that_is_too_long_is_not_taken_however_small_its_file_is() -> No
 )
 def test_each_field_is_the_option_of_the_command(
     server: str, tmp_path: Path, form: str, fields: dict[str, str]
-) -> None:  # fmt: skip
+) -> None:
     sound, expected = tmp_path / "sound", tmp_path / "expected"
     sound.write_bytes(SOUND)
     words = [f"--{name}" if value == "true" else f"--{name}={value}" for name, value in fields.items()]

@@ -150,8 +150,11 @@ def test_it_tells_what_it_serves(server: str) -> None:
     status, told = answer(server, "/")
     assert status == 200
     assert {"learned", "rhubarb-json", "arkit", "opus"} <= {
-        told["preset"].lower(), *told["formats"], *told["tables"], *told["encodings"],
-    }  # fmt: skip
+        told["preset"].lower(),
+        *told["formats"],
+        *told["tables"],
+        *told["encodings"],
+    }
 
 
 @pytest.mark.parametrize(

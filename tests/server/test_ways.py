@@ -34,27 +34,59 @@ SPOKEN: Words = {"text": [TEXT], "language": ["de"], "literal": ["true"], "accep
 CASES: dict[str, Words] = {
     "drawings": {"format": ["rhubarb-json"], "minimum": ["0.2"], "anticipation": ["0.05"], "channel": ["left"]},
     "weights": {
-        "format": ["curves-json"], "table": ["arkit"], "fps": ["24"], "detail": ["loudness"], "attack": ["0.5"],
-        "release": ["2"], "steady": ["true"], "seed": ["3"], "no-blinks": ["true"],
-        "expression": ["smile=0.5", "anger=0.2"], "priority": ["0.7,0.2"], "text-driver": ["rules"], **SPOKEN,
+        "format": ["curves-json"],
+        "table": ["arkit"],
+        "fps": ["24"],
+        "detail": ["loudness"],
+        "attack": ["0.5"],
+        "release": ["2"],
+        "steady": ["true"],
+        "seed": ["3"],
+        "no-blinks": ["true"],
+        "expression": ["smile=0.5", "anger=0.2"],
+        "priority": ["0.7,0.2"],
+        "text-driver": ["rules"],
+        **SPOKEN,
     },
     "pinyin": {
-        "format": ["livelink-csv"], "text": ["你好，世界。"], "language": ["cmn"], "accept-text": ["true"],
-        "spring": ["1,20,9"], "no-head": ["true"],
+        "format": ["livelink-csv"],
+        "text": ["你好，世界。"],
+        "language": ["cmn"],
+        "accept-text": ["true"],
+        "spring": ["1,20,9"],
+        "no-head": ["true"],
     },
     "files": {
-        "format": ["livelink-csv"], "script": ["mami.json"], "speaker": ["Ann"], "language": ["en-us"],
-        "lexicon": ["own.toml"], "performance": ["ann.sqlite"], "use": ["Ann"], "choice": ["nearest"],
-        "without": ["poses,window"], "keywords": ["keys.toml"], "units": ["units.csv"],
+        "format": ["livelink-csv"],
+        "script": ["mami.json"],
+        "speaker": ["Ann"],
+        "language": ["en-us"],
+        "lexicon": ["own.toml"],
+        "performance": ["ann.sqlite"],
+        "use": ["Ann"],
+        "choice": ["nearest"],
+        "without": ["poses,window"],
+        "keywords": ["keys.toml"],
+        "units": ["units.csv"],
         "pinyin-table": ["pinyin.toml"],
-        "longest": ["60"], "preset": ["thesis"], "ear": ["live"], "overwrite": ["true"],
+        "longest": ["60"],
+        "preset": ["thesis"],
+        "ear": ["live"],
+        "overwrite": ["true"],
     },
     "mesh": {"format": ["gltf"], "mesh": ["face.glb"]},
     "clip": {
-        "format": ["clip-gif"], "fps": ["2"], "text": ["你好"], "language": ["cmn"], "accept-text": ["true"],
-        "text-driver": ["rules"], "beside": ["pinyin"], "mesh": ["face.obj"], "movestates": ["face.3dm"],
+        "format": ["clip-gif"],
+        "fps": ["2"],
+        "text": ["你好"],
+        "language": ["cmn"],
+        "accept-text": ["true"],
+        "text-driver": ["rules"],
+        "beside": ["pinyin"],
+        "mesh": ["face.obj"],
+        "movestates": ["face.3dm"],
     },
-}  # fmt: skip
+}
 """Options with their values as they are written, by what is tried."""
 
 
@@ -103,10 +135,12 @@ def test_all_ways_lead_to_the_same_bytes(case: str, folder: Path, server: str, q
 def asked_of(words: Words) -> ConversionOptions:
     """Give a description whose values are read from words."""
     values = {
-        name.replace("-", "_"): tuple(map(OPTIONS[name].read, given)) if OPTIONS[name].several else
-        OPTIONS[name].read(given[0])
-        for name, given in words.items() if name != "format"
-    }  # fmt: skip
+        name.replace("-", "_"): tuple(map(OPTIONS[name].read, given))
+        if OPTIONS[name].several
+        else OPTIONS[name].read(given[0])
+        for name, given in words.items()
+        if name != "format"
+    }
     return ConversionOptions(**values)
 
 
@@ -126,8 +160,10 @@ def by_program(asked: ConversionOptions, kind: str, job: Job) -> None:
 def command_of(words: Words, sound: Path, target: Path, *, clip: bool) -> list[str]:
     given = [
         f"--{name}" if not OPTIONS[name].value else f"--{name}={value}"
-        for name, values in words.items() for value in values if not (clip and name == "format")
-    ]  # fmt: skip
+        for name, values in words.items()
+        for value in values
+        if not (clip and name == "format")
+    ]
     return ["preview" if clip else "export", str(sound), *given, "-o", str(target)]
 
 

@@ -174,9 +174,11 @@ def test_an_interrupted_training_goes_on_and_ends_with_the_same_model(tmp_path: 
 
 def targets(code: int, certainty: float, heard: list[float]) -> tuple[list[float], float]:
     found = targets_of(
-        np.array([[code]], np.uint8), np.array([[heard]], np.float32), np.array([1, 1, 2], np.float32),
+        np.array([[code]], np.uint8),
+        np.array([[heard]], np.float32),
+        np.array([1, 1, 2], np.float32),
         np.array([[certainty]], np.float32),
-    )  # fmt: skip
+    )
     return found.wanted[0, 0].tolist(), float(found.weights[0, 0])
 
 
@@ -218,9 +220,10 @@ def test_disturbed_speech_keeps_its_shape_and_is_never_below_the_floor():
 
 def test_trimmed_frames_count_for_nothing_and_ambiguous_ones_less():
     labels = (
-        Label(0, 0.1, "a", Phoneme.A), Label(0.1, 0.2, "a", Phoneme.A, "ambiguous"),
+        Label(0, 0.1, "a", Phoneme.A),
+        Label(0.1, 0.2, "a", Phoneme.A, "ambiguous"),
         Label(0.2, 0.3, "", Phoneme.UNIDENTIFIED, "trimmed"),
-    )  # fmt: skip
+    )
     example = example_of(tone(500, 0.3), labels)
     np.testing.assert_allclose(example.certainties, np.repeat([1, 0.6, 0], 10), atol=1e-3)
     assert len(example) == len(example.log_powers) == 30

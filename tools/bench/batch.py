@@ -38,22 +38,36 @@ def figures() -> list[Figure]:
     per_second = N_SHORT / a["short"]
     return [
         Figure(
-            f"{long}, two cores against one", f"{gain:.2f} x", f"{LEAST_GAIN} x ({a['one']:.1f} s on one)",
-            LEAST_GAIN / gain, limit=1.0,
+            f"{long}, two cores against one",
+            f"{gain:.2f} x",
+            f"{LEAST_GAIN} x ({a['one']:.1f} s on one)",
+            LEAST_GAIN / gain,
+            limit=1.0,
         ),
         Figure(
-            f"{long}, Dask with two workers against two cores", f"{cluster:.2f} of their speed",
-            f"{LEAST_OF_CLUSTER} ({a['two']:.1f} s)", LEAST_OF_CLUSTER / cluster, limit=1.0,
+            f"{long}, Dask with two workers against two cores",
+            f"{cluster:.2f} of their speed",
+            f"{LEAST_OF_CLUSTER} ({a['two']:.1f} s)",
+            LEAST_OF_CLUSTER / cluster,
+            limit=1.0,
         ),
         Figure(
-            f"{N_SHORT} files of {SHORT_SECONDS} s on two cores", f"{per_second:.0f} files/s",
-            f"{LEAST_PER_SECOND:g} files/s", LEAST_PER_SECOND / per_second, limit=1.0, absolute=Absolute.TIME,
+            f"{N_SHORT} files of {SHORT_SECONDS} s on two cores",
+            f"{per_second:.0f} files/s",
+            f"{LEAST_PER_SECOND:g} files/s",
+            LEAST_PER_SECOND / per_second,
+            limit=1.0,
+            absolute=Absolute.TIME,
         ),
         Figure(
-            f"nothing to do, {N_DONE} files done before", f"{a['nothing']:.2f} s", f"{MOST_SECONDS:g} s",
-            a["nothing"] / MOST_SECONDS, limit=1.0, absolute=Absolute.TIME,
+            f"nothing to do, {N_DONE} files done before",
+            f"{a['nothing']:.2f} s",
+            f"{MOST_SECONDS:g} s",
+            a["nothing"] / MOST_SECONDS,
+            limit=1.0,
+            absolute=Absolute.TIME,
         ),
-    ]  # fmt: skip
+    ]
 
 
 def memory_figures() -> list[Figure]:
@@ -62,11 +76,14 @@ def memory_figures() -> list[Figure]:
         measured = _measured_memory(Path(name))
     return [
         Figure(
-            f"memory of one process, a file of {HOURS} h as {kind}", f"{megabytes:.0f} MB", f"{MOST_MB:g} MB",
-            megabytes / MOST_MB, limit=1.0,
+            f"memory of one process, a file of {HOURS} h as {kind}",
+            f"{megabytes:.0f} MB",
+            f"{MOST_MB:g} MB",
+            megabytes / MOST_MB,
+            limit=1.0,
         )
         for kind, megabytes in measured.items()
-    ]  # fmt: skip
+    ]
 
 
 def main() -> None:

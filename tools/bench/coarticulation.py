@@ -39,9 +39,27 @@ JERK, JERK_OF_FILMS = 3.983e-3, 18.236e-3
 """Mean third differences of all 52 weights at `SMOOTH` and `PICTURES` before mouths were ahead of consonants."""
 
 RUSSIAN = {
-    "a": "ə", "ae": "ə", "ay": "ə", "aa": "a", "e": "ɨ", "ee": "ɛ", "i": "ɨ", "ii": "i", "oo": "o", "u": "ʉ",
-    "uu": "u", "ur": "ʉ", "y": "ɨ", "yy": "ɨ", "ch": "tɕ", "c": "ts", "sch": "ɕ", "h": "x", "sh": "ʂ", "zh": "ʐ",
-}  # fmt: skip
+    "a": "ə",
+    "ae": "ə",
+    "ay": "ə",
+    "aa": "a",
+    "e": "ɨ",
+    "ee": "ɛ",
+    "i": "ɨ",
+    "ii": "i",
+    "oo": "o",
+    "u": "ʉ",
+    "uu": "u",
+    "ur": "ʉ",
+    "y": "ɨ",
+    "yy": "ɨ",
+    "ch": "tɕ",
+    "c": "ts",
+    "sch": "ɕ",
+    "h": "x",
+    "sh": "ʂ",
+    "zh": "ʐ",
+}
 """Names of the Russian voice; double letters are stressed vowels, or soft consonants."""
 Spoken = tuple[Sequence[Phone], Transcript]
 Found = dict[str, list[bool | float]]
@@ -52,21 +70,25 @@ def figures() -> list[Figure]:
     found = measured(HELD_BACK)
     rows: tuple[tuple[str, str, float], ...] = (
         ("full vowels that are widest in their first 60 %", "widest", WIDEST_EARLY),
-        ("f and v with the lip at the teeth", "rolled", 1.0), ("lip off the teeth 60 ms after f and v", "left", 1.0),
+        ("f and v with the lip at the teeth", "rolled", 1.0),
+        ("lip off the teeth 60 ms after f and v", "left", 1.0),
         ("u and w with round lips", "puckered", 1.0),
         (f"p, b, m shut at {PICTURES:g} pictures a second", "shut", 1.0),
-    )  # fmt: skip
+    )
     shares = [
         Figure(name, f"{np.mean(found[key]):.1%}", f"{least:.0%}", least / float(np.mean(found[key])), limit=1.0)
         for name, key, least in rows
     ]
     jerks = [
         Figure(
-            f"jerk of mouths at {rate:g} pictures a second", f"{np.mean(found[key]):.2e}", f"before, {most:.2e}",
-            float(np.mean(found[key])) / most, limit=1.0,
+            f"jerk of mouths at {rate:g} pictures a second",
+            f"{np.mean(found[key]):.2e}",
+            f"before, {most:.2e}",
+            float(np.mean(found[key])) / most,
+            limit=1.0,
         )
         for rate, key, most in ((SMOOTH, "jerk", JERK), (PICTURES, "film_jerk", JERK_OF_FILMS))
-    ]  # fmt: skip
+    ]
     return [*shares, *jerks]
 
 
@@ -123,8 +145,11 @@ def _spoken_by(speakers: frozenset[str]) -> Iterator[Spoken]:
     for row in rows:
         text = (CORPUS / row["labels"]).read_text(encoding="utf-8")
         labels = ((raw.start, raw.end, raw.phone or raw.name) for raw in raw_labels_of(text, row["labels"]))
-        named = ((start, end, "".join(_symbols(name, row["phoneset"]))) for start, end, name in labels
-                 if not marks_silence(name.lower()) and name != "??")  # fmt: skip
+        named = (
+            (start, end, "".join(_symbols(name, row["phoneset"])))
+            for start, end, name in labels
+            if not marks_silence(name.lower()) and name != "??"
+        )
         classes = ((start, end, ipa, phone_classes_in(ipa)[1]) for start, end, ipa in named)
         phones = [Phone(start, end, ipa, known.phoneme) for start, end, ipa, known in classes if known]
         with SoundReader(CORPUS / row["wav"]) as reader:

@@ -78,8 +78,11 @@ class Onsets:
     def __enter__(self) -> "Onsets":
         self._process = subprocess.Popen(
             [sys.executable, "-m", "tools.bench.onsets", str(MOST_ONSETS)],
-            env=self._card.environment | {"PULSE_SINK": "mic_in"}, cwd=ROOT, stdout=subprocess.PIPE, text=True,
-        )  # fmt: skip
+            env=self._card.environment | {"PULSE_SINK": "mic_in"},
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            text=True,
+        )
         threading.Thread(target=self._follow, daemon=True).start()
         return self
 
@@ -112,9 +115,13 @@ class Lines:
 
     def __enter__(self) -> "Lines":
         self._process = subprocess.Popen(
-            LISTEN, env=child_environment(self._card.environment), cwd=ROOT, stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE, text=True,
-        )  # fmt: skip
+            LISTEN,
+            env=child_environment(self._card.environment),
+            cwd=ROOT,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         threading.Thread(target=self._follow, daemon=True).start()
         while not self._arrived:
             if self._process.poll() is not None:
@@ -153,8 +160,9 @@ class Reference:
     def __enter__(self) -> "Reference":
         self._process = subprocess.Popen(
             ["parec", "--raw", "--format=s16le", "--channels=1", f"--rate={SAMPLE_RATE}", "--latency-msec=10"],
-            env=self._card.environment, stdout=subprocess.PIPE,
-        )  # fmt: skip
+            env=self._card.environment,
+            stdout=subprocess.PIPE,
+        )
         self._thread = threading.Thread(target=self._follow, daemon=True)
         self._thread.start()
         return self

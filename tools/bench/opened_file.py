@@ -41,11 +41,15 @@ def figures() -> list[Figure]:
             for name, seconds, limit in times
         ),
         Figure(
-            "an hour scrolled and zoomed at 60 fps", f"{found['share']:.1%} of a core, {found['pictures']:.0f} fps",
-            f"{SHARE:.0%}", found["share"] / SHARE, 1.0, absolute=Absolute.WORK,
+            "an hour scrolled and zoomed at 60 fps",
+            f"{found['share']:.1%} of a core, {found['pictures']:.0f} fps",
+            f"{SHARE:.0%}",
+            found["share"] / SHARE,
+            1.0,
+            absolute=Absolute.WORK,
         ),
         Figure("an hour, above the empty window", f"{above:.0f} MB", f"{MOST_MB} MB", above / MOST_MB, 1.0),
-    ]  # fmt: skip
+    ]
 
 
 def main() -> None:
@@ -65,9 +69,14 @@ def main() -> None:
         lane = _tuned(desktop)
         share, pictures = _scrolled(desktop)
         found = {
-            "first": first, "whole": whole, "lane": lane, "share": share, "pictures": pictures, "empty": empty,
+            "first": first,
+            "whole": whole,
+            "lane": lane,
+            "share": share,
+            "pictures": pictures,
+            "empty": empty,
             "highest": highest.megabytes,
-        }  # fmt: skip
+        }
         desktop.close()
     print(json.dumps(found))
 

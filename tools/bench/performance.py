@@ -63,16 +63,24 @@ def figures() -> list[Figure]:
     error, rules = found["viterbi"]["error"], found["rules"]
     return [
         Figure(
-            f"{N_LEFT_OUT} sentences left out of {found['minutes']:.1f} min, error", f"{error:.4f}",
-            f"fitted rules, {rules:.4f}", error / rules, limit=ERROR,
+            f"{N_LEFT_OUT} sentences left out of {found['minutes']:.1f} min, error",
+            f"{error:.4f}",
+            f"fitted rules, {rules:.4f}",
+            error / rules,
+            limit=ERROR,
         ),
         Figure(
-            "the same, nearest durations", f"{found['nearest']['error']:.4f}", f"fitted rules, {rules:.4f}",
+            "the same, nearest durations",
+            f"{found['nearest']['error']:.4f}",
+            f"fitted rules, {rules:.4f}",
             found["nearest"]["error"] / rules,
         ),
         Figure(
-            "range of their jaws", f"{found['viterbi']['jaw']:.2f} of the performer's", f"{RANGE:g}",
-            RANGE / found["viterbi"]["jaw"], limit=1.0,
+            "range of their jaws",
+            f"{found['viterbi']['jaw']:.2f} of the performer's",
+            f"{RANGE:g}",
+            RANGE / found["viterbi"]["jaw"],
+            limit=1.0,
         ),
         _limited("sentences of the table said again, error", found["round_trip"], ROUND_TRIP, "{:.4f}"),
         _limited("jerk at joins, beside that within units", found["jerk"]["inside"], INSIDE, "{:.2f}"),
@@ -82,7 +90,7 @@ def figures() -> list[Figure]:
         _timed("ten words, Viterbi", found["viterbi"]["seconds"], VITERBI),
         _timed("a sentence looked up, Viterbi", found["looked_up"], LOOKED_UP),
         _limited(f"memory from {SOONER / 60:g} to {LATER / 60:g} min of text", found["growth"], MOST_MB, "{:.1f} MB"),
-    ]  # fmt: skip
+    ]
 
 
 def _limited(name: str, measured: float, limit: float, form: str) -> Figure:
@@ -92,7 +100,7 @@ def _limited(name: str, measured: float, limit: float, form: str) -> Figure:
 def _timed(name: str, seconds: float, limit: float) -> Figure:
     return Figure(
         name, f"{1000 * seconds:.1f} ms", f"{1000 * limit:g} ms", seconds / limit, limit=1.0, absolute=Absolute.TIME
-    )  # fmt: skip
+    )
 
 
 def main() -> None:

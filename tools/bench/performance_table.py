@@ -31,18 +31,29 @@ def figures() -> list[Figure]:
     growth = answer["growth"]
     return [
         Figure(
-            "table of an hour of recordings", f"{hour:.0f} s", f"{LIMIT:g} s", hour / LIMIT, limit=1.0,
+            "table of an hour of recordings",
+            f"{hour:.0f} s",
+            f"{LIMIT:g} s",
+            hour / LIMIT,
+            limit=1.0,
             absolute=Absolute.TIME,
         ),
         Figure(
-            f"building it, memory from {SMALL} to {LARGE} min", f"{growth:.1f} MB", f"{MOST_MB} MB", growth / MOST_MB,
+            f"building it, memory from {SMALL} to {LARGE} min",
+            f"{growth:.1f} MB",
+            f"{MOST_MB} MB",
+            growth / MOST_MB,
             limit=1.0,
         ),
         Figure(
-            "all units of a sentence, ten examples each", f"{1000 * looked_up:.1f} ms", f"{1000 * LOOKED_UP:g} ms",
-            looked_up / LOOKED_UP, limit=1.0, absolute=Absolute.TIME,
+            "all units of a sentence, ten examples each",
+            f"{1000 * looked_up:.1f} ms",
+            f"{1000 * LOOKED_UP:g} ms",
+            looked_up / LOOKED_UP,
+            limit=1.0,
+            absolute=Absolute.TIME,
         ),
-    ]  # fmt: skip
+    ]
 
 
 def main() -> None:

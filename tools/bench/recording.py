@@ -54,9 +54,11 @@ def main() -> None:
         assert recorded > 0.9 * MEASURED, f"only {recorded:.1f} s were recorded"
         assert session.history.n - n_before > 90 * MEASURED, "frames are missing"
         cost = {
-            "share": processor / wall, "pictures": painted.n / wall,
-            "lost": session.microphone.listener.lost_seconds, "dropped": session.microphone.listener.n_dropped,
-        }  # fmt: skip
+            "share": processor / wall,
+            "pictures": painted.n / wall,
+            "lost": session.microphone.listener.lost_seconds,
+            "dropped": session.microphone.listener.n_dropped,
+        }
         desktop.close()
     print(json.dumps(cost))
 

@@ -26,12 +26,20 @@ def _figures(preset: str, most: float) -> list[Figure]:
     name, shown = f"{N_STREAMS} streams, {preset}", f"median {1000 * middle:.0f} ms, p99 {1000 * high:.0f} ms"
     return [
         Figure(
-            f"{name}: the latest frame", f"{1000 * late:.0f} ms", f"{1000 * MOST_LATE:.0f} ms; {shown}",
-            late / MOST_LATE, 1.0, absolute=Absolute.TIME,
+            f"{name}: the latest frame",
+            f"{1000 * late:.0f} ms",
+            f"{1000 * MOST_LATE:.0f} ms; {shown}",
+            late / MOST_LATE,
+            1.0,
+            absolute=Absolute.TIME,
         ),
         Figure(f"{name}: frames not told", str(load.n_missing), "none", float(load.n_missing), limit=0.0),
         Figure(
-            f"{name}: the server", f"{load.share:.1%} of a core", f"{most:.0%}", load.share / most, 1.0,
+            f"{name}: the server",
+            f"{load.share:.1%} of a core",
+            f"{most:.0%}",
+            load.share / most,
+            1.0,
             absolute=Absolute.WORK,
         ),
-    ]  # fmt: skip
+    ]

@@ -95,9 +95,12 @@ def stream_server(preset: str) -> Iterator[StreamServer]:
     core = max(os.sched_getaffinity(0))
     words = [sys.executable, "-m", "phonemeanalyser", "serve", "--port", "0", "--preset", preset]
     process = subprocess.Popen(
-        ["taskset", "-c", str(core), *words], env=child_environment() | {"OPENBLAS_NUM_THREADS": "1"}, cwd=ROOT,
-        stdout=subprocess.PIPE, text=True,
-    )  # fmt: skip
+        ["taskset", "-c", str(core), *words],
+        env=child_environment() | {"OPENBLAS_NUM_THREADS": "1"},
+        cwd=ROOT,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
     try:
         yield StreamServer(process)
     finally:

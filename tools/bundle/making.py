@@ -63,11 +63,22 @@ def _program(python: Path, out: Path, version: str) -> Path:
     }
     subprocess.run(
         [
-            python, "-m", "PyInstaller", "--noconfirm", "--log-level", "WARN",
-            "--distpath", out, "--workpath", out / "work", HERE / "phonemeanalyser.spec",
+            python,
+            "-m",
+            "PyInstaller",
+            "--noconfirm",
+            "--log-level",
+            "WARN",
+            "--distpath",
+            out,
+            "--workpath",
+            out / "work",
+            HERE / "phonemeanalyser.spec",
         ],
-        check=True, cwd=out, env={**os.environ, **settings},
-    )  # fmt: skip
+        check=True,
+        cwd=out,
+        env={**os.environ, **settings},
+    )
     folder = out / "PhonemeAnalyser"
     if sys.platform == "darwin":
         return out / "PhonemeAnalyser.app"

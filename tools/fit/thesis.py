@@ -63,11 +63,13 @@ PRESETS = {
     ),
     Decimation.ANTI_ALIASED: (
         Variant(
-            "thesis-anti-aliased", "Thesis, anti-aliased", HYSTERESIS,
+            "thesis-anti-aliased",
+            "Thesis, anti-aliased",
+            HYSTERESIS,
             "The rules of the thesis with hysteresis, on sound that quantising does not fold.",
         ),
     ),
-}  # fmt: skip
+}
 """What is fitted: for each kind of decimation the presets, the front end chosen for the first of them."""
 GAIN_RANGE = (-6.0, 6.0)
 NOISE_RANGE = (-75.0, -65.0)

@@ -27,10 +27,18 @@ PIVOT = np.array([0.0, 7.75, 0.25], np.float32)
 NECK, SLOPE, FLARE = 6.74, -0.16, 0.30
 """The cut through the neck: its height, how it falls towards the front, how it rises towards the shoulders."""
 REST = {
-    "jawOpen": -0.05, "mouthShrugLower": 0.12, "mouthSmileLeft": 0.04, "mouthSmileRight": 0.04,
-    "eyeWideLeft": 0.45, "eyeWideRight": 0.45, "browInnerUp": -0.45, "mouthFrownLeft": -0.22,
-    "mouthFrownRight": -0.22, "browOuterUpLeft": 0.15, "browOuterUpRight": 0.15,
-}  # fmt: skip
+    "jawOpen": -0.05,
+    "mouthShrugLower": 0.12,
+    "mouthSmileLeft": 0.04,
+    "mouthSmileRight": 0.04,
+    "eyeWideLeft": 0.45,
+    "eyeWideRight": 0.45,
+    "browInnerUp": -0.45,
+    "mouthFrownLeft": -0.22,
+    "mouthFrownRight": -0.22,
+    "browOuterUpLeft": 0.15,
+    "browOuterUpRight": 0.15,
+}
 """What closes the lips, which stand a little apart in the original, and wakes the eyes."""
 TEETH = {"upper teeth": (0.0, -0.035, 0.02), "lower teeth": (0.0, -0.06, -0.015)}
 """How the teeth are moved, so that they are seen where a person's are."""
@@ -72,9 +80,11 @@ class Clay:
         points = (1 - t) * self.points[begin] + t * self.points[end]
         offsets = (1 - t) * self.offsets[:, begin] + t * self.offsets[:, end]
         return Clay(
-            np.concatenate((self.points, points)), self.triangles, np.concatenate((self.part, self.part[begin])),
+            np.concatenate((self.points, points)),
+            self.triangles,
+            np.concatenate((self.part, self.part[begin])),
             np.concatenate((self.offsets, offsets), axis=1),
-        )  # fmt: skip
+        )
 
     def joined(self, other: "Clay") -> "Clay":
         """Give both as one."""
@@ -297,9 +307,15 @@ def main() -> None:
         head = head.joined(eyeball(clay, eye))
         colours = np.concatenate((colours, eye_colours(rings)))
     np.savez_compressed(
-        options.out, allow_pickle=False, positions=head.points - PIVOT, triangles=head.triangles.astype(np.uint16),
-        colours=colours, part=head.part, names=names, offsets=head.offsets.astype(np.float16),
-    )  # fmt: skip
+        options.out,
+        allow_pickle=False,
+        positions=head.points - PIVOT,
+        triangles=head.triangles.astype(np.uint16),
+        colours=colours,
+        part=head.part,
+        names=names,
+        offsets=head.offsets.astype(np.float16),
+    )
     print(f"{options.out}: {len(head.points)} vertices, {options.out.stat().st_size / 1000:.0f} kB")
 
 

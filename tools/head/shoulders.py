@@ -16,9 +16,17 @@ COLLAR = 0.045
 RIM = ((0.6, 1.0), (1.6, 1.0), (2.4, -0.3))
 """Rows of the collar: how far out and up, in `COLLAR`."""
 ROWS = (
-    (0.10, 0.02), (0.24, 0.07), (0.40, 0.15), (0.56, 0.25), (0.72, 0.38), (0.86, 0.54), (0.95, 0.72), (1.0, 0.95),
-    (1.01, 1.30), (1.0, 1.75),
-)  # fmt: skip
+    (0.10, 0.02),
+    (0.24, 0.07),
+    (0.40, 0.15),
+    (0.56, 0.25),
+    (0.72, 0.38),
+    (0.86, 0.54),
+    (0.95, 0.72),
+    (1.0, 0.95),
+    (1.01, 1.30),
+    (1.0, 1.75),
+)
 """Rows of vertices below the collar: how far from the neck to the outline, and how far down."""
 STEEPER = 0.55
 """How much further down chest and back fall than shoulders do, at the same share of the way."""

@@ -19,9 +19,12 @@ from tools.bench.desktop import live_for
 
 CARDS = Path(__file__).parents[2] / "tests" / "data" / "cards.flac"
 FORMANTS = {
-    Phoneme.A: (700, 1200, 2500), Phoneme.E: (450, 1900, 2500), Phoneme.I: (280, 2250, 2900),
-    Phoneme.O: (450, 800, 2500), Phoneme.U: (310, 800, 2300),
-}  # fmt: skip
+    Phoneme.A: (700, 1200, 2500),
+    Phoneme.E: (450, 1900, 2500),
+    Phoneme.I: (280, 2250, 2900),
+    Phoneme.O: (450, 800, 2500),
+    Phoneme.U: (310, 800, 2300),
+}
 
 
 def main(out: Path, theme: str, width: int, height: int) -> None:

@@ -46,10 +46,20 @@ class KnownPlayer:
 
     def __enter__(self) -> "KnownPlayer":
         self._process = subprocess.Popen(
-            ["pacat", "--playback", "-d", "mic_in", "--raw", "--format=s16le", "--channels=1",
-             f"--rate={SAMPLE_RATE}", f"--latency-msec={AHEAD}"],
-            env=self._card.environment, stdin=subprocess.PIPE,
-        )  # fmt: skip
+            [
+                "pacat",
+                "--playback",
+                "-d",
+                "mic_in",
+                "--raw",
+                "--format=s16le",
+                "--channels=1",
+                f"--rate={SAMPLE_RATE}",
+                f"--latency-msec={AHEAD}",
+            ],
+            env=self._card.environment,
+            stdin=subprocess.PIPE,
+        )
         self._thread = threading.Thread(target=self._feed, daemon=True)
         self._thread.start()
         return self

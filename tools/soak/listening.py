@@ -55,7 +55,7 @@ def main() -> None:
     watch = Watch(round(110 * seconds))
     watch.listener = listener = Listener(
         load_preset(DEFAULT_PRESET), pitch=True, recorder=tape, on_analysis=watch.age
-    )  # fmt: skip
+    )
     _attend(listener, watch, seconds)
     listener.close()
     tape.close()

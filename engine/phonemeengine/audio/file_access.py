@@ -44,9 +44,13 @@ class FileSlice(io.RawIOBase):
     """
 
     def __init__(
-        self, file: BinaryIO, end: int, corrections: Sequence[tuple[int, bytes]] = (), begin: int = 0,
+        self,
+        file: BinaryIO,
+        end: int,
+        corrections: Sequence[tuple[int, bytes]] = (),
+        begin: int = 0,
         lead: bytes = b"",
-    ) -> None:  # fmt: skip
+    ) -> None:
         self._file = file
         self._begin, self._lead = begin, lead
         self._end = end - begin + len(lead)

@@ -114,8 +114,11 @@ def _mix_of(loud: Float64Array, products: Float64Array | None, tenth: float) -> 
         signs = np.where(sounding, _signs(products, int(np.argmax(loud))), 0)
         if not sounding.all():
             numbers = ", ".join(str(k + 1) for k in np.flatnonzero(sounding))
-            notes.append(f"only channel {numbers} of {n} sounds and is used" if sounding.sum() == 1 else
-                         f"only the channels {numbers} of {n} sound and are mixed")  # fmt: skip
+            notes.append(
+                f"only channel {numbers} of {n} sounds and is used"
+                if sounding.sum() == 1
+                else f"only the channels {numbers} of {n} sound and are mixed"
+            )
         if (signs < 0).any():
             numbers = ", ".join(str(k + 1) for k in np.flatnonzero(signs < 0))
             notes.append(f"its channels cancel each other out when mixed; channel {numbers} is turned over")

@@ -106,9 +106,14 @@ class CardStream:
     """
 
     def __init__(
-        self, direction: Literal["input", "output"], device: Device | None, rate: int, n_channels: int,
-        latency: float, callback: Callback,
-    ) -> None:  # fmt: skip
+        self,
+        direction: Literal["input", "output"],
+        device: Device | None,
+        rate: int,
+        n_channels: int,
+        latency: float,
+        callback: Callback,
+    ) -> None:
         self._closing = False
         self._finished = False
         with _portaudio_lock:

@@ -90,7 +90,7 @@ class Pool:
         self._places: dict[Future[list[Outcome]], int] = {}
         self._executor = ProcessPoolExecutor(
             self._n_processes, self._context, _begin_process, (self._order, self._shares)
-        )  # fmt: skip
+        )
 
 
 @contextmanager

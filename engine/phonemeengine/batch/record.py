@@ -67,9 +67,13 @@ class BatchRecord(Closing):
             return None
         try:
             outcome = Outcome(
-                job, JobState.SKIPPED, Made(**entry["made"]), tuple((n, w) for n, w in entry["notes"]),
-                source=FileState(**entry["source"]), target=FileState(**entry["written"]),
-            )  # fmt: skip
+                job,
+                JobState.SKIPPED,
+                Made(**entry["made"]),
+                tuple((n, w) for n, w in entry["notes"]),
+                source=FileState(**entry["source"]),
+                target=FileState(**entry["written"]),
+            )
             states = _same(job.source, outcome.source), _same(job.target, outcome.target)
         except (OSError, ValueError, KeyError, TypeError):
             return None

@@ -213,9 +213,7 @@ def _shown_by(model: Model, phonemes: UInt8Array) -> UInt8Array:
     return np.array([viseme for viseme in visemes.tolist() if viseme != NO_VISEME], np.uint8)
 
 
-def _segments_of(
-    encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], n_heads: int
-) -> list[TrainingSegment]:  # fmt: skip
+def _segments_of(encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], n_heads: int) -> list[TrainingSegment]:
     kinds = range(len(stats))
     competing = np.concatenate([stat.competing for stat in stats])
     segments = []

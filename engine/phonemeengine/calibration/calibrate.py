@@ -124,9 +124,16 @@ def calibrate(
     report_progress(progress, 1.0)
     accuracy = _silence_accuracy(found, takes, room)
     return CalibrationResult(
-        preset, found, trial.before, trial.after, _seconds(judged), not held_back, trial.cost, accuracy,
+        preset,
+        found,
+        trial.before,
+        trial.after,
+        _seconds(judged),
+        not held_back,
+        trial.cost,
+        accuracy,
         trial.is_clear,
-    )  # fmt: skip
+    )
 
 
 @dataclass(frozen=True)

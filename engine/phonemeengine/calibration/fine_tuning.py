@@ -45,9 +45,7 @@ class Optimiser:
     hidden : positions of the matrices between hidden layers.
     """
 
-    def __init__(
-        self, values: list[Float32Array], n_steps: int, rate: float, hidden: Collection[int] = ()
-    ) -> None:  # fmt: skip
+    def __init__(self, values: list[Float32Array], n_steps: int, rate: float, hidden: Collection[int] = ()) -> None:
         self._values = values
         self._first = [np.zeros_like(v) for v in values]
         self._second = {k: np.zeros_like(v) for k, v in enumerate(values) if k not in hidden}

@@ -80,8 +80,11 @@ def _macro_f1s(counts: Float64Array) -> Float64Array:
 
 MOST_LOSS = 0.01
 """By how much a share may get worse."""
-GUARDED = (("mouth shapes right", "viseme_accuracy", 1), ("silence found", "silence_recall", 1),
-           ("speech called silence", "false_silence", -1))  # fmt: skip
+GUARDED = (
+    ("mouth shapes right", "viseme_accuracy", 1),
+    ("silence found", "silence_recall", 1),
+    ("speech called silence", "false_silence", -1),
+)
 """What is guarded: in words, the figure's name, and whether more of it is better (1) or worse (-1)."""
 
 
@@ -132,9 +135,7 @@ def held_back_scores(predictions: Sequence[Predictions]) -> Scores:
     """Score recordings, all together; labels that are ``trimmed`` do not count, but for the flicker."""
     scores = scores_of([_counted(prediction) for prediction in predictions])
     flicker = scores_of([prediction.answers for prediction in predictions])
-    return replace(
-        scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s
-    )  # fmt: skip
+    return replace(scores, changes_per_s=flicker.changes_per_s, label_changes_per_s=flicker.label_changes_per_s)
 
 
 def paired_answers(before: Sequence[Predictions], after: Sequence[Predictions]) -> list[PairedAnswers]:

@@ -222,9 +222,7 @@ class Driving:
             write_guarded(self.asked.units, [units], Guard(owns, self.asked.overwrite))
         return track
 
-    def movement(
-        self, track: FaceTrack | None, speech: Transcript, exporter: Exporter, say: Say
-    ) -> Animation | None:  # fmt: skip
+    def movement(self, track: FaceTrack | None, speech: Transcript, exporter: Exporter, say: Say) -> Animation | None:
         """Return the movement of a face for an export; None by rules, and where the format has its own shapes.
 
         The latter is said, unless nobody asked for the letters.

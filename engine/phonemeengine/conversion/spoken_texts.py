@@ -80,9 +80,7 @@ class SpokenTexts:
         """Return that a text is said in each of some sounds."""
         return replace(self, texts=dict.fromkeys(sounds, text))
 
-    def of_script(
-        self, script: Path, sounds: Sequence[Path], say: Say, *, with_labels: bool = True
-    ) -> "SpokenTexts":  # fmt: skip
+    def of_script(self, script: Path, sounds: Sequence[Path], say: Say, *, with_labels: bool = True) -> "SpokenTexts":
         """Return what a script says of some sounds; what it does not is told.
 
         Parameters

@@ -246,10 +246,18 @@ class ConversionWork:
 
 
 def convert(
-    sound: str | os.PathLike[str], target: str | os.PathLike[str], kind: str, preset: Preset,
-    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, script: Script | None = None,
-    driver: DriverChoice = USUAL_DRIVER, overwrite: bool = False, progress: Progress = no_progress,
-) -> None:  # fmt: skip
+    sound: str | os.PathLike[str],
+    target: str | os.PathLike[str],
+    kind: str,
+    preset: Preset,
+    options: ExportOptions | None = None,
+    *,
+    channel: Channel = Channel.MIX,
+    script: Script | None = None,
+    driver: DriverChoice = USUAL_DRIVER,
+    overwrite: bool = False,
+    progress: Progress = no_progress,
+) -> None:
     """Turn a sound file into another file; one with other content that is there stays, unless told otherwise.
 
     Parameters
@@ -275,18 +283,23 @@ def convert(
     """
     source = Path(sound)
     texts = NO_TEXTS if script is None else SpokenTexts(scripts={source: script})
-    work = ConversionWork(
-        kind, preset, options, channel, texts, driver, overwrite=overwrite
-    )  # fmt: skip
+    work = ConversionWork(kind, preset, options, channel, texts, driver, overwrite=overwrite)
     with work.opened() as act:
         act(Job(source, Path(target)), say_nothing, progress)
 
 
 def export(
-    sound: str | os.PathLike[str], target: str | os.PathLike[str], form: str, preset: Preset,
-    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, script: Script | None = None,
-    overwrite: bool = False, progress: Progress = no_progress,
-) -> None:  # fmt: skip
+    sound: str | os.PathLike[str],
+    target: str | os.PathLike[str],
+    form: str,
+    preset: Preset,
+    options: ExportOptions | None = None,
+    *,
+    channel: Channel = Channel.MIX,
+    script: Script | None = None,
+    overwrite: bool = False,
+    progress: Progress = no_progress,
+) -> None:
     """Write what a sound file says, as mouth cues or the movement of a face for another program; see `convert`.
 
     Parameters
@@ -300,10 +313,18 @@ def export(
 
 
 def convert_all(
-    sounds: Iterable[str | os.PathLike[str]], folder: str | os.PathLike[str], kind: str, preset: Preset,
-    options: ExportOptions | None = None, *, channel: Channel = Channel.MIX, overwrite: bool = False,
-    processes: int | None = None, cluster: str | None = None, progress: Progress = no_progress,
-) -> dict[Path, str]:  # fmt: skip
+    sounds: Iterable[str | os.PathLike[str]],
+    folder: str | os.PathLike[str],
+    kind: str,
+    preset: Preset,
+    options: ExportOptions | None = None,
+    *,
+    channel: Channel = Channel.MIX,
+    overwrite: bool = False,
+    processes: int | None = None,
+    cluster: str | None = None,
+    progress: Progress = no_progress,
+) -> dict[Path, str]:
     """Turn sound files into files in a folder; return what was wrong with those that failed, a sentence each.
 
     What fails stops nothing, and what was done before and is unchanged is not done again. A script that has several

@@ -63,9 +63,7 @@ class EncoderHead(ShortRepr):
 
     def rounded(self) -> "EncoderHead":
         """Return the head with the precision of its file, so that saving it changes nothing."""
-        return EncoderHead(
-            **{name: getattr(self, name).astype(np.float16).astype(np.float32) for name in SHAPES}
-        )  # fmt: skip
+        return EncoderHead(**{name: getattr(self, name).astype(np.float16).astype(np.float32) for name in SHAPES})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, EncoderHead) and self.digest == other.digest

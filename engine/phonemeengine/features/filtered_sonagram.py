@@ -18,9 +18,13 @@ AT_ONCE = 500
 
 
 def filtered_sonagram_of(
-    samples: Float32Array, settings: AnalysisSettings, layout: SonagramSettings, first: float, n_columns: int,
+    samples: Float32Array,
+    settings: AnalysisSettings,
+    layout: SonagramSettings,
+    first: float,
+    n_columns: int,
     period: float,
-) -> Float32Array:  # fmt: skip
+) -> Float32Array:
     """Return the levels of a stretch of sound after filters, dB of full scale, float32, shape (n_columns, n_rows).
 
     A column is the mean power of the frames that begin in it; where none does, the frame that began before it. Frames

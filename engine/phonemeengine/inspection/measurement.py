@@ -80,9 +80,15 @@ _IN_HERTZ = {"f0", *(f"F{k + 1}" for k in range(N_FORMANTS))}
 
 
 def measure(
-    path: str | os.PathLike[str], start: float, end: float, preset: Preset, *, channel: Channel = Channel.MIX,
-    ceiling: float = CEILING, progress: Progress = no_progress,
-) -> StretchMeasurement:  # fmt: skip
+    path: str | os.PathLike[str],
+    start: float,
+    end: float,
+    preset: Preset,
+    *,
+    channel: Channel = Channel.MIX,
+    ceiling: float = CEILING,
+    progress: Progress = no_progress,
+) -> StretchMeasurement:
     """Measure a stretch of a sound file, which is analysed whole first, as `analyse_whole` does.
 
     Parameters
@@ -113,9 +119,14 @@ def measure(
 
 
 def measure_stretch(
-    open_sound: Callable[[], SoundReader], tracks: SoundTracks, start: float, end: float, *,
-    ceiling: float = CEILING, progress: Progress = no_progress,
-) -> StretchMeasurement:  # fmt: skip
+    open_sound: Callable[[], SoundReader],
+    tracks: SoundTracks,
+    start: float,
+    end: float,
+    *,
+    ceiling: float = CEILING,
+    progress: Progress = no_progress,
+) -> StretchMeasurement:
     """Measure a stretch of a sound that is analysed already; see `measure`.
 
     Raises
@@ -144,9 +155,14 @@ def measure_stretch(
 
 
 def average_spectrum(
-    path: str | os.PathLike[str], start: float, end: float, preset: Preset, name: str, *,
+    path: str | os.PathLike[str],
+    start: float,
+    end: float,
+    preset: Preset,
+    name: str,
+    *,
     channel: Channel = Channel.MIX,
-) -> AveragedSpectrum:  # fmt: skip
+) -> AveragedSpectrum:
     """Return the averaged spectrum of a stretch of a sound file, through the filters of the preset.
 
     Raises
@@ -163,9 +179,13 @@ def average_spectrum(
 
 
 def save_stretch(
-    path: str | os.PathLike[str], start: float, end: float, target: str | os.PathLike[str], *,
+    path: str | os.PathLike[str],
+    start: float,
+    end: float,
+    target: str | os.PathLike[str],
+    *,
     channel: Channel = Channel.MIX,
-) -> None:  # fmt: skip
+) -> None:
     """Write a stretch of a sound file as WAV of 24 bits at 44.1 kHz; the mix keeps all channels.
 
     Raises
@@ -250,7 +270,7 @@ class _HeardStretch(NamedTuple):
 
 def _hear(
     reader: SoundReader, frames: FrameRange, times: tuple[float, float], ceiling: float, progress: Progress
-) -> _HeardStretch:  # fmt: skip
+) -> _HeardStretch:
     """Go through a stretch, some seconds at a time."""
     energy, n, peak, formants = 0.0, 0, 0.0, []
     margin, step = math.ceil(WINDOW_SECONDS / FRAME_PERIOD), round(AT_ONCE / FRAME_PERIOD)

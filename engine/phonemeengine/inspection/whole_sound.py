@@ -124,10 +124,14 @@ class SoundTracks:
 
 
 def analyse_whole(
-    open_sound: Callable[[], SoundReader], preset: Preset, tracks: SoundTracks, *,
-    in_view: Callable[[], FrameRange] = lambda: FrameRange(0, 0), progress: Progress = no_progress,
+    open_sound: Callable[[], SoundReader],
+    preset: Preset,
+    tracks: SoundTracks,
+    *,
+    in_view: Callable[[], FrameRange] = lambda: FrameRange(0, 0),
+    progress: Progress = no_progress,
     most_previewed: int = MOST_PREVIEWED,
-) -> None:  # fmt: skip
+) -> None:
     """Analyse a whole sound into tracks, as `analyse_file` does; what is in view is found first.
 
     What is found ahead of its turn is found once more when its turn comes: settings that remember, such as smoothing
@@ -305,9 +309,13 @@ class PresetDifference(NamedTuple):
 
 
 def difference(
-    sound: str | os.PathLike[str], first: Preset, second: Preset, *, channel: Channel = Channel.MIX,
+    sound: str | os.PathLike[str],
+    first: Preset,
+    second: Preset,
+    *,
+    channel: Channel = Channel.MIX,
     progress: Progress = no_progress,
-) -> PresetDifference:  # fmt: skip
+) -> PresetDifference:
     """Hear a sound file with two presets, and return where they hear two things.
 
     Raises
@@ -337,12 +345,14 @@ def difference_in(first: SoundTracks, second: SoundTracks, frames: FrameRange) -
     edges = [0, *changes.tolist(), len(one)]
     stretches = tuple(
         DifferentStretch(
-            (place.start + begin) * FRAME_PERIOD, (place.start + end) * FRAME_PERIOD,
-            Phoneme(int(one[begin])), Phoneme(int(other[begin])),
+            (place.start + begin) * FRAME_PERIOD,
+            (place.start + end) * FRAME_PERIOD,
+            Phoneme(int(one[begin])),
+            Phoneme(int(other[begin])),
         )
         for begin, end in pairwise(edges)
         if differs[begin]
-    )  # fmt: skip
+    )
     return PresetDifference(float(differs.sum() / known.sum()), stretches)
 
 

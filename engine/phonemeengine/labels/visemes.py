@@ -173,8 +173,13 @@ PHONEME_VISEMES: dict[Phoneme, tuple[Viseme, ...]] = {
 }
 """The visemes that a phoneme may be shown by."""
 VISEME_PHONES: dict[Viseme, str] = {
-    Viseme.FF: "f", Viseme.TH: "θ", Viseme.DD: "t", Viseme.KK: "k", Viseme.NN: "n", Viseme.RR: "ɹ",
-}  # fmt: skip
+    Viseme.FF: "f",
+    Viseme.TH: "θ",
+    Viseme.DD: "t",
+    Viseme.KK: "k",
+    Viseme.NN: "n",
+    Viseme.RR: "ɹ",
+}
 """For each viseme that is finer than its phoneme, the symbol of a sound that it shows: mouth tables know that."""
 
 _LETTERS: dict[Viseme, str] = {

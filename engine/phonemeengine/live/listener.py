@@ -77,7 +77,7 @@ class MicrophoneAnalyser:
 
     def __init__(
         self, source: Input, channel: int, preset: Preset, *, pitch: bool, start: int, phonemes_only: bool = False
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.source = source
         self.start = start
         self._n_heard = 0
@@ -210,12 +210,17 @@ class Listener(Closing):
     """Blocks that wait for `take_analyses` at most; older ones are dropped and counted."""
 
     def __init__(
-        self, preset: Preset, choice: InputChoice | None = None, *, pitch: bool = False,
-        phonemes_only: bool = False, recorder: Recorder | None = None,
+        self,
+        preset: Preset,
+        choice: InputChoice | None = None,
+        *,
+        pitch: bool = False,
+        phonemes_only: bool = False,
+        recorder: Recorder | None = None,
         on_analysis: Callable[[Analysis], object] = lambda _analysis: None,
         on_sound: Callable[[Float32Array, int], object] = lambda _block, _rate: None,
         clock: Callable[[], float] = time.monotonic,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.choice = choice or InputChoice()
         self.n_dropped = 0
         self._preset = preset
@@ -445,9 +450,13 @@ class Listener(Closing):
             self._lost_before += gap
         self._gap_is_loss = True
         return MicrophoneAnalyser(
-            source, self.choice.channel, self._preset, pitch=self._pitch, start=start,
+            source,
+            self.choice.channel,
+            self._preset,
+            pitch=self._pitch,
+            start=start,
             phonemes_only=self._phonemes_only,
-        )  # fmt: skip
+        )
 
     def _hand_over(self, analysis: Analysis) -> None:
         self._next_frame = analysis.start + len(analysis)

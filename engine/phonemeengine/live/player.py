@@ -120,9 +120,13 @@ class Player:
     """Blocks that wait for `take_analyses` at most; older ones are dropped and counted."""
 
     def __init__(
-        self, reader: Reader, preset: Preset, open_device: Callable[[int], Output] = open_output, *,
+        self,
+        reader: Reader,
+        preset: Preset,
+        open_device: Callable[[int], Output] = open_output,
+        *,
         waits: bool = False,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.reader = reader
         self._waits = waits
         self.loop = False

@@ -51,9 +51,13 @@ class Recorder(Closing):
     """
 
     def __init__(
-        self, target: str | os.PathLike[str] | Callable[[], Path], *, with_phonemes: bool = False,
-        fill_gaps: bool = False, seconds: float = math.inf,
-    ) -> None:  # fmt: skip
+        self,
+        target: str | os.PathLike[str] | Callable[[], Path],
+        *,
+        with_phonemes: bool = False,
+        fill_gaps: bool = False,
+        seconds: float = math.inf,
+    ) -> None:
         self.paths: list[Path] = []
         self.gaps: list[Gap] = []
         self.journal, self.rescue = journal_folder(), recordings_folder()

@@ -58,9 +58,13 @@ class Animation(ShortRepr):
 
 
 def animation_of(
-    speech: Transcript, table: MouthTable, rate: float, idle: IdleMotion | None = None,
-    *, anticipation: float = MOST_ANTICIPATION,
-) -> Animation:  # fmt: skip
+    speech: Transcript,
+    table: MouthTable,
+    rate: float,
+    idle: IdleMotion | None = None,
+    *,
+    anticipation: float = MOST_ANTICIPATION,
+) -> Animation:
     """Animate a face: its mouth moves along what is said with the loudness of the sound.
 
     Parameters

@@ -22,8 +22,13 @@ LARGEST = 256 * MEGABYTE
 LONGEST = 1e6
 """Seconds that a cue may be away from the beginning, and frames a second at most."""
 _CUE: dict[str, type] = {
-    "start": float, "end": float, "phoneme": Phoneme, "shape": str, "intensity": float, "phone": str,
-}  # fmt: skip
+    "start": float,
+    "end": float,
+    "phoneme": Phoneme,
+    "shape": str,
+    "intensity": float,
+    "phone": str,
+}
 _WORD: dict[str, type] = {"start": float, "end": float, "word": str}
 _TOP = ("sound", "duration", "rate", "table", "cues", "curves", "head")
 

@@ -135,9 +135,7 @@ FARTHEST = 25.0
 """Degrees by which eyes turn in the head at most."""
 SIDEWAYS, DOWN, UP = 32.5, 27.0, 17.5
 """Degrees by which the movestates of ARKit turn an eye where they are whole, as the program's own head has it."""
-EYES = tuple(
-    f"eyeLook{way}{side}" for side in ("Left", "Right") for way in ("Up", "Down", "In", "Out")
-)  # fmt: skip
+EYES = tuple(f"eyeLook{way}{side}" for side in ("Left", "Right") for way in ("Up", "Down", "In", "Out"))
 """The movestates that turn eyes."""
 
 
@@ -194,6 +192,12 @@ def gaze_weights(gaze: GazeDirection, pose: HeadPose | None = None) -> dict[str,
     )
     up, down = min(up, 1.0), min(down, 1.0)
     return {
-        "eyeLookUpLeft": up, "eyeLookDownLeft": down, "eyeLookInLeft": right, "eyeLookOutLeft": left,
-        "eyeLookUpRight": up, "eyeLookDownRight": down, "eyeLookInRight": left, "eyeLookOutRight": right,
-    }  # fmt: skip
+        "eyeLookUpLeft": up,
+        "eyeLookDownLeft": down,
+        "eyeLookInLeft": right,
+        "eyeLookOutLeft": left,
+        "eyeLookUpRight": up,
+        "eyeLookDownRight": down,
+        "eyeLookInRight": left,
+        "eyeLookOutRight": right,
+    }

@@ -96,9 +96,13 @@ class OscMouth(Closing):
     """
 
     def __init__(
-        self, address: OscAddress, performer: Performer, *, clock: Callable[[], float] = time.monotonic,
+        self,
+        address: OscAddress,
+        performer: Performer,
+        *,
+        clock: Callable[[], float] = time.monotonic,
         on_failure: Callable[[str], object] = lambda _sentence: None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.failure = ""
         self.n_sent = 0
         self._socket, self._receiver = _opened(address)

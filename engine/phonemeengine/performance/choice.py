@@ -25,10 +25,25 @@ LIPS = ("labiovelar", "labiodental", "bilabial", "front rounded vowel", "rounded
 _TEETH = "dental"
 """The class of sounds that show the tongue: these, too, are taken for each other alone."""
 PLACES = (
-    *LIPS, "dental", "postalveolar", "alveolo-palatal", "retroflex", "alveolar", "palatal", "velar", "uvular",
-    "pharyngeal", "glottal", "open vowel", "mid vowel", "close vowel", "apical vowel", "front vowel", "back vowel",
+    *LIPS,
+    "dental",
+    "postalveolar",
+    "alveolo-palatal",
+    "retroflex",
+    "alveolar",
+    "palatal",
+    "velar",
+    "uvular",
+    "pharyngeal",
+    "glottal",
+    "open vowel",
+    "mid vowel",
+    "close vowel",
+    "apical vowel",
+    "front vowel",
+    "back vowel",
     "central vowel",
-)  # fmt: skip
+)
 """Classes by which sounds look alike, what is seen the most first; others tell more to the ear than to the eye."""
 _AT_PAUSES = {
     UnitKind.VOWEL_TRIPHONE: UnitKind.BOUNDARY_TRIPHONE,
@@ -129,9 +144,17 @@ N_CANDIDATES = 10
 BAND = 0.15
 """Share of a duration by which those of others may differ from it."""
 TRAIT_WEIGHTS = {
-    "duration": 0.4, "energy": 0.1, "pitch": 0.05, "stress": 0.15, "word": 0.05, "syllable": 0.05,
-    "lips beside": 1.0, "rounding beside": 0.7, "opening beside": 0.7, "spreading beside": 0.4,
-}  # fmt: skip
+    "duration": 0.4,
+    "energy": 0.1,
+    "pitch": 0.05,
+    "stress": 0.15,
+    "word": 0.05,
+    "syllable": 0.05,
+    "lips beside": 1.0,
+    "rounding beside": 0.7,
+    "opening beside": 0.7,
+    "spreading beside": 0.4,
+}
 """What a difference of each trait costs, beside differences of weights where two examples meet."""
 _TRAIT_WEIGHTS = np.array([TRAIT_WEIGHTS[name] for name in TRAITS], np.float32)
 _LONGEST = 1e9
@@ -182,7 +205,7 @@ def chosen_examples(
 
 def _candidates(
     placed: PlacedUnit, duration: float, table: PerformanceTable, choice: ExampleChoice
-) -> tuple[Example, ...]:  # fmt: skip
+) -> tuple[Example, ...]:
     """Return the examples among which is chosen, at least one."""
     found: tuple[Example, ...] = ()
     if choice is ExampleChoice.RANDOM:

@@ -180,9 +180,14 @@ def read_performance(recording: RecordingFiles, *, synthetic: bool = False) -> t
     _check_lengths(face, recording, duration)
     times = np.arange(math.floor(duration * RATE + 1e-6) + 1) / RATE
     performance = Performance(
-        recording.name, RATE, face.channels, face.sampled(times - recording.offset),
-        measured(phones_of(utterance), samples), tuple(word.text for word in utterance.words), synthetic,
-    )  # fmt: skip
+        recording.name,
+        RATE,
+        face.channels,
+        face.sampled(times - recording.offset),
+        measured(phones_of(utterance), samples),
+        tuple(word.text for word in utterance.words),
+        synthetic,
+    )
     return performance, tuple(f"{printable_name(recording.face)}: {note}" for note in face.notes)
 
 
@@ -283,9 +288,12 @@ class BuiltTable:
 
 
 def build_table(
-    folder: str | os.PathLike[str], path: str | os.PathLike[str], *, name: str | None = None,
+    folder: str | os.PathLike[str],
+    path: str | os.PathLike[str],
+    *,
+    name: str | None = None,
     progress: Progress = no_progress,
-) -> BuiltTable:  # fmt: skip
+) -> BuiltTable:
     """Build a table of a folder of recordings; see `find_recordings` for what it holds.
 
     A recording that cannot be used is left out. It takes no more memory than its largest recording does.

@@ -258,6 +258,11 @@ class PerformanceDriver:
 def _used(placed: tuple[PlacedUnit, ...], chosen: list[Chosen], bounds: Float64Array) -> Iterator[UsedUnit]:
     for unit, (halves, example) in zip(placed, chosen, strict=True):
         yield UsedUnit(
-            float(bounds[unit.unit.first]), float(bounds[unit.unit.last]), unit.kind, unit.names, halves.name,
-            float(halves.bounds[example.first]), float(halves.bounds[example.last]),
-        )  # fmt: skip
+            float(bounds[unit.unit.first]),
+            float(bounds[unit.unit.last]),
+            unit.kind,
+            unit.names,
+            halves.name,
+            float(halves.bounds[example.first]),
+            float(halves.bounds[example.last]),
+        )

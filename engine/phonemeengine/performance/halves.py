@@ -13,9 +13,17 @@ from phonemeengine.performance.recording import SILENCE, Performance, PerformedP
 from phonemeengine.performance.table_file import PerformanceTable
 
 TRAITS = (
-    "duration", "energy", "pitch", "stress", "word", "syllable", "lips beside", "rounding beside", "opening beside",
+    "duration",
+    "energy",
+    "pitch",
+    "stress",
+    "word",
+    "syllable",
+    "lips beside",
+    "rounding beside",
+    "opening beside",
     "spreading beside",
-)  # fmt: skip
+)
 """What `traits_of` tells of a half: the natural logarithm of its duration; how loud and high its phone is beside the
 sentence, in steps of 12 dB and of an octave; whether its syllable bears stress; where its phone stands in word and
 syllable, 0 at the first and 1 at the last one; and what the mouth does at the phone beside it, each 0..1."""

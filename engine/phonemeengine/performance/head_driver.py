@@ -43,9 +43,13 @@ class HeadDriver:
     """
 
     def __init__(
-        self, table: PerformanceTable, words: Sequence[str], language: str, keywords: Keywords | None = None,
+        self,
+        table: PerformanceTable,
+        words: Sequence[str],
+        language: str,
+        keywords: Keywords | None = None,
         seed: int = 0,
-    ) -> None:  # fmt: skip
+    ) -> None:
         keywords = load_keywords() if keywords is None else keywords
         self._conjunctions = keywords.conjunctions_in(words, language)
         self._gestures = tuple(keywords.gestures_in(words, language))

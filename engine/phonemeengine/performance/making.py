@@ -116,9 +116,14 @@ class MadeCorpus:
 
 
 def make_corpus(
-    folder: str | os.PathLike[str], sentences: Iterable[str], speak: Speak, *, seconds: float, seed: int = 0,
+    folder: str | os.PathLike[str],
+    sentences: Iterable[str],
+    speak: Speak,
+    *,
+    seconds: float,
+    seed: int = 0,
     progress: Progress = no_progress,
-) -> MadeCorpus:  # fmt: skip
+) -> MadeCorpus:
     """Have the synthetic performer read sentences, until they are so long or have come to their end.
 
     Parameters

@@ -60,7 +60,7 @@ class RecordedFace:
 
 def original_sound(
     table: PerformanceTable, recording: str, folder: str | os.PathLike[str] | None = None
-) -> Path | None:  # fmt: skip
+) -> Path | None:
     """Return the sound of a recording; None where there is none.
 
     Parameters

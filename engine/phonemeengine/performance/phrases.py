@@ -195,9 +195,7 @@ def _phrase_of(spoken: Sequence[PerformedPhone]) -> Phrase:
 
 def _most_alike(recorded: Iterable[_Recorded], phrase: Phrase) -> _Recorded:
     """Return the phrase whose stresses are the most alike; of equal ones that whose duration is."""
-    return min(
-        recorded, key=lambda r: (_unlikeness(r.phrase, phrase), abs(r.phrase.duration - phrase.duration))
-    )  # fmt: skip
+    return min(recorded, key=lambda r: (_unlikeness(r.phrase, phrase), abs(r.phrase.duration - phrase.duration)))
 
 
 def _unlikeness(one: Phrase, other: Phrase) -> float:

@@ -114,7 +114,7 @@ def pose_shares(sentence: Sentence, poses: PoseTable, times: Float64Array, frame
 
 def posed_weights(
     weights: Float32Array, shares: PoseShares, poses: PoseTable, channels: tuple[str, ...]
-) -> Float32Array:  # fmt: skip
+) -> Float32Array:
     """Lay poses over weights, shape (n_frames, n_channels), of these channels: what they take, the weights lose."""
     if not shares.shapes:
         return weights

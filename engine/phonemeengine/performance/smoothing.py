@@ -67,7 +67,7 @@ class MonotoneCubics:
 
 def fitted(
     placed: Sequence[PlacedUnit], chosen: Sequence[Chosen], bounds: Float64Array, times: Float64Array
-) -> Float32Array:  # fmt: skip
+) -> Float32Array:
     """Return the face of a sentence, float32, shape (n_times, n_channels).
 
     The bounds of an example's halves are moved onto those of the unit by a monotone cubic. Around a join,

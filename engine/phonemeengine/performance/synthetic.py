@@ -64,7 +64,8 @@ CONSONANTS = {
         7.0, 32.0, {"jawOpen": 0.08, "mouthRollLower": 0.52, "mouthUpperUp": 0.17, "mouthShrugUpper": 0.12}
     ),
     "bilabial": Pull(
-        11.0, 34.0,
+        11.0,
+        34.0,
         {"jawOpen": 0.05, "mouthClose": 0.06, "mouthPress": 0.38, "mouthRollLower": 0.2, "mouthRollUpper": 0.19},
     ),
     "postalveolar": Pull(
@@ -79,7 +80,7 @@ CONSONANTS = {
     "alveolar": Pull(1.2, 27.0, {"jawOpen": 0.13, "mouthLowerDown": 0.13, "mouthUpperUp": 0.06}),
     "velar": Pull(0.7, 21.0, {"jawOpen": 0.19, "mouthLowerDown": 0.1}),
     "consonant": Pull(0.4, 19.0, {"jawOpen": 0.22}),
-}  # fmt: skip
+}
 HEIGHTS = {
     "open vowel": {"jawOpen": 0.64, "mouthLowerDown": 0.36, "mouthUpperUp": 0.15, "mouthShrugLower": 0.05},
     "close vowel": {"jawOpen": 0.15, "mouthLowerDown": 0.15, "mouthUpperUp": 0.06},
@@ -93,8 +94,10 @@ ROUNDINGS = {
 """What is added to that; the first class counts."""
 VOWEL_RATE = 18.0
 FOLLOWERS = {
-    "cheekSquint": ("mouthSmile", 0.35), "noseSneer": ("mouthUpperUp", 0.3), "eyeSquint": ("mouthSmile", 0.12),
-}  # fmt: skip
+    "cheekSquint": ("mouthSmile", 0.35),
+    "noseSneer": ("mouthUpperUp", 0.3),
+    "eyeSquint": ("mouthSmile", 0.12),
+}
 """Channels that move with another one, by a share of it."""
 
 

@@ -147,9 +147,13 @@ class PerformedMouth:
     movestates = FACE
 
     def __init__(
-        self, sentences: tuple[Sentence, ...], driver: PerformanceDriver, head: HeadDriver | None, rate: float,
+        self,
+        sentences: tuple[Sentence, ...],
+        driver: PerformanceDriver,
+        head: HeadDriver | None,
+        rate: float,
         first: int = 0,
-    ) -> None:  # fmt: skip
+    ) -> None:
         self._sentences, self._driver, self._head, self._picture = sentences, driver, head, 1 / rate
         self._first = first
         self.rests_from = _end_of(sentences[-1])

@@ -304,9 +304,7 @@ def _sensitivity_control(phoneme: Phoneme) -> Control:
     )
 
 
-def _sensitised(
-    sensitivities: Mapping[Phoneme, float], phoneme: Phoneme, value: float
-) -> Mapping[Phoneme, float]:  # fmt: skip
+def _sensitised(sensitivities: Mapping[Phoneme, float], phoneme: Phoneme, value: float) -> Mapping[Phoneme, float]:
     others = {p: s for p, s in sensitivities.items() if p is not phoneme}
     return {**others, phoneme: value} if value else others
 

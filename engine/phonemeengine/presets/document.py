@@ -43,11 +43,21 @@ INTENSITY = _KINDS["intensity"]
 _AHEAD = _KINDS["look_ahead"]
 _OPTIONAL = [name for name, parameter in PARAMETERS.items() if parameter.optional]
 _TEXTS: dict[str, type] = {
-    "name": str, "recogniser": str, "model": str, "file_model": str, "encoder_head": str, "notes": str,
-}  # fmt: skip
+    "name": str,
+    "recogniser": str,
+    "model": str,
+    "file_model": str,
+    "encoder_head": str,
+    "notes": str,
+}
 _VARIABLE: dict[str, type] = {
-    "name": str, "low": float, "high": float, "kind": Kind, "source": Spectrum, "per": str,
-}  # fmt: skip
+    "name": str,
+    "low": float,
+    "high": float,
+    "kind": Kind,
+    "source": Spectrum,
+    "per": str,
+}
 _RULE: dict[str, type] = {"phoneme": Phoneme, "conditions": list}
 _PHONEME_DATA: dict[str, type] = {field.name: float for field in fields(PhonemeData)}
 

@@ -122,7 +122,7 @@ def _heard_with(preset: Preset, ear: Ear, warnings: list[str]) -> Preset:
     if ear is Ear.WHISPER and preset.encoder_head is None:
         raise ModelError(
             f"the preset {preset.name[:60]!r} does not know what Whisper hears; it was trained without it"
-        )  # fmt: skip
+        )
     if ear is Ear.WHISPER and find_spec(ENCODER_LIBRARY) is None:
         raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}")
     heard = replace(preset, ear=ear, file_ear=Ear.LIVE, warnings=tuple(warnings))

@@ -82,8 +82,10 @@ def fit_confidence(scores: Float32Array, right: BoolArray) -> ConfidenceCurve:
             before = pools.pop()
             n = before[2] + pool[2]
             pool = (
-                (before[0] * before[2] + pool[0] * pool[2]) / n, (before[1] * before[2] + pool[1] * pool[2]) / n, n,
-            )  # fmt: skip
+                (before[0] * before[2] + pool[0] * pool[2]) / n,
+                (before[1] * before[2] + pool[1] * pool[2]) / n,
+                n,
+            )
         pools.append(pool)
     return ConfidenceCurve(
         tuple(round(middle, 4) for middle, _, _ in pools), tuple(round(height, 4) for _, height, _ in pools)

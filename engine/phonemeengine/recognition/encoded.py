@@ -41,7 +41,7 @@ class EncodedRecogniser(ScoredRecogniser):
 
     def __init__(
         self, network: LearnedRecogniser, hear: Hear, priors: Float32Array, sensitivity: Sensitivity
-    ) -> None:  # fmt: skip
+    ) -> None:
         self.look_ahead = STRETCH + OVERLAP
         self._network, self._hear, self._sensitivity = network, hear, sensitivity
         self._log_priors = np.log(priors)
@@ -96,7 +96,7 @@ class EncodedRecogniser(ScoredRecogniser):
         found = _together(heard[:, :n_phonemes], shares[:n], self._log_priors[:n_phonemes])
         return self._sensitivity.apply(found), _together(
             heard[:, n_phonemes:], fine[:n], self._log_priors[n_phonemes:]
-        )  # fmt: skip
+        )
 
 
 def _together(heard: Float32Array, shares: Float32Array, log_priors: Float32Array) -> Float32Array:

@@ -120,9 +120,7 @@ class Model(ShortRepr):
         heads, viseme_heads = (
             tuple(OutputHead(_halved(h.weights), h.bias) for h in known) for known in (self.heads, self.viseme_heads)
         )
-        return replace(
-            self, layers=layers, heads=heads, viseme_heads=viseme_heads, anchors=_halved(self.anchors)
-        )  # fmt: skip
+        return replace(self, layers=layers, heads=heads, viseme_heads=viseme_heads, anchors=_halved(self.anchors))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self.digest == other.digest
@@ -237,13 +235,11 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
 
 def _heads_of(
     arrays: dict[str, NDArray[Any]], name: str, n_heads: int, shape: tuple[int, int]
-) -> tuple[OutputHead, ...]:  # fmt: skip
+) -> tuple[OutputHead, ...]:
     return tuple(
-        OutputHead(
-            _checked(arrays[f"{name}_{k}_weights"], shape), _checked(arrays[f"{name}_{k}_bias"], shape[1:])
-        )
+        OutputHead(_checked(arrays[f"{name}_{k}_weights"], shape), _checked(arrays[f"{name}_{k}_bias"], shape[1:]))
         for k in range(n_heads)
-    )  # fmt: skip
+    )
 
 
 def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:

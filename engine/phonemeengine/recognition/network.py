@@ -243,9 +243,7 @@ class CentredNetwork:
 
     def __init__(self, layers: tuple[Layer, ...], before: Float32Array) -> None:
         nothing = np.zeros((*before.shape[:-1], len(layers[0].bias)), np.float32)
-        self._stack = [
-            CentredLayer(layer, nothing if k else before, adds=k > 0) for k, layer in enumerate(layers)
-        ]  # fmt: skip
+        self._stack = [CentredLayer(layer, nothing if k else before, adds=k > 0) for k, layer in enumerate(layers)]
 
     def forward(self, block: Float32Array) -> Float32Array:
         """Take the next frames, shape (n, ..., n_in), and give what the last layer makes of earlier ones."""

@@ -74,9 +74,12 @@ class SegmentBuilder:
         self._intensity = self._confidence = 0.0
 
     def extend(
-        self, phonemes: UInt8Array, intensities: Float32Array, phones: Sequence[str] | None = None,
+        self,
+        phonemes: UInt8Array,
+        intensities: Float32Array,
+        phones: Sequence[str] | None = None,
         confidences: Float32Array | None = None,
-    ) -> list[Segment]:  # fmt: skip
+    ) -> list[Segment]:
         """Take the next frames, all of shape (n_frames,), and give the segments that ended.
 
         Parameters

@@ -161,9 +161,12 @@ def parse_toml(text: str, name: str, form: str, error: type[EngineError]) -> Str
 
 
 def load_text(
-    path: str | os.PathLike[str], what: str, error: type[EngineError], parse: Callable[[str], T],
+    path: str | os.PathLike[str],
+    what: str,
+    error: type[EngineError],
+    parse: Callable[[str], T],
     largest: int = LARGEST_FILE,
-) -> T:  # fmt: skip
+) -> T:
     """Return what is written in a text file of one of our formats.
 
     Parameters

@@ -207,9 +207,16 @@ _PART = re.compile(
 
 _TONES = {"1": "55", "2": "35", "3": "214", "4": "51", "5": "11"}
 _RESPELT = {
-    "jiong": "tS;'y{}N", "qiong": "tS;h'u{}N", "xiong": "S;'y{}N", "ê": "E{}", "m": "m", "n": "n", "ng": "N",
-    "hm": "Xm", "hng": "XN",
-}  # fmt: skip
+    "jiong": "tS;'y{}N",
+    "qiong": "tS;h'u{}N",
+    "xiong": "S;'y{}N",
+    "ê": "E{}",
+    "m": "m",
+    "n": "n",
+    "ng": "N",
+    "hm": "Xm",
+    "hng": "XN",
+}
 """What espeak-ng would otherwise spell in English, in its own names of phonemes, with a place for the tone."""
 
 
@@ -294,9 +301,13 @@ def pinyin_of(hanzi: str) -> list[str]:
     """
     pypinyin = _pypinyin()
     syllables: list[str] = pypinyin.lazy_pinyin(
-        list(_phrases_of(hanzi)), style=pypinyin.Style.TONE3, errors=list, neutral_tone_with_five=True,
-        tone_sandhi=True, v_to_u=True,
-    )  # fmt: skip
+        list(_phrases_of(hanzi)),
+        style=pypinyin.Style.TONE3,
+        errors=list,
+        neutral_tone_with_five=True,
+        tone_sandhi=True,
+        v_to_u=True,
+    )
     return syllables
 
 

@@ -145,9 +145,12 @@ def is_timed(script: Path) -> bool:
 
 
 def timed_script(
-    path: str | os.PathLike[str], duration: float, language: str | None = None, lexicon: Lexicon | None = None,
+    path: str | os.PathLike[str],
+    duration: float,
+    language: str | None = None,
+    lexicon: Lexicon | None = None,
     speaker: str | None = None,
-) -> Utterance | tuple[ScriptWord, ...]:  # fmt: skip
+) -> Utterance | tuple[ScriptWord, ...]:
     """Return what a file with times says of a sound: all of it, or its words, whose phones are still to be found.
 
     Parameters

@@ -179,9 +179,14 @@ class StatusLine:
         total = latency.total + self._display
         self.latency_ms = 1000 * total
         self.without_look_ahead = total - latency.look_ahead
-        words = {tr("capture"): latency.capture, tr("window"): latency.window, tr("hop"): latency.hop,
-                 **({tr("look-ahead"): latency.look_ahead} if latency.look_ahead else {}),
-                 tr("analysis"): latency.analysis, tr("display"): self._display}  # fmt: skip
+        words = {
+            tr("capture"): latency.capture,
+            tr("window"): latency.window,
+            tr("hop"): latency.hop,
+            **({tr("look-ahead"): latency.look_ahead} if latency.look_ahead else {}),
+            tr("analysis"): latency.analysis,
+            tr("display"): self._display,
+        }
         shares = " + ".join(f"{name} {1000 * seconds:.0f}" for name, seconds in words.items())
         judgement, colour = self.judged(total)
         tip = tr(

@@ -67,9 +67,7 @@ class LabelsEdit(QUndoCommand):
     moves : the boundary that it moves; another command that moves the same one continues it.
     """
 
-    def __init__(
-        self, labels: "LabelTiers", after: LabelState, what: str, moves: tuple[object, ...] | None
-    ) -> None:  # fmt: skip
+    def __init__(self, labels: "LabelTiers", after: LabelState, what: str, moves: tuple[object, ...] | None) -> None:
         super().__init__(what)
         self._labels, self._opened = labels, labels.opened
         self._before, self._after = labels.state, after

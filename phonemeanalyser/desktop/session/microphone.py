@@ -182,10 +182,13 @@ class Microphone(QObject):
     error = Signal(str)
 
     def __init__(
-        self, make_listener: Callable[..., Listener] = Listener, list_devices: Callable[[], list[Device]] = devices,
-        journal: Path | None = None, folder: Path | None = None,
+        self,
+        make_listener: Callable[..., Listener] = Listener,
+        list_devices: Callable[[], list[Device]] = devices,
+        journal: Path | None = None,
+        folder: Path | None = None,
         measure: Callable[[InputChoice], Loopback] = measure_loopback,
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__()
         self.choice = InputChoice()
         self.listener: Listener | NoListener = NoListener()

@@ -61,9 +61,11 @@ class Session(QObject):
     error = Signal(str)
 
     def __init__(
-        self, preset: PresetModel, open_device: Callable[[int], Output] = open_output,
+        self,
+        preset: PresetModel,
+        open_device: Callable[[int], Output] = open_output,
         microphone: Microphone | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__()
         self.preset = preset
         self.playback, self.microphone = Playback(open_device), microphone or Microphone()

@@ -219,9 +219,13 @@ class SonagramTiles(QObject):
 
 
 def _levels_of(
-    reader: SoundReader, settings: SonagramSettings, filters: AnalysisSettings | None, key: _Key, progress: Progress,
+    reader: SoundReader,
+    settings: SonagramSettings,
+    filters: AnalysisSettings | None,
+    key: _Key,
+    progress: Progress,
     most_read: float = MOST_READ,
-) -> Float32Array:  # fmt: skip
+) -> Float32Array:
     """Measure a tile from the file, some seconds at a time."""
     period = key.period * SAMPLE_RATE
     at_once = max(1, int(most_read / key.period))

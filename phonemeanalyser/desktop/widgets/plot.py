@@ -177,9 +177,13 @@ class Plot(QWidget):
     """
 
     def __init__(
-        self, title: str, tip: str, axes: tuple[tuple[str, str], tuple[str, str]],
-        read_out: Callable[[float, float], str], theme: Theme,
-    ) -> None:  # fmt: skip
+        self,
+        title: str,
+        tip: str,
+        axes: tuple[tuple[str, str], tuple[str, str]],
+        read_out: Callable[[float, float], str],
+        theme: Theme,
+    ) -> None:
         super().__init__()
         self.theme = theme
         self.graphics = pg.PlotWidget(viewBox=RangeBox(), enableMenu=False, axisItems=live_axes())

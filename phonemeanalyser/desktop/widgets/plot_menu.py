@@ -46,9 +46,7 @@ class PlotMenu(QMenu):
 
     save_asked = Signal(QWidget, str)
 
-    def __init__(
-        self, plot: QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None
-    ) -> None:  # fmt: skip
+    def __init__(self, plot: QWidget, name: str, values: Callable[[QPoint], str], reset: Reset | None = None) -> None:
         super().__init__(plot)
         self._plot, self._name = plot, name
         self._values, self._reset = values, reset

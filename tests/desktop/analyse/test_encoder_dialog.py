@@ -63,7 +63,7 @@ def test_a_folder_without_a_model_is_refused(dialog, files, qtbot, tmp_path):
     dialog.buttons[0].click()
     assert said(dialog, qtbot) == (
         f"{tmp_path}: there is no Whisper model, config.json is missing; choose its folder, or fetch what is missing."
-    )  # fmt: skip
+    )
 
 
 def test_fetching_is_told_and_so_is_its_failure(dialog, qtbot, monkeypatch):

@@ -37,9 +37,15 @@ def panel(desktop, qtbot):
 def turn(view: FileView, x: float, notches: int, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
     place = QPointF(x, 20)
     event = QWheelEvent(
-        place, view.mapToGlobal(place), QPoint(), QPoint(0, NOTCH * notches), Qt.MouseButton.NoButton, modifiers,
-        Qt.ScrollPhase.NoScrollPhase, False,
-    )  # fmt: skip
+        place,
+        view.mapToGlobal(place),
+        QPoint(),
+        QPoint(0, NOTCH * notches),
+        Qt.MouseButton.NoButton,
+        modifiers,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
     QApplication.sendEvent(view, event)
 
 

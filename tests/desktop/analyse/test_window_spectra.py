@@ -269,8 +269,11 @@ def test_the_picture_is_copied_and_saved(window, tmp_path):
         "sonagram.png",
     ]
     assert sorted(path.name for path in tmp_path.glob("mine*")) == [
-        "mine (2).png", "mine (3).png", "mine (4).png", "mine.png",
-    ]  # fmt: skip
+        "mine (2).png",
+        "mine (3).png",
+        "mine (4).png",
+        "mine.png",
+    ]
     saved = QImage(str(tmp_path / "mine (4).png"))
     assert saved.size() == window.analysis.scroll_view.menu.parent().size()
     assert not window.banner.isVisible()

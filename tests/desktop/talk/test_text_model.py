@@ -38,16 +38,19 @@ def test_words_with_times_beside_a_sound_are_aligned_in_these_until_the_text_is_
     assert (desk.texts.text, desk.texts.utterance) == ("so oh", None)
     desk.align()
     assert [(word.text, word.start, word.end) for word in desk.aligner.asked[-1].timed] == [
-        ("so", 0.2, 0.5), ("oh", 0.6, 0.9),
-    ]  # fmt: skip
+        ("so", 0.2, 0.5),
+        ("oh", 0.6, 0.9),
+    ]
     desk.align("so oh oh")
     assert desk.aligner.asked[-1].timed == ()
 
 
 MFA = {
-    "mary - words": [(0.2, 0.5, "so")], "mary - phones": [(0.2, 0.3, "s"), (0.3, 0.5, "o")],
-    "john - words": [(0.6, 0.9, "oh")], "john - phones": [(0.6, 0.9, "o")],
-}  # fmt: skip
+    "mary - words": [(0.2, 0.5, "so")],
+    "mary - phones": [(0.2, 0.3, "s"), (0.3, 0.5, "o")],
+    "john - words": [(0.6, 0.9, "oh")],
+    "john - phones": [(0.6, 0.9, "o")],
+}
 
 
 def test_of_labels_of_several_people_one_is_chosen(desk, tmp_path):

@@ -166,9 +166,15 @@ def test_the_wheel_and_plus_and_minus_come_nearer_and_go_away(window):
     far = head.camera.distance
     place = QPointF(head.width() / 2, head.height() / 2)
     turned = QWheelEvent(
-        place, head.mapToGlobal(place), QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
-    )  # fmt: skip
+        place,
+        head.mapToGlobal(place),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
     QApplication.sendEvent(head, turned)
     near = head.camera.distance
     assert near < far

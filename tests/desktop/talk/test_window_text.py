@@ -130,8 +130,10 @@ def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(wind
     aligned(window, qtbot)
     lanes = panel(window).lanes.lanes.lanes
     assert [(lane.name, list(lane.texts)) for lane in lanes] == [
-        ("words", ["so", "oh"]), ("syllables", ["so", "so"]), ("phones", ["s", "o", "s", "o"]),
-    ]  # fmt: skip
+        ("words", ["so", "oh"]),
+        ("syllables", ["so", "so"]),
+        ("phones", ["s", "o", "s", "o"]),
+    ]
     assert lanes[0].marked == {1}
 
 
@@ -240,8 +242,15 @@ def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot)
 def test_voices_of_women_and_men_come_first_and_a_program_last(window, qtbot):
     below = opened(window, qtbot)
     assert [below.name.itemText(k) for k in range(below.name.count())] == [
-        OWN_VOICE, "f1 (woman)", "f2 (woman)", "m1 (man)", "croak", "klatt", "Reed", OWN_PROGRAM,
-    ]  # fmt: skip
+        OWN_VOICE,
+        "f1 (woman)",
+        "f2 (woman)",
+        "m1 (man)",
+        "croak",
+        "klatt",
+        "Reed",
+        OWN_PROGRAM,
+    ]
 
 
 @popping_up

@@ -17,9 +17,10 @@ from tests.sounds import vowel
 SENTENCE = 0.5
 """Seconds that the voice takes for a sentence."""
 LANGUAGES = (
-    Language("de", "German", "gmw/de"), Language("en-gb", "English (Great Britain)", "gmw/en"),
+    Language("de", "German", "gmw/de"),
+    Language("en-gb", "English (Great Britain)", "gmw/en"),
     Language("en-us", "English (America)", "gmw/en-US"),
-)  # fmt: skip
+)
 
 INSTALLED = Installed(LANGUAGES, ("Reed", "croak", "f1", "f2", "klatt", "m1"))
 

@@ -83,8 +83,15 @@ def test_the_light_is_lit_for_a_second_after_clipping(
 
 def test_the_light_tells_how_long_ago_it_clipped() -> None:
     words = [words_of(ago) for ago in (None, 0.0, 0.9, 1.2, 12.4, 59.4, 60.0)]
-    assert words == ["no clipping", "CLIPPED", "CLIPPED", "clipped 1 s ago", "clipped 12 s ago", "clipped 59 s ago",
-                     "no clipping"]  # fmt: skip
+    assert words == [
+        "no clipping",
+        "CLIPPED",
+        "CLIPPED",
+        "clipped 1 s ago",
+        "clipped 12 s ago",
+        "clipped 59 s ago",
+        "no clipping",
+    ]
 
 
 def test_the_words_of_the_light_fit_into_it(qapp: QApplication, qtbot: QtBot) -> None:

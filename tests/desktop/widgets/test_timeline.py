@@ -171,9 +171,15 @@ def test_the_wheel_zooms_at_the_pointer_a_drag_scrolls_and_all_is_seen_in_any_wi
     place = QPointF(LEFT + 200, 40)
     under = view.lanes.axis.time_at(place.x())
     turned = QWheelEvent(
-        place, view.mapToGlobal(place), QPoint(), QPoint(0, 120), Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier, Qt.ScrollPhase.NoScrollPhase, False,
-    )  # fmt: skip
+        place,
+        view.mapToGlobal(place),
+        QPoint(),
+        QPoint(0, 120),
+        Qt.MouseButton.NoButton,
+        Qt.KeyboardModifier.NoModifier,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
     QApplication.sendEvent(view, turned)
     assert view.lanes.scale == pytest.approx(12.0)
     assert view.lanes.axis.time_at(place.x()) == pytest.approx(under, abs=FRAME_PERIOD)

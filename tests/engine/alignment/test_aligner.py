@@ -28,8 +28,11 @@ def test_words_and_phones_lie_where_they_are_said():
     utterance, aligner = aligned(heard(".sima.lupo."), words("sima lupo"))
     assert spans(utterance) == [("sima", 8, 40), ("lupo", 48, 80)]
     assert [(p.ipa, p.phoneme) for p in utterance.words[0].phones] == [
-        ("s", Phoneme.SZ), ("i", Phoneme.I), ("m", Phoneme.M), ("a", Phoneme.A),
-    ]  # fmt: skip
+        ("s", Phoneme.SZ),
+        ("i", Phoneme.I),
+        ("m", Phoneme.M),
+        ("a", Phoneme.A),
+    ]
     assert utterance.words[0].syllables[0].stress == 1
     assert (utterance.language, utterance.skipped) == ("xx", ())
     assert not aligner.fit.is_wrong

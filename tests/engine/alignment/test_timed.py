@@ -37,9 +37,15 @@ def test_words_keep_their_times_and_their_phones_lie_where_they_are_heard() -> N
     found = placed(SAID, ("sima", 0.081, 0.401), ("lupo", 0.479, 0.799))
     assert spans(found) == [("sima", 0.081, 0.401), ("lupo", 0.479, 0.799)]
     assert phones(found) == [
-        ("s", 0.081), ("i", 0.161), ("m", 0.241), ("a", 0.321),
-        ("l", 0.479), ("u", 0.559), ("p", 0.639), ("o", 0.719),
-    ]  # fmt: skip
+        ("s", 0.081),
+        ("i", 0.161),
+        ("m", 0.241),
+        ("a", 0.321),
+        ("l", 0.479),
+        ("u", 0.559),
+        ("p", 0.639),
+        ("o", 0.719),
+    ]
     assert found.language == "xx"
     assert all(one.end == other.start for word in found.words for one, other in pairwise(word.phones))
 

@@ -18,8 +18,11 @@ def device(name: str, n_inputs: int = 1, *, api: str = "ALSA", default: bool = F
 
 
 YETI, YETI_JACK, BUILT_IN, SPEAKER = (
-    device("Yeti"), device("Yeti", api="JACK"), device("Built-in (hw:0,0)", 2, default=True), device("Speaker", 0)
-)  # fmt: skip
+    device("Yeti"),
+    device("Yeti", api="JACK"),
+    device("Built-in (hw:0,0)", 2, default=True),
+    device("Speaker", 0),
+)
 ALL = [SPEAKER, YETI, YETI_JACK, BUILT_IN]
 
 

@@ -151,9 +151,13 @@ def test_ctrl_c_leaves_whole_files(tmp_path: Path) -> None:
     (tmp_path / "batch.py").write_text(code)
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
     batch = subprocess.Popen(
-        [sys.executable, "batch.py"], cwd=tmp_path, env=environment, stderr=subprocess.PIPE, text=True,
+        [sys.executable, "batch.py"],
+        cwd=tmp_path,
+        env=environment,
+        stderr=subprocess.PIPE,
+        text=True,
         start_new_session=True,
-    )  # fmt: skip
+    )
     signs = tmp_path / "in" / "waits.waiting", tmp_path / "out" / "a.txt"
     wait_for(lambda: batch.poll() is not None or all(sign.exists() for sign in signs))
     assert batch.poll() is None
@@ -180,7 +184,7 @@ def test_processes_end_with_the_program_that_is_killed(tmp_path: Path) -> None:
     environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
     batch = subprocess.Popen(
         [sys.executable, "batch.py"], cwd=tmp_path, env=environment, stdout=subprocess.PIPE, text=True
-    )  # fmt: skip
+    )
     assert batch.stdout is not None
     assert {batch.stdout.readline().strip() for _ in names} == set(names)
     batch.kill()

@@ -103,8 +103,10 @@ def test_what_was_read_lies_beside_the_takes_and_is_none_of_them(
             for teaches in (False, False, True)
         ]
     assert [str(k.path.relative_to(tmp_path).as_posix()) for k in kept] == [
-        "held-back/Ann/english-1.flac", "held-back/Ann/english-1 (2).flac", "read/Ann/english-1.flac"
-    ]  # fmt: skip
+        "held-back/Ann/english-1.flac",
+        "held-back/Ann/english-1 (2).flac",
+        "read/Ann/english-1.flac",
+    ]
     (again,) = read_recordings(kept[0].path)
     assert format_table(again.labels) == format_table(kept[0].labels)
     assert [u.path.name for u in read_recordings(tmp_path)] == ["a-1.flac"]

@@ -6,8 +6,16 @@ import pytest
 from phonemeengine.calibration.held_back import gains_beyond_chance
 from phonemeengine.phonemes import Phoneme
 
-CODES = {"_": Phoneme.SILENCE, "a": Phoneme.A, "e": Phoneme.E, "i": Phoneme.I, "o": Phoneme.O, "u": Phoneme.U,
-         "m": Phoneme.M, "p": Phoneme.P}  # fmt: skip
+CODES = {
+    "_": Phoneme.SILENCE,
+    "a": Phoneme.A,
+    "e": Phoneme.E,
+    "i": Phoneme.I,
+    "o": Phoneme.O,
+    "u": Phoneme.U,
+    "m": Phoneme.M,
+    "p": Phoneme.P,
+}
 SAID = "_aimoeupa_eiamoupie_"
 
 

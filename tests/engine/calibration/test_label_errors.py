@@ -22,8 +22,9 @@ def errors(codes: np.ndarray, **options: float) -> list[tuple[float, float, Phon
 
 def test_only_sure_labels_can_be_missed() -> None:
     assert errors(np.full(80, Phoneme.U, np.uint8)) == [
-        (0.0, 0.2, Phoneme.A, Phoneme.U), (0.6, 0.8, Phoneme.O, Phoneme.U),
-    ]  # fmt: skip
+        (0.0, 0.2, Phoneme.A, Phoneme.U),
+        (0.6, 0.8, Phoneme.O, Phoneme.U),
+    ]
 
 
 def test_an_error_is_seen_at_the_end_of_the_first_frame_that_is_recognised_so() -> None:

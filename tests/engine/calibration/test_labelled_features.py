@@ -76,9 +76,13 @@ def tiny_model(seed: int = 1) -> Model:
 
 @QUICK
 @given(
-    limit=st.floats(0.01, 1.0), o=st.floats(0.5, 8.0), hold=st.integers(0, 6), statistics=st.booleans(),
-    hysteresis=st.sampled_from([0, 0.1, 0.5]), heir=st.sampled_from(list(Phoneme)),
-)  # fmt: skip
+    limit=st.floats(0.01, 1.0),
+    o=st.floats(0.5, 8.0),
+    hold=st.integers(0, 6),
+    statistics=st.booleans(),
+    hysteresis=st.sampled_from([0, 0.1, 0.5]),
+    heir=st.sampled_from(list(Phoneme)),
+)
 def test_a_new_threshold_says_what_the_analyser_says_of_the_files(
     bench, utterances, limit, o, hold, hysteresis, statistics, heir
 ):

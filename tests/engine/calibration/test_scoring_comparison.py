@@ -78,8 +78,11 @@ def test_stretches_say_when_what_was_said_and_what_was_answered() -> None:
         pytest.approx(times) for times in ((0.01, 0.03), (0.03, 0.05), (0, 0.01), (0.06, 0.07))
     ]
     assert [(s.label, s.wrong) for s in found.stretches_one] == [
-        (Phoneme.A, Phoneme.O), (Phoneme.A, Phoneme.M), (Phoneme.SILENCE, Phoneme.M), (Phoneme.O, Phoneme.M)
-    ]  # fmt: skip
+        (Phoneme.A, Phoneme.O),
+        (Phoneme.A, Phoneme.M),
+        (Phoneme.SILENCE, Phoneme.M),
+        (Phoneme.O, Phoneme.M),
+    ]
     assert found.stretches_other == (DifferingSegment(utterance, 0.05, pytest.approx(0.06), Phoneme.O, Phoneme.M),)
     assert len(compare(one, other, most=2).stretches_one) == 2
 

@@ -30,8 +30,15 @@ from tests.sounds import silence, tone
 
 THESIS = load_preset(FACTORY / "thesis.toml")
 MOUTHS = {
-    "silence": "rest", "a": "open", "e": "wide", "i": "wide", "o": "round", "u": "round", "m": "closed", "p": "closed"
-}  # fmt: skip
+    "silence": "rest",
+    "a": "open",
+    "e": "wide",
+    "i": "wide",
+    "o": "round",
+    "u": "round",
+    "m": "closed",
+    "p": "closed",
+}
 CLASSES = ["silence", "sz", "sch", "m", "p", "a", "e", "i", "o", "u"]
 
 
@@ -228,5 +235,7 @@ def test_labels_too_short_for_a_frame_are_nothing_to_score(tmp_path: Path) -> No
 
 def test_all_human_parts_of_a_corpus_are_one_kind() -> None:
     assert [kind_of(answers([], [], corpus=name).utterance) for name in ("human_x", "humane", "espeak")] == [
-        "human", "human", "espeak"
-    ]  # fmt: skip
+        "human",
+        "human",
+        "espeak",
+    ]

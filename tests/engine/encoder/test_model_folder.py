@@ -118,8 +118,10 @@ def test_programs_that_put_it_together_at_once_all_have_it(packages, whisper_fol
     assert [program.communicate()[0].strip() for program in started] == [str(data / "whisper-base")] * 3
     assert (data / "whisper-base" / "model.bin").read_bytes() == (whisper_folder / "model.bin").read_bytes()
     assert sorted(path.name for path in (data / "whisper-base").iterdir()) == [
-        "config.json", "model.bin", "vocabulary.json",
-    ]  # fmt: skip
+        "config.json",
+        "model.bin",
+        "vocabulary.json",
+    ]
 
 
 def test_turned_off_there_is_none_whatever_lies_there(whisper_folder, monkeypatch):

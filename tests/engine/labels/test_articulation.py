@@ -46,9 +46,21 @@ def test_the_classes_of_a_sound_go_from_what_says_the_most_to_what_says_the_leas
 @pytest.mark.parametrize(
     ("phone", "letters"),
     [
-        ("tʰ", "t"), ("t̪", "t"), ("n̩", "n"), ("ɑ̃", "ɑ"), ("õ", "o"), ("ç", "ç"), ("iː", "i"), ("g", "ɡ"),
-        ("t͡ʃ", "tʃ"), ("ʧ", "tʃ"), ("aɪ", "aɪ"), ("oʊ̯", "oʊ"), ("", ""), ("7", ""),
+        ("tʰ", "t"),
+        ("t̪", "t"),
+        ("n̩", "n"),
+        ("ɑ̃", "ɑ"),
+        ("õ", "o"),
+        ("ç", "ç"),
+        ("iː", "i"),
+        ("g", "ɡ"),
+        ("t͡ʃ", "tʃ"),
+        ("ʧ", "tʃ"),
+        ("aɪ", "aɪ"),
+        ("oʊ̯", "oʊ"),
+        ("", ""),
+        ("7", ""),
     ],
-)  # fmt: skip
+)
 def test_marks_change_no_sound_and_two_letters_are_two_sounds(phone: str, letters: str) -> None:
     assert letters_of(phone) == tuple(letters)

@@ -55,7 +55,7 @@ BAD = {
     "words.csv": (CSV + "0,later,x,a,core\n", "line 2: start_s and end_s must be seconds, found '0' and 'later'"),
     "endless_cell.csv": (CSV + "0,1," + "x" * 200_000 + ",a,core\n", "cannot be read as CSV"),
     "labels.doc": ("0\t1\ta\n", "read from .TextGrid, .txt"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("name", BAD)

@@ -41,10 +41,18 @@ def test_a_word_may_be_said_later() -> None:
 @pytest.mark.parametrize(
     ("name", "ipa", "stress"),
     [
-        ("AA1", ("ɑ",), 1), ("AH0", ("ə",), 0), ("AH2", ("ʌ",), 2), ("JH", ("d", "ʒ"), 0), ("AY1", ("aɪ",), 1),
-        ("tʃ", ("t", "ʃ"), 0), ("tʃ_cl", ("t",), 0), ("tʃ_fr", ("ʃ",), 0), ("aː", ("a",), 0), ("ˈn̩", ("n̩",), 0),
+        ("AA1", ("ɑ",), 1),
+        ("AH0", ("ə",), 0),
+        ("AH2", ("ʌ",), 2),
+        ("JH", ("d", "ʒ"), 0),
+        ("AY1", ("aɪ",), 1),
+        ("tʃ", ("t", "ʃ"), 0),
+        ("tʃ_cl", ("t",), 0),
+        ("tʃ_fr", ("ʃ",), 0),
+        ("aː", ("a",), 0),
+        ("ˈn̩", ("n̩",), 0),
     ],
-)  # fmt: skip
+)
 def test_a_phone_has_a_name_in_the_ipa_whether_it_is_written_so_or_in_arpabet(
     name: str, ipa: tuple[str, ...], stress: int
 ) -> None:

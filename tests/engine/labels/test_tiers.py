@@ -60,8 +60,9 @@ def test_the_corpus_format_keeps_phone_and_certainty_of_what_is_not_renamed(tmp_
     (found,) = read_tiers(path)
     write_tiers([renamed(found, 1, "sz")], path)
     assert path.read_text().splitlines()[1:] == [
-        "0.100000,0.200000,ɛ,e,ambiguous", "0.200000,0.300000,sz,sz,core",
-    ]  # fmt: skip
+        "0.100000,0.200000,ɛ,e,ambiguous",
+        "0.200000,0.300000,sz,sz,core",
+    ]
 
 
 def test_a_textgrid_keeps_the_columns_of_the_corpus_format_as_tiers(tmp_path: Path) -> None:
@@ -71,8 +72,10 @@ def test_a_textgrid_keeps_the_columns_of_the_corpus_format_as_tiers(tmp_path: Pa
     write_tiers(found, tmp_path / "x.TextGrid", duration=0.5)
     again = read_tiers(tmp_path / "x.TextGrid")
     assert {t.name: [name for _, _, name in shown(t)] for t in again} == {
-        "x": ["e", "sch"], "transcription": ["ɛ", "ʃ"], "certainty": ["ambiguous", "core"],
-    }  # fmt: skip
+        "x": ["e", "sch"],
+        "transcription": ["ɛ", "ʃ"],
+        "certainty": ["ambiguous", "core"],
+    }
     assert {tuple((start, end) for start, end, _ in shown(t)) for t in again} == {((0.1, 0.2), (0.2, 0.3))}
     assert phoneme_tier_of(again, PhonemeMap()).name == "x"
     assert columns_lost(found, tmp_path / "x.TextGrid") == ()

@@ -14,55 +14,99 @@ from phonemeengine.labels.utterance_files import read_utterance, tells_sounds
 HELLO = (TimedWord(0.5, 0.9, "Hello,"), TimedWord(1.0, 1.4, "world."))
 SHAPES: dict[str, Any] = {
     "Whisper": {
-        "text": " Hello, world.", "language": "en",
+        "text": " Hello, world.",
+        "language": "en",
         "segments": [
-            {"id": 0, "start": 0.5, "end": 1.4, "text": " Hello, world.", "words": [
-                {"word": " Hello,", "start": 0.5, "end": 0.9, "probability": 0.9},
-                {"word": " world.", "start": 1.0, "end": 1.4, "probability": 0.8},
-            ]},
+            {
+                "id": 0,
+                "start": 0.5,
+                "end": 1.4,
+                "text": " Hello, world.",
+                "words": [
+                    {"word": " Hello,", "start": 0.5, "end": 0.9, "probability": 0.9},
+                    {"word": " world.", "start": 1.0, "end": 1.4, "probability": 0.8},
+                ],
+            },
         ],
     },
     "faster-whisper": [
         {"start": 0.5, "end": 0.9, "text": " Hello,", "words": [{"start": 0.5, "end": 0.9, "word": " Hello,"}]},
         {"start": 1.0, "end": 1.4, "text": " world.", "words": [{"start": 1.0, "end": 1.4, "word": " world."}]},
     ],
-    "WhisperX, words alone": {"word_segments": [
-        {"word": "Hello,", "start": 0.5, "end": 0.9, "score": 0.5}, {"word": "world.", "start": 1.0, "end": 1.4},
-    ]},
-    "OpenAI": {"task": "transcribe", "duration": 2.0, "words": [
-        {"word": "Hello,", "start": 0.5, "end": 0.9}, {"word": "world.", "start": 1.0, "end": 1.4},
-    ]},
-    "ElevenLabs, transcription": {"language_code": "en", "words": [
-        {"text": "Hello,", "start": 0.5, "end": 0.9, "type": "word", "speaker_id": "speaker_0"},
-        {"text": " ", "start": 0.9, "end": 1.0, "type": "spacing", "speaker_id": "speaker_0"},
-        {"text": "world.", "start": 1.0, "end": 1.4, "type": "word", "speaker_id": "speaker_0"},
-        {"text": "(laughs)", "start": 1.5, "end": 1.9, "type": "audio_event", "speaker_id": "speaker_0"},
-    ]},
-    "ElevenLabs, speech": {"audio_base64": "", "alignment": {
-        "characters": list("Hello, world."),
-        "character_start_times_seconds": [0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0, 1.1, 1.2, 1.25, 1.3, 1.35],
-        "character_end_times_seconds": [0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0, 1.1, 1.2, 1.25, 1.3, 1.35, 1.4],
-    }},
-    "Azure, phrase": {"RecognitionStatus": "Success", "NBest": [
-        {"Confidence": 0.9, "Words": [
-            {"Word": "Hello,", "Offset": 5_000_000, "Duration": 4_000_000},
-            {"Word": "world.", "Offset": 10_000_000, "Duration": 4_000_000},
-        ]},
-        {"Confidence": 0.1, "Words": [{"Word": "hollow", "Offset": 5_000_000, "Duration": 9_000_000}]},
-    ]},
-    "Azure, batch": {"recognizedPhrases": [{"nBest": [{"words": [
-        {"word": "Hello,", "offsetInTicks": 5_000_000.0, "durationInTicks": 4_000_000.0},
-        {"word": "world.", "offsetInTicks": 10_000_000.0, "durationInTicks": 4_000_000.0},
-    ]}]}]},
-    "Azure, fast": {"phrases": [{"speaker": 1, "words": [
-        {"text": "Hello,", "offsetMilliseconds": 500, "durationMilliseconds": 400},
-        {"text": "world.", "offsetMilliseconds": 1000, "durationMilliseconds": 400},
-    ]}]},
+    "WhisperX, words alone": {
+        "word_segments": [
+            {"word": "Hello,", "start": 0.5, "end": 0.9, "score": 0.5},
+            {"word": "world.", "start": 1.0, "end": 1.4},
+        ]
+    },
+    "OpenAI": {
+        "task": "transcribe",
+        "duration": 2.0,
+        "words": [
+            {"word": "Hello,", "start": 0.5, "end": 0.9},
+            {"word": "world.", "start": 1.0, "end": 1.4},
+        ],
+    },
+    "ElevenLabs, transcription": {
+        "language_code": "en",
+        "words": [
+            {"text": "Hello,", "start": 0.5, "end": 0.9, "type": "word", "speaker_id": "speaker_0"},
+            {"text": " ", "start": 0.9, "end": 1.0, "type": "spacing", "speaker_id": "speaker_0"},
+            {"text": "world.", "start": 1.0, "end": 1.4, "type": "word", "speaker_id": "speaker_0"},
+            {"text": "(laughs)", "start": 1.5, "end": 1.9, "type": "audio_event", "speaker_id": "speaker_0"},
+        ],
+    },
+    "ElevenLabs, speech": {
+        "audio_base64": "",
+        "alignment": {
+            "characters": list("Hello, world."),
+            "character_start_times_seconds": [0.5, 0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0, 1.1, 1.2, 1.25, 1.3, 1.35],
+            "character_end_times_seconds": [0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 1.0, 1.1, 1.2, 1.25, 1.3, 1.35, 1.4],
+        },
+    },
+    "Azure, phrase": {
+        "RecognitionStatus": "Success",
+        "NBest": [
+            {
+                "Confidence": 0.9,
+                "Words": [
+                    {"Word": "Hello,", "Offset": 5_000_000, "Duration": 4_000_000},
+                    {"Word": "world.", "Offset": 10_000_000, "Duration": 4_000_000},
+                ],
+            },
+            {"Confidence": 0.1, "Words": [{"Word": "hollow", "Offset": 5_000_000, "Duration": 9_000_000}]},
+        ],
+    },
+    "Azure, batch": {
+        "recognizedPhrases": [
+            {
+                "nBest": [
+                    {
+                        "words": [
+                            {"word": "Hello,", "offsetInTicks": 5_000_000.0, "durationInTicks": 4_000_000.0},
+                            {"word": "world.", "offsetInTicks": 10_000_000.0, "durationInTicks": 4_000_000.0},
+                        ]
+                    }
+                ]
+            }
+        ]
+    },
+    "Azure, fast": {
+        "phrases": [
+            {
+                "speaker": 1,
+                "words": [
+                    {"text": "Hello,", "offsetMilliseconds": 500, "durationMilliseconds": 400},
+                    {"text": "world.", "offsetMilliseconds": 1000, "durationMilliseconds": 400},
+                ],
+            }
+        ]
+    },
     "Azure, synthesis": [
         {"Text": "Hello,", "AudioOffset": 500, "Duration": 400},
         {"Text": "world.", "AudioOffset": 1000, "Duration": 400},
     ],
-}  # fmt: skip
+}
 
 
 def read(tmp_path: Path, document: Any, **options: Any) -> tuple[TimedWord, ...]:
@@ -152,9 +196,11 @@ def test_the_tiers_of_one_of_several_speakers_are_read(tmp_path: Path) -> None:
     """As the Montreal Forced Aligner names them."""
     path = tmp_path / "a.TextGrid"
     tiers = {
-        "mary - words": [(0.1, 0.5, "see")], "mary - phones": [(0.1, 0.3, "s"), (0.3, 0.5, "i")],
-        "john - words": [(0.6, 1.0, "me")], "john - phones": [(0.6, 0.8, "m"), (0.8, 1.0, "i")],
-    }  # fmt: skip
+        "mary - words": [(0.1, 0.5, "see")],
+        "mary - phones": [(0.1, 0.3, "s"), (0.3, 0.5, "i")],
+        "john - words": [(0.6, 1.0, "me")],
+        "john - phones": [(0.6, 0.8, "m"), (0.8, 1.0, "i")],
+    }
     path.write_text(format_tiers(tiers, 2.0))
     assert tells_sounds(path, "john")
     said = read_utterance(path, 2.0, speaker="john")

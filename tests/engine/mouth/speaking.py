@@ -12,10 +12,22 @@ from phonemeengine.recognition.segments import Segment
 from phonemeengine.settings import FRAME_PERIOD
 
 PARTS = (
-    (Phoneme.SILENCE, 0.30), (Phoneme.M, 0.09), (Phoneme.A, 0.21), (Phoneme.SZ, 0.02), (Phoneme.A, 0.12),
-    (Phoneme.P, 0.07), (Phoneme.O, 0.25), (Phoneme.SCH, 0.11), (Phoneme.UNIDENTIFIED, 0.08), (Phoneme.I, 0.19),
-    (Phoneme.SILENCE, 0.41), (Phoneme.SZ, 0.10), (Phoneme.E, 0.15), (Phoneme.U, 0.20), (Phoneme.SILENCE, 0.205),
-)  # fmt: skip
+    (Phoneme.SILENCE, 0.30),
+    (Phoneme.M, 0.09),
+    (Phoneme.A, 0.21),
+    (Phoneme.SZ, 0.02),
+    (Phoneme.A, 0.12),
+    (Phoneme.P, 0.07),
+    (Phoneme.O, 0.25),
+    (Phoneme.SCH, 0.11),
+    (Phoneme.UNIDENTIFIED, 0.08),
+    (Phoneme.I, 0.19),
+    (Phoneme.SILENCE, 0.41),
+    (Phoneme.SZ, 0.10),
+    (Phoneme.E, 0.15),
+    (Phoneme.U, 0.20),
+    (Phoneme.SILENCE, 0.205),
+)
 DURATION = sum(length for _, length in PARTS)
 
 

@@ -16,11 +16,15 @@ from tests.conftest import ROOT
 
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 GOOD: dict[str, Any] = {
-    "format": FORMAT, "sound": "a.wav", "duration": 0.1, "rate": 20, "table": "arkit",
+    "format": FORMAT,
+    "sound": "a.wav",
+    "duration": 0.1,
+    "rate": 20,
+    "table": "arkit",
     "cues": [{"start": 0, "end": 0.1, "phoneme": "a", "shape": "a", "intensity": 0.5}],
     "curves": [{"name": "jawOpen", "values": [0, 0.5, 1]}, {"name": "mouthClose", "values": [0, 0, 0.25]}],
     "head": [{"name": "pitch", "values": [0, 1, 2]}],
-}  # fmt: skip
+}
 
 
 def read(**changes: Any) -> Any:

@@ -196,9 +196,11 @@ def test_rounded_times_keep_the_shortest_cue(name: str, minimum: float) -> None:
         at = runs[-1].end
     text = written(name, Transcript("long.wav", at, tuple(runs)), minimum=minimum)
     starts = {
-        "rhubarb-tsv": r"^([\d.]+)\t", "rhubarb-xml": r'mouthCue start="([\d.]+)"',
-        "rhubarb-json": r'"start": ([\d.]+)', "anno": r"^phn (\d+)",
-    }  # fmt: skip
+        "rhubarb-tsv": r"^([\d.]+)\t",
+        "rhubarb-xml": r'mouthCue start="([\d.]+)"',
+        "rhubarb-json": r'"start": ([\d.]+)',
+        "anno": r"^phn (\d+)",
+    }
     times = np.array([float(start) for start in re.findall(starts[name], text, re.MULTILINE)])
     assert len(times) > 500
     assert np.diff(times / (1000 if name == "anno" else 1)).min() >= minimum - 1e-9

@@ -112,8 +112,9 @@ class TestGltf:
             quad["meshes"][0]["primitives"][0]["mode"] = mode
             quad |= {
                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}],
-                "bufferViews": [{"buffer": 0, "byteLength": 48}], "buffers": [{"byteLength": 48, "uri": "a.bin"}],
-            }  # fmt: skip
+                "bufferViews": [{"buffer": 0, "byteLength": 48}],
+                "buffers": [{"byteLength": 48, "uri": "a.bin"}],
+            }
             mesh = parse_gltf(json.dumps(quad).encode(), {"a.bin": points.tobytes()}.get).mesh
             assert len(mesh.triangles) == 2
             np.testing.assert_allclose(mesh.normals, np.tile((0, 0, 1), (4, 1)), atol=1e-6)

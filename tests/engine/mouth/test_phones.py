@@ -139,8 +139,10 @@ def test_shipped_tables_have_the_shapes_that_these_programs_define(name: str, ph
 
 def test_shapes_of_phones_are_made_as_a_phonetician_says() -> None:
     """f has the lower lip at the upper teeth, th the tongue between them; l shows it too; w is rounder than r."""
-    on = {name: dict(zip(ARKIT.movestates, row, strict=True)) for name, row in
-          zip(ARKIT.shapes, ARKIT.shape_weights().tolist(), strict=True)}  # fmt: skip
+    on = {
+        name: dict(zip(ARKIT.movestates, row, strict=True))
+        for name, row in zip(ARKIT.shapes, ARKIT.shape_weights().tolist(), strict=True)
+    }
     assert on["f"]["mouthRollLower"] > 0.5
     assert on["f"]["mouthUpperUpLeft"] == on["f"]["mouthUpperUpRight"] > 0.5
     assert on["f"]["jawOpen"] < 0.1
@@ -182,8 +184,10 @@ def test_a_phone_of_which_only_the_phoneme_is_known_is_shown_as_that() -> None:
     word = Word("?", (Syllable((Phone(0.0, 0.5, "", Phoneme.A), Phone(0.5, 0.6, "sil", Phoneme.SILENCE))),))
     said = transcript_of_utterance(Utterance((word,), 1.0), np.zeros(0, np.float32), np.zeros(0, np.float32), "x")
     assert [(run.phoneme, run.phone) for run in said.runs] == [
-        (Phoneme.A, ""), (Phoneme.SILENCE, ""), (Phoneme.SILENCE, "")
-    ]  # fmt: skip
+        (Phoneme.A, ""),
+        (Phoneme.SILENCE, ""),
+        (Phoneme.SILENCE, ""),
+    ]
     assert shapes_in(said, ARKIT) == ["a", "silence"]
 
 
@@ -252,10 +256,16 @@ def test_far_characters_follow_no_phones(detail: Detail) -> None:
 @pytest.mark.parametrize(
     ("form", "line"),
     [
-        ("rhubarb-tsv", "\tG"), ("rhubarb-tsv", "\tH"), ("moho-dat", " FV"), ("papagayo-pgo", " L"), ("anno", " TH"),
-        ("textgrid", '"f"'), ("curves-json", '"shape": "th", "intensity": 0.7, "phone": "θ"'), ("audacity", "\tu"),
+        ("rhubarb-tsv", "\tG"),
+        ("rhubarb-tsv", "\tH"),
+        ("moho-dat", " FV"),
+        ("papagayo-pgo", " L"),
+        ("anno", " TH"),
+        ("textgrid", '"f"'),
+        ("curves-json", '"shape": "th", "intensity": 0.7, "phone": "θ"'),
+        ("audacity", "\tu"),
     ],
-)  # fmt: skip
+)
 def test_files_hold_the_shapes_of_phones(form: str, line: str) -> None:
     said = phones_said(("f", 0.15), ("ɛ", 0.15), ("l", 0.15), ("ə", 0.15), ("θ", 0.15), ("w", 0.15))
     options = ExportOptions(table="arkit" if form == "textgrid" else None)

@@ -82,9 +82,16 @@ class TestTheLayout:
     def test_text_says_the_same_with_captions(self):
         lines = format_3dma(parse_3dm(GOOD)).decode().splitlines()
         assert [line for line in lines if line] == [
-            "3dma01", "number of movestates: 1", "movestate: smile", "vertices: 2", "3 1.0 2.0 3.0", "5 4.0 5.0 6.0",
-            "all vertices that move: 2", "3 10.0 20.0 30.0", "5 40.0 50.0 60.0",
-        ]  # fmt: skip
+            "3dma01",
+            "number of movestates: 1",
+            "movestate: smile",
+            "vertices: 2",
+            "3 1.0 2.0 3.0",
+            "5 4.0 5.0 6.0",
+            "all vertices that move: 2",
+            "3 10.0 20.0 30.0",
+            "5 40.0 50.0 60.0",
+        ]
 
     @given(face=faces())
     def test_both_formats_keep_every_bit(self, face: MorphTargets):
@@ -109,7 +116,8 @@ REFUSED = {
     "one state less": (file(ONE, ONE, n=1, moving=MOVING), "lacks|is said to be|follow its end"),
     "endless name": (file(state(b"smile", length=HUGE)), "name of movestate 0 is said to be 4294967295"),
     "more vertices than there is room": (
-        file(state(b"s", block((3,), 1, 2, 3, n=HUGE)), moving=MOVING), "'s' is said to be 4294967295, .* room for 3",
+        file(state(b"s", block((3,), 1, 2, 3, n=HUGE)), moving=MOVING),
+        "'s' is said to be 4294967295, .* room for 3",
     ),
     "more moving vertices": (file(ONE, moving=block((3, 5), 1, 2, 3, n=1 << 20)), "that move is said to be 1048576"),
     "one byte less": (GOOD[:-1], "room for 1"),
@@ -127,7 +135,7 @@ REFUSED = {
     "no name": (file(state(b"", block()), moving=block()), "got ''"),
     "a name of two lines": (file(state(b"a\nb", block()), moving=block()), "the name of a movestate is"),
     "a name in no alphabet": (file(state(b"\x81\x8d", block()), moving=block()), "movestate 0 is no text"),
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize(("content", "said"), REFUSED.values(), ids=REFUSED)

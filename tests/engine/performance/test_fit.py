@@ -31,9 +31,7 @@ def example(halves: RecordedHalves, first: int, last: int) -> Chosen:
     return halves, Example(1, first, last, 0.0)
 
 
-def shown(
-    placed: list[PlacedUnit], chosen: list[Chosen], bounds: Float64Array, times: list[float]
-) -> Float32Array:  # fmt: skip
+def shown(placed: list[PlacedUnit], chosen: list[Chosen], bounds: Float64Array, times: list[float]) -> Float32Array:
     return fitted(placed, chosen, bounds, np.array(times))[:, 0]
 
 

@@ -42,9 +42,14 @@ def _recorded(rhythm: str, length: float = 0.2, **movements: Movement) -> Perfor
 
 
 def _said(
-    folder: Path, rhythm: str, *performances: Performance, keywords: Keywords | None = NONE, language: str = "en",
-    length: float = 0.2, n_more: int = 0,
-) -> Moved:  # fmt: skip
+    folder: Path,
+    rhythm: str,
+    *performances: Performance,
+    keywords: Keywords | None = NONE,
+    language: str = "en",
+    length: float = 0.2,
+    n_more: int = 0,
+) -> Moved:
     phones = said(rhythm, length)
     with table_of(folder, *performances) as table:
         driver = HeadDriver(table, words_of(rhythm), language, keywords)
@@ -202,10 +207,15 @@ def test_brows_are_looked_up_where_only_they_were_recorded(tmp_path: Path) -> No
 def test_a_sentence_of_a_longer_text_moves_as_it_does_alone(tmp_path: Path) -> None:
     phones, words = said("da no da"), words_of("da no da")
     later = [
-        replace(phone, start=phone.start + 9, middle=phone.middle + 9, end=phone.end + 9,
-                word=phone.word + 4 if phone.word >= 0 else -1)
+        replace(
+            phone,
+            start=phone.start + 9,
+            middle=phone.middle + 9,
+            end=phone.end + 9,
+            word=phone.word + 4 if phone.word >= 0 else -1,
+        )
         for phone in phones
-    ]  # fmt: skip
+    ]
     with table_of(tmp_path, _recorded("da da da", headPitch=_at(0.6, -5.0))) as table:
         times = _times(phones[-1].end)
         alone = HeadDriver(table, words, "en").track(phones, times)

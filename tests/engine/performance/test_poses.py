@@ -100,8 +100,12 @@ def test_the_poses_that_ship_shut_lips_first() -> None:
         "k": None,
     }
     assert [pose.shape for name in ("oʊ", "u", "l", "θ", "ð") if (pose := poses.pose_of(name))] == [
-        "o", "round", "l", "th", "th",
-    ]  # fmt: skip
+        "o",
+        "round",
+        "l",
+        "th",
+        "th",
+    ]
 
 
 @pytest.mark.parametrize(
@@ -117,7 +121,7 @@ def test_the_poses_that_ship_shut_lips_first() -> None:
 )
 def test_a_file_that_says_something_impossible_is_refused(
     tmp_path: Path, change: tuple[str, str], complaint: str
-) -> None:  # fmt: skip
+) -> None:
     path = tmp_path / "mine.toml"
     path.write_text(USUAL_POSES.read_text(encoding="utf-8").replace(*change), encoding="utf-8")
     with pytest.raises(MouthError, match="mine.toml: .*" + complaint):

@@ -21,9 +21,13 @@ def test_a_pause_between_words_is_silence_and_a_gap_within_one_belongs_to_the_ph
     said = _utterance([(0.1, 0.2), (0.3, 0.4)], [(0.6, 0.7)], duration=1.0)
     found = [(phone.name, phone.start, phone.end) for phone in phones_of(said)]
     assert found == [
-        (SILENCE, 0, 0.1), ("a", 0.1, 0.3), ("a", 0.3, 0.4), (SILENCE, 0.4, 0.6), ("a", 0.6, 0.7),
+        (SILENCE, 0, 0.1),
+        ("a", 0.1, 0.3),
+        ("a", 0.3, 0.4),
+        (SILENCE, 0.4, 0.6),
+        ("a", 0.6, 0.7),
         (SILENCE, 0.7, 1.0),
-    ]  # fmt: skip
+    ]
 
 
 def test_what_nobody_says_is_silence_alone() -> None:

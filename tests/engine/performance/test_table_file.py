@@ -142,8 +142,10 @@ def test_a_table_that_cannot_be_written_is_refused(tmp_path: Path) -> None:
 def test_a_performance_refuses_what_is_impossible() -> None:
     good = performance_of("ma")
     for weights, phones in (
-        (good.weights[:, :1], good.phones), (good.weights * np.nan, good.phones), (good.weights, good.phones[1:]),
+        (good.weights[:, :1], good.phones),
+        (good.weights * np.nan, good.phones),
+        (good.weights, good.phones[1:]),
         (good.weights, (*good.phones[:1], *good.phones[2:])),
-    ):  # fmt: skip
+    ):
         with pytest.raises(PerformanceError, match=r"^ma: "):
             Performance("ma", 100.0, CHANNELS, weights, phones)

@@ -44,13 +44,23 @@ def test_every_sound_but_those_of_lips_and_glottis_has_a_pose() -> None:
 @pytest.mark.parametrize(
     ("letter", "channel"),
     [
-        ("θ", "tongueTipInterdental"), ("ð", "tongueTipInterdental"), ("t", "tongueTipAlveolar"),
-        ("n", "tongueTipAlveolar"), ("l", "tongueTipAlveolar"), ("ɾ", "tongueTipAlveolar"),
-        ("ʃ", "tongueFrontDorsalPalate"), ("ɕ", "tongueFrontDorsalPalate"), ("j", "tongueMidDorsalPalate"),
-        ("k", "tongueBackDorsalVelar"), ("ŋ", "tongueBackDorsalVelar"), ("u", "tongueBackDorsalVelar"),
-        ("ʁ", "tongueRetreat"), ("ɹ", "tongueRetreat"), ("i", "tongueMidDorsalPalate"),
+        ("θ", "tongueTipInterdental"),
+        ("ð", "tongueTipInterdental"),
+        ("t", "tongueTipAlveolar"),
+        ("n", "tongueTipAlveolar"),
+        ("l", "tongueTipAlveolar"),
+        ("ɾ", "tongueTipAlveolar"),
+        ("ʃ", "tongueFrontDorsalPalate"),
+        ("ɕ", "tongueFrontDorsalPalate"),
+        ("j", "tongueMidDorsalPalate"),
+        ("k", "tongueBackDorsalVelar"),
+        ("ŋ", "tongueBackDorsalVelar"),
+        ("u", "tongueBackDorsalVelar"),
+        ("ʁ", "tongueRetreat"),
+        ("ɹ", "tongueRetreat"),
+        ("i", "tongueMidDorsalPalate"),
     ],
-)  # fmt: skip
+)
 def test_each_place_of_articulation_has_its_movestate(letter: str, channel: str) -> None:
     weights = _shape(letter)
     assert TONGUE[int(np.argmax(weights))] == channel or weights[TONGUE.index(channel)] == weights.max()

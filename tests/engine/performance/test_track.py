@@ -64,9 +64,7 @@ def table(tmp_path: Path) -> Iterator[PerformanceTable]:
         yield opened
 
 
-def track_of(
-    table: PerformanceTable, utterance: Utterance, options: PerformanceOptions = PLAIN
-) -> PerformanceTrack:  # fmt: skip
+def track_of(table: PerformanceTable, utterance: Utterance, options: PerformanceOptions = PLAIN) -> PerformanceTrack:
     return PerformanceTrack(utterance, heard(utterance), table, options)
 
 

@@ -53,11 +53,14 @@ def test_the_first_and_last_triphone_of_a_sentence_of_one_phone_are_the_same() -
 def test_a_sentence_without_a_word_is_halves_and_a_join() -> None:
     phones = phones_in("")
     assert [unit.kind for unit in units_of(phones)] == [
-        UnitKind.BOUNDARY_DIPHONE, *[UnitKind.RIGHT_HALF] * 2, *[UnitKind.LEFT_HALF] * 2
-    ]  # fmt: skip
+        UnitKind.BOUNDARY_DIPHONE,
+        *[UnitKind.RIGHT_HALF] * 2,
+        *[UnitKind.LEFT_HALF] * 2,
+    ]
     assert [*units_of(phones[:1])] == [
-        Unit(UnitKind.RIGHT_HALF, (SILENCE,), 1, 2), Unit(UnitKind.LEFT_HALF, (SILENCE,), 0, 1)
-    ]  # fmt: skip
+        Unit(UnitKind.RIGHT_HALF, (SILENCE,), 1, 2),
+        Unit(UnitKind.LEFT_HALF, (SILENCE,), 0, 1),
+    ]
 
 
 def test_a_pause_within_a_sentence_is_no_boundary() -> None:

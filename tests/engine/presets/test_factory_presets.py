@@ -101,7 +101,7 @@ def test_phoneme_data_means_one_thing(tmp_path):
         ("thesis-anti-aliased", {"filters other than the thesis's", "hold and hysteresis", SUCCESSORS, "notes"}),
         ("templates", {"the recogniser templates", "hold and hysteresis", "templates", SUCCESSORS, "notes"}),
     ],
-)  # fmt: skip
+)
 def test_it_is_said_what_a_phoneme_data_file_cannot_hold(name: str, words: set[str]):
     assert set(beyond_phoneme_data(load_preset(name))) == words
 

@@ -12,13 +12,28 @@ from phonemeengine.presets.files import format_phoneme_data, parse_phoneme_data
 from phonemeengine.recognition.phoneme_data import PhonemeData
 
 NAMES = (
-    "time_smooth", "frequency_smooth", "high_pass_start", "high_pass_end", "denoise_threshold",
-    "silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1",
-    "szsch_szsch1", "sz_s1",
-    "p_max_energy", "p_energy_n", "p_p1", "p_p2",
-    "ae_ae1", "a_a1",
-    "ouim_ae1", "u_o1", "o_o1", "i_o1",
-)  # fmt: skip
+    "time_smooth",
+    "frequency_smooth",
+    "high_pass_start",
+    "high_pass_end",
+    "denoise_threshold",
+    "silence_zero_crossings",
+    "silence_energy",
+    "silence_max_energy",
+    "silence_szsch1",
+    "szsch_szsch1",
+    "sz_s1",
+    "p_max_energy",
+    "p_energy_n",
+    "p_p1",
+    "p_p2",
+    "ae_ae1",
+    "a_a1",
+    "ouim_ae1",
+    "u_o1",
+    "o_o1",
+    "i_o1",
+)
 COUNTING = "1,2,3,4,5\n6,7,8,9\n10,11\n12,13,14,15\n16,17\n18,19,20,21\n"
 EXAMPLE = PhonemeData(**{name: float(k) for k, name in enumerate(NAMES, 1)})
 float32 = st.floats(width=32, allow_nan=False, allow_infinity=False)

@@ -116,8 +116,10 @@ def test_phoneme_data_was_tuned_with_the_front_end_of_the_thesis(tmp_path: Path)
     assert (settings.step, settings.decimation, settings.n_bins) == (4, Decimation.PLAIN, 256)
     assert settings.window_in_force is WindowFunction.RECTANGLE
     assert settings.filters == AnalysisSettings().filters | {
-        Filter.TIME_SMOOTH, Filter.FREQUENCY_SMOOTH, Filter.DENOISE,
-    }  # fmt: skip
+        Filter.TIME_SMOOTH,
+        Filter.FREQUENCY_SMOOTH,
+        Filter.DENOISE,
+    }
     assert (settings.minimum_hold, settings.hysteresis, preset.variables) == (0.02, 0.0, ())
     assert (settings.time_smooth, settings.frequency_smooth, settings.denoise_threshold) == (0.5, 0.25, 0.125)
     assert preset.name == "old"

@@ -62,9 +62,17 @@ def test_one_share_holds_for_every_score():
 
 @pytest.mark.parametrize(
     ("scores", "shares"),
-    [((), ()), ((0.5,), (0.5, 0.6)), ((0.6, 0.5), (0, 1)), ((0, 1), (0.8, 0.2)), ((0, 2), (0, 1)), ((0, 1), (-1, 1)),
-     ((0, float("nan")), (0, 1)), (tuple(k / 20 for k in range(17)), tuple(k / 20 for k in range(17)))],
-)  # fmt: skip
+    [
+        ((), ()),
+        ((0.5,), (0.5, 0.6)),
+        ((0.6, 0.5), (0, 1)),
+        ((0, 1), (0.8, 0.2)),
+        ((0, 2), (0, 1)),
+        ((0, 1), (-1, 1)),
+        ((0, float("nan")), (0, 1)),
+        (tuple(k / 20 for k in range(17)), tuple(k / 20 for k in range(17))),
+    ],
+)
 def test_what_is_no_curve_is_refused(scores: tuple[float, ...], shares: tuple[float, ...]):
     with pytest.raises(PresetError, match="rising scores and as many shares"):
         ConfidenceCurve(scores, shares)

@@ -376,9 +376,12 @@ def test_a_mouth_closes_teeth_on_lip_where_an_f_is_heard(tmp_path):
     preset = preset_of(tone_model(SOUNDS, visemes=SEEN))
     runs = transcript_of(heard(preset), "tones", len(SOUND) / SAMPLE_RATE).runs
     assert [(run.phoneme, run.phone) for run in runs if run.end - run.start > 0.05] == [
-        (Phoneme.SILENCE, ""), (Phoneme.UNIDENTIFIED, "f"), (Phoneme.SILENCE, ""), (Phoneme.UNIDENTIFIED, "n"),
         (Phoneme.SILENCE, ""),
-    ]  # fmt: skip
+        (Phoneme.UNIDENTIFIED, "f"),
+        (Phoneme.SILENCE, ""),
+        (Phoneme.UNIDENTIFIED, "n"),
+        (Phoneme.SILENCE, ""),
+    ]
     table = load_table("oculus")
     performer = Performer(table, MOUTH_ALONE)
     performer.hear(timed_frames(concatenate_analyses(heard(preset)), len(SOUND) / SAMPLE_RATE))

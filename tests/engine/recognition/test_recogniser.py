@@ -57,9 +57,13 @@ def refusal(name: str = "own", thresholds: Thresholds = OPENS_AT_A_TENTH) -> str
 
 def test_an_installed_recogniser_is_listed_but_not_imported(example_site: Path):
     done = subprocess.run(
-        [sys.executable, "-c", LISTED], env=environment_with(example_site),
-        capture_output=True, text=True, timeout=240, check=True,
-    )  # fmt: skip
+        [sys.executable, "-c", LISTED],
+        env=environment_with(example_site),
+        capture_output=True,
+        text=True,
+        timeout=240,
+        check=True,
+    )
     assert done.stdout.split() == [*BUILT_IN, "brightness", "loudness", "False"]
 
 
@@ -159,7 +163,7 @@ BROKEN = {
         "xxx…)",
     ),
     "nothing to recognise with": ("class Own:\n    def __init__(self, thresholds): pass", "cannot recognise (A"),
-}  # fmt: skip
+}
 WRONG_CODES = {
     "np.zeros(2, np.uint8)": "gave uint8, shape (2,) where codes of uint8, shape (3,), are wanted",
     "np.zeros((3, 1), np.uint8)": "gave uint8, shape (3, 1) where codes of uint8, shape (3,), are wanted",

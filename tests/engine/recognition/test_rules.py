@@ -17,9 +17,20 @@ from phonemeengine.recognition.spec import RecogniserConfig, recogniser_of
 THRESHOLD_NAMES = tuple(f.name for f in fields(Thresholds))
 ROUND = Thresholds(**dict.fromkeys(THRESHOLD_NAMES, 0.5))
 VARIABLES = (
-    "zero_crossings", "volume", "energy", "max_energy", "f0",
-    "energy_n", "m_szsch1", "m_s1", "m_p1", "m_p2", "m_ae1", "m_a1", "m_o1",
-)  # fmt: skip
+    "zero_crossings",
+    "volume",
+    "energy",
+    "max_energy",
+    "f0",
+    "energy_n",
+    "m_szsch1",
+    "m_s1",
+    "m_p1",
+    "m_p2",
+    "m_ae1",
+    "m_a1",
+    "m_o1",
+)
 
 # what is 1, while all else is 0, and what each threshold of 0.5 then says
 CASES = {

@@ -34,9 +34,7 @@ from tests.labelled import recording
 from tests.sounds import noise, silence, vowel
 
 A, S, SZ = Phoneme.A, Phoneme.SILENCE, Phoneme.SZ
-SOUND = np.concatenate(
-    (silence(0.2), vowel((750, 1250, 2500), 0.3), noise(0.3, 0.1), silence(0.2))
-)  # fmt: skip
+SOUND = np.concatenate((silence(0.2), vowel((750, 1250, 2500), 0.3), noise(0.3, 0.1), silence(0.2)))
 SAID = (S, A, SZ, A, S, SZ, A, S)
 SCORING = """
 from phonemeengine.recognition.recognition import Recognition
@@ -75,9 +73,13 @@ def mistuned(preset: Preset) -> Preset:
 def offer(shelf: Shelf, **changes: object) -> Preset:
     """Offer a recogniser with a specification, and give a preset of it."""
     plain = {
-        "look_ahead": 0, "scores": (), "answer": "np.zeros(len(windows), np.uint8)", "tuned_by": [],
-        "fit": "", "adapt": "",
-    }  # fmt: skip
+        "look_ahead": 0,
+        "scores": (),
+        "answer": "np.zeros(len(windows), np.uint8)",
+        "tuned_by": [],
+        "fit": "",
+        "adapt": "",
+    }
     shelf.offer(SCORING.format(**{**plain, **changes}))
     return Preset(recogniser="own")
 
@@ -90,9 +92,10 @@ def analysed(preset: Preset, cuts: list[int]) -> tuple[np.ndarray, np.ndarray, n
     parts.append(analyser.finish())
     scores = [p.features.values[:, p.features.names.index(SCORES[0]) :] for p in parts if len(p)]
     return (
-        np.concatenate([p.recognised for p in parts]), np.concatenate([p.phonemes for p in parts]),
+        np.concatenate([p.recognised for p in parts]),
+        np.concatenate([p.phonemes for p in parts]),
         np.concatenate(scores),
-    )  # fmt: skip
+    )
 
 
 # -- the recognisers of the program ---------------------------------------------------------------------------
@@ -238,8 +241,9 @@ def test_a_plug_in_brings_its_factory_preset(shelf: Shelf, tmp_path: Path):
     shelf.offer(
         "from phonemeengine.recognition.spec import RecogniserSpec\n"
         f"Own = RecogniserSpec('other', Plain, factory_preset={str(tmp_path / 'theirs.toml')!r})",
-        name="other", package="other-package",
-    )  # fmt: skip
+        name="other",
+        package="other-package",
+    )
     preset = factory_preset("other")
     assert preset is not None
     assert preset.name == "theirs"

@@ -28,9 +28,17 @@ from tests.engine.shipping.test_same_results import speech
 from tests.models import centred_model
 
 FILES = {
-    "LICENSE", "preset.ear", "ear.h", "ear.c", "Makefile", "README.md", "examples/files.h", "examples/wav.h",
-    "examples/rhubarb_tsv.c", "examples/mouth_from_microphone.c",
-}  # fmt: skip
+    "LICENSE",
+    "preset.ear",
+    "ear.h",
+    "ear.c",
+    "Makefile",
+    "README.md",
+    "examples/files.h",
+    "examples/wav.h",
+    "examples/rhubarb_tsv.c",
+    "examples/mouth_from_microphone.c",
+}
 
 
 @pytest.fixture(scope="module")

@@ -192,19 +192,32 @@ def test_an_answer_belongs_to_the_frame_at_which_the_tone_began(library: EarLibr
 
 FILTERS = (
     AnalysisSettings(
-        filters=frozenset(Filter), quantise=2, decimation=Decimation.ANTI_ALIASED, pre_emphasis=0.9,
-        window_function=WindowFunction.BLACKMAN_HARRIS, frequency_smooth=0.7, time_smooth=0.6, high_pass_start=80.0,
-        high_pass_end=300.0, low_pass_start=5000.0, low_pass_end=7000.0, denoise_threshold=0.0005, mel_bands=30,
-        hysteresis=0.1, minimum_hold=0.03,
+        filters=frozenset(Filter),
+        quantise=2,
+        decimation=Decimation.ANTI_ALIASED,
+        pre_emphasis=0.9,
+        window_function=WindowFunction.BLACKMAN_HARRIS,
+        frequency_smooth=0.7,
+        time_smooth=0.6,
+        high_pass_start=80.0,
+        high_pass_end=300.0,
+        low_pass_start=5000.0,
+        low_pass_end=7000.0,
+        denoise_threshold=0.0005,
+        mel_bands=30,
+        hysteresis=0.1,
+        minimum_hold=0.03,
     ),
     AnalysisSettings(
         filters=frozenset({Filter.PRE_EMPHASIS, Filter.MEL, Filter.TIME_SMOOTH}), time_smooth=0.3, hysteresis=0.2
     ),
     AnalysisSettings(
-        filters=frozenset({Filter.QUANTISE, Filter.FREQUENCY_SMOOTH, Filter.DENOISE}), quantise=4,
-        frequency_smooth=1.0, denoise_threshold=0.002,
+        filters=frozenset({Filter.QUANTISE, Filter.FREQUENCY_SMOOTH, Filter.DENOISE}),
+        quantise=4,
+        frequency_smooth=1.0,
+        denoise_threshold=0.002,
     ),
-)  # fmt: skip
+)
 
 
 @pytest.mark.parametrize("settings", FILTERS, ids=["all filters", "few filters", "folded"])
@@ -235,7 +248,7 @@ def test_filters_variables_and_rules_of_ones_own_measure_the_same(
             tuple(Condition(n, ">" if (k + j) % 2 else "<", limit=limits[n]) for j, n in enumerate(pair)),
         )
         for k, pair in enumerate(zip(names, names[3:] + names[:3], strict=True))
-    )  # fmt: skip
+    )
     preset = replace(base, recogniser="rules", rules=rules)
     analysis = heard_by_engine(preset, speech())
     assert says_several(analysis, 6)

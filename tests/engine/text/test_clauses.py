@@ -28,8 +28,13 @@ def test_chinese_clauses_need_no_spaces() -> None:
 
 def test_marks_of_either_width_end_a_chinese_clause() -> None:
     assert list(clauses_of("他说:“好,走吧!”……然后3.5元—走了.")) == [
-        "他说:", "“好,", "走吧!”", "……", "然后3.5元—", "走了.",
-    ]  # fmt: skip
+        "他说:",
+        "“好,",
+        "走吧!”",
+        "……",
+        "然后3.5元—",
+        "走了.",
+    ]
 
 
 def test_a_text_without_a_mark_is_cut_between_words() -> None:

@@ -50,11 +50,21 @@ def test_the_voice_says_each_syllable_as_one_word() -> None:
 @pytest.mark.parametrize(
     ("pinyin", "phones"),
     [
-        ("hua4", "x w a"), ("dong1", "t ʊ ŋ"), ("zhi1", "ʈ ʂ ɨ"), ("ju2", "t ɕ y"), ("yuan2", "ɥ ɛ n"),
-        ("you3", "j oʊ"), ("wei4", "w eɪ"), ("lü4", "l y"), ("xiong2", "ɕ j ʊ ŋ"),
-        ("er2", "ɚ"), ("yi1", "i"), ("wu3", "u"), ("m2", "m̩"),
+        ("hua4", "x w a"),
+        ("dong1", "t ʊ ŋ"),
+        ("zhi1", "ʈ ʂ ɨ"),
+        ("ju2", "t ɕ y"),
+        ("yuan2", "ɥ ɛ n"),
+        ("you3", "j oʊ"),
+        ("wei4", "w eɪ"),
+        ("lü4", "l y"),
+        ("xiong2", "ɕ j ʊ ŋ"),
+        ("er2", "ɚ"),
+        ("yi1", "i"),
+        ("wu3", "u"),
+        ("m2", "m̩"),
     ],
-)  # fmt: skip
+)
 def test_syllables_sound_as_the_phonetician_says(pinyin: str, phones: str) -> None:
     assert syllable_of(pinyin).phones == tuple(phones.split())
 
@@ -103,14 +113,27 @@ def test_chinese_and_english_words_stand_in_one_script() -> None:
 @pytest.mark.parametrize(
     ("number", "characters"),
     [
-        ("0", "零"), ("10", "十"), ("11", "十一"), ("110", "一百一十"), ("1005", "一千零五"), ("1010", "一千零一十"),
-        ("10010", "一万零一十"), ("100000", "十万"), ("123456789", "一亿二千三百四十五万六千七百八十九"),
-        ("1,234,567", "一百二十三万四千五百六十七"), ("007", "零零七"), ("1.05", "一点零五"), ("-3", "负三"),
+        ("0", "零"),
+        ("10", "十"),
+        ("11", "十一"),
+        ("110", "一百一十"),
+        ("1005", "一千零五"),
+        ("1010", "一千零一十"),
+        ("10010", "一万零一十"),
+        ("100000", "十万"),
+        ("123456789", "一亿二千三百四十五万六千七百八十九"),
+        ("1,234,567", "一百二十三万四千五百六十七"),
+        ("007", "零零七"),
+        ("1.05", "一点零五"),
+        ("-3", "负三"),
         ("99%", "百分之九十九"),
-        ("12:05", "十二点零五分"), ("8:00", "八点"), ("2024年", "二零二四年"), ("5年", "五年"),
+        ("12:05", "十二点零五分"),
+        ("8:00", "八点"),
+        ("2024年", "二零二四年"),
+        ("5年", "五年"),
         ("1000000001", "十亿零一"),
         ("13800138000138000", "一三八零零一三八零零零一三八零零零"),
     ],
-)  # fmt: skip
+)
 def test_numbers_are_read_as_a_newsreader_would(number: str, characters: str) -> None:
     assert read_number(number) == characters

@@ -97,8 +97,13 @@ def test_the_language_is_never_guessed(language: str | None) -> None:
 def test_a_vowel_keeps_its_class_whatever_its_marks() -> None:
     phones = words_of("mañana", "es")[0].pronunciations[0].phones
     assert [ipa_phoneme(phone) for phone in phones] == [
-        Phoneme.M, Phoneme.A, Phoneme.UNIDENTIFIED, Phoneme.A, Phoneme.UNIDENTIFIED, Phoneme.A,
-    ]  # fmt: skip
+        Phoneme.M,
+        Phoneme.A,
+        Phoneme.UNIDENTIFIED,
+        Phoneme.A,
+        Phoneme.UNIDENTIFIED,
+        Phoneme.A,
+    ]
 
 
 @pytest.mark.parametrize(

@@ -115,9 +115,13 @@ class _Pair:
 
 
 def read_corpus(
-    folder: Path, mapping: PhonemeMap | None = None, *, channel: Channel = Channel.MIX,
-    on_skipped: OnSkipped | None = None, unlabelled: bool = False,
-) -> tuple[LabelledUtterance, ...]:  # fmt: skip
+    folder: Path,
+    mapping: PhonemeMap | None = None,
+    *,
+    channel: Channel = Channel.MIX,
+    on_skipped: OnSkipped | None = None,
+    unlabelled: bool = False,
+) -> tuple[LabelledUtterance, ...]:
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
     `channel` is what will be analysed of sounds that have several. `on_skipped` is told of each sound that cannot be
@@ -133,12 +137,17 @@ def read_corpus(
     rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
     pairs = (
         _Pair(
-            folder / row["wav"], folder / row["labels"] if row["labels"] else None, row["speaker"], row["corpus"],
-            channel, row.get("text", ""), row.get("language", ""),
+            folder / row["wav"],
+            folder / row["labels"] if row["labels"] else None,
+            row["speaker"],
+            row["corpus"],
+            channel,
+            row.get("text", ""),
+            row.get("language", ""),
         )
         for _, row in rows
         if row["labels"] or unlabelled
-    )  # fmt: skip
+    )
     return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), on_skipped=on_skipped)
 
 

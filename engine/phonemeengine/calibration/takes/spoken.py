@@ -65,9 +65,15 @@ HELD_BACK = "held-back"
 
 
 def keep_sentence(
-    folder: Path, samples: Float32Array, rate: int, mono: Float32Array, sentence: Sentence, speaker: str, *,
+    folder: Path,
+    samples: Float32Array,
+    rate: int,
+    mono: Float32Array,
+    sentence: Sentence,
+    speaker: str,
+    *,
     teaches: bool,
-) -> LabelledUtterance:  # fmt: skip
+) -> LabelledUtterance:
     """Label a sentence by its known text, and keep it in a project of takes.
 
     Parameters

@@ -78,9 +78,10 @@ class LabelledFeatures:
         lengths = [len(part.phonemes) for part in labels]
         self._edges = np.concatenate(([0], np.cumsum(lengths, dtype=np.intp))).astype(np.intp)
         self._labels = FrameLabels(
-            _joined([p.phonemes for p in labels]), _joined([p.certain for p in labels], bool),
+            _joined([p.phonemes for p in labels]),
+            _joined([p.certain for p in labels], bool),
             _joined([p.visemes for p in labels]),
-        )  # fmt: skip
+        )
         # of the files as they are before they are measured: one that changes meanwhile is measured again
         self._stamps = [_stamp_of(u.path, n) for u, n in zip(self._utterances, lengths, strict=True)]
         self._join(list(self._measure(preset, known, progress)))
@@ -209,11 +210,13 @@ class LabelledFeatures:
         spans = [slice(int(first), int(end)) for first, end in zip(self._edges[:-1], self._edges[1:], strict=True)]
         return {
             stamp: Measurement(
-                self._values[:, span], n_in_sound, self._codes[span],
+                self._values[:, span],
+                n_in_sound,
+                self._codes[span],
                 None if self._scores is None else self._scores[:, span],
             )
             for stamp, span, n_in_sound in zip(self._stamps, spans, self._n_in_sound, strict=True)
-        }  # fmt: skip
+        }
 
 
 def _stamp_of(path: Path, n_frames: int) -> _Stamp:

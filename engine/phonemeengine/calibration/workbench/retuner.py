@@ -139,8 +139,13 @@ def _condition_keys(
 # Labelled recordings as measured variables: what thresholds, rules and the statistics need, without the sound.
 
 AFTER_MEASURING = (
-    "statistics", "minimum_hold", "hysteresis", "look_ahead", "intensity_low", "intensity_high",
-)  # fmt: skip
+    "statistics",
+    "minimum_hold",
+    "hysteresis",
+    "look_ahead",
+    "intensity_low",
+    "intensity_high",
+)
 """The settings that change nothing that is measured."""
 
 _PLAIN = AnalysisSettings()

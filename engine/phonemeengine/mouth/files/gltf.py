@@ -177,10 +177,14 @@ class _Gathered:
             raise MeshError("there is no mesh in it; export one with it")
         numbers = np.concatenate(self.numbers)
         mesh = mesh_of(
-            np.concatenate(self.points), np.concatenate([np.empty((0, 3), np.uint32), *self.triangles]), name=name,
-            normals=np.concatenate(self.normals), colours=np.concatenate(self.colours), materials=self._materials(),
+            np.concatenate(self.points),
+            np.concatenate([np.empty((0, 3), np.uint32), *self.triangles]),
+            name=name,
+            normals=np.concatenate(self.normals),
+            colours=np.concatenate(self.colours),
+            materials=self._materials(),
             material_of=np.concatenate([np.empty(0, np.uint16), *self.kinds]),
-        )  # fmt: skip
+        )
         states = tuple(_joined(name, parts) for name, parts in self.moved.items())
         if np.array_equal(numbers, np.arange(self.n)):
             return MorphMesh(mesh, states)

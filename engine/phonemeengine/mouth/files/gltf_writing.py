@@ -84,9 +84,11 @@ class _Buffer:
         self.parts.append(content)
         self.size += len(content)
         accessor: Table = {
-            "bufferView": len(self.views) - 1, "componentType": WHOLE if whole else FLOAT, "count": len(array),
+            "bufferView": len(self.views) - 1,
+            "componentType": WHOLE if whole else FLOAT,
+            "count": len(array),
             "type": "VEC3" if array.shape[1] == 3 else "SCALAR",
-        }  # fmt: skip
+        }
         if bounded:
             accessor |= {"min": array.min(axis=0).tolist(), "max": array.max(axis=0).tolist()}
         self.accessors.append(accessor)
@@ -111,10 +113,15 @@ def _glb(primitive: Table, states: tuple[Movestate, ...], mesh: Mesh | None, buf
     if mesh is not None and mesh.name:
         shape["name"] = mesh.name
     root: Table = {
-        "asset": {"version": "2.0", "generator": GENERATOR}, "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0}], "meshes": [shape], "accessors": buffer.accessors, "bufferViews": buffer.views,
+        "asset": {"version": "2.0", "generator": GENERATOR},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0}],
+        "meshes": [shape],
+        "accessors": buffer.accessors,
+        "bufferViews": buffer.views,
         "buffers": [{"byteLength": buffer.size}],
-    }  # fmt: skip
+    }
     if mesh is not None:
         root["materials"] = [
             {"name": "face", "pbrMetallicRoughness": {"metallicFactor": 0.0, "roughnessFactor": 0.7}}

@@ -65,9 +65,13 @@ class _ObjReader:
         self._places: dict[str, int] = {}
         self._place = 0
         self._acts: dict[bytes, Callable[[list[bytes]], None]] = {
-            b"v": self._vertex, b"vn": self._normal, b"f": self._face, b"usemtl": self._use, b"mtllib": self._library,
+            b"v": self._vertex,
+            b"vn": self._normal,
+            b"f": self._face,
+            b"usemtl": self._use,
+            b"mtllib": self._library,
             b"o": self._called,
-        }  # fmt: skip
+        }
 
     def read_statement(self, words: list[bytes]) -> None:
         """Take a line's words."""
@@ -80,9 +84,14 @@ class _ObjReader:
         colours = _vectors(self._colours).astype(np.float32) if len(self._colours) == 3 * n and n else None
         materials = tuple(Material(name, self._materials.get(name, GREY)) for name in self._places)
         return mesh_of(
-            _vectors(self._positions), _vectors(self._triangles), name=self._name, normals=self._vertex_normals(n),
-            colours=colours, materials=materials, material_of=np.array(self._material_of, np.uint16),
-        )  # fmt: skip
+            _vectors(self._positions),
+            _vectors(self._triangles),
+            name=self._name,
+            normals=self._vertex_normals(n),
+            colours=colours,
+            materials=materials,
+            material_of=np.array(self._material_of, np.uint16),
+        )
 
     def _vertex(self, words: list[bytes]) -> None:
         if len(self._positions) >= 3 * MOST_VERTICES:

@@ -176,9 +176,11 @@ class _XReader:
         mesh = mesh_of(
             np.concatenate([part.points for part in self._parts]),
             np.concatenate([part.triangles + at for part, at in zip(self._parts, starts, strict=False)]),
-            name=self._parts[0].name, normals=np.concatenate([p.normals for p in self._parts]).astype(np.float32),
-            materials=materials, material_of=np.concatenate(kinds),
-        )  # fmt: skip
+            name=self._parts[0].name,
+            normals=np.concatenate([p.normals for p in self._parts]).astype(np.float32),
+            materials=materials,
+            material_of=np.concatenate(kinds),
+        )
         return MorphMesh(mesh)
 
     def _block(self, kind: str, above: Float64Array, depth: int) -> Float64Array:

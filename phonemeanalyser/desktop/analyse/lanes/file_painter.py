@@ -239,9 +239,14 @@ class FilePainter:
         draw_text(painter, box, words, self._theme.text, 11, CENTRED)
 
     def _paint_line(
-        self, painter: QPainter, row: QRectF, first: int, values: Float32Array, scale: tuple[float, float],
+        self,
+        painter: QPainter,
+        row: QRectF,
+        first: int,
+        values: Float32Array,
+        scale: tuple[float, float],
         colour: str,
-    ) -> None:  # fmt: skip
+    ) -> None:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         for pen in (QPen(QColor(0, 0, 0, 150), 3), QPen(QColor(colour), 1.6)):  # seen on every colour
             painter.setPen(pen)

@@ -100,9 +100,15 @@ class FilePanel(QWidget):
             box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         buttons = (self.live, self.follow, self.filtered, self.whole, self.selection, self.over)
         above = row(
-            self.heading, (self.differs, 1), *buttons, self.axis, self.colours, self.variable,
-            margins=(6, 3, 6, 1), spacing=8,
-        )  # fmt: skip
+            self.heading,
+            (self.differs, 1),
+            *buttons,
+            self.axis,
+            self.colours,
+            self.variable,
+            margins=(6, 3, 6, 1),
+            spacing=8,
+        )
         column(above, (self.view, 1), on=self, spacing=2)
 
     def _connect(self) -> None:
@@ -119,7 +125,7 @@ class FilePanel(QWidget):
         self.selection.clicked.connect(lambda _checked: self._show_selection())
         self.axis.currentIndexChanged.connect(
             lambda k: sonagram.use(replace(sonagram.settings, axis=list(FrequencyAxis)[k]))
-        )  # fmt: skip
+        )
         self.colours.currentIndexChanged.connect(lambda _k: self._show_colours())
         self.variable.currentTextChanged.connect(self.view.show_variable)
         self.view.sought.connect(self._session.seek)

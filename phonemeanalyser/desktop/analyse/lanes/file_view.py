@@ -63,9 +63,14 @@ class FileView(QWidget):
         )
         self.setMouseTracking(True)
         models = (
-            session.whole, session.second.whole, session.second, session.sonagram, session.formants, session.waveform,
+            session.whole,
+            session.second.whole,
+            session.second,
+            session.sonagram,
+            session.formants,
+            session.waveform,
             session.labels,
-        )  # fmt: skip
+        )
         for signal in (*(model.changed for model in models), self._view.moved, self._view.selected):
             signal.connect(self.update)
 

@@ -299,8 +299,10 @@ class ScrollView(QWidget):
 
     def _fit_course(self, name: str, drawn: Float32Array) -> None:
         highest, _, lowest = self._history.extremes(name) or (0.0, 0.0, 0.0)
-        wanted = (float(np.fmin.reduce(drawn, initial=min(0.0, lowest))),
-                  _round_up(float(np.fmax.reduce(drawn, initial=highest))))  # fmt: skip
+        wanted = (
+            float(np.fmin.reduce(drawn, initial=min(0.0, lowest))),
+            _round_up(float(np.fmax.reduce(drawn, initial=highest))),
+        )
         if wanted != self._course_range:
             self._course_range = wanted
             self._plots[2].setYRange(*wanted, padding=0.02)

@@ -24,8 +24,12 @@ MARK_WIDTH, NAME_WIDTH, GAP = 16, 40, 8
 N_ROWS = 10
 FLICKER_SECONDS = 3.0
 """Over how long the changes of the phoneme are counted."""
-METERS = (("zc", "zero_crossings", "{:.0f}"), ("vol", "volume", "{:.3f}"), ("e", "energy", "{:.3f}"),
-          ("f(g)", "f0", "{:.0f} Hz"))  # fmt: skip
+METERS = (
+    ("zc", "zero_crossings", "{:.0f}"),
+    ("vol", "volume", "{:.3f}"),
+    ("e", "energy", "{:.3f}"),
+    ("f(g)", "f0", "{:.0f} Hz"),
+)
 
 
 class PhonemeView(QWidget):

@@ -89,8 +89,13 @@ class ThresholdSlider(QWidget):
         handles = self._theme.text if self.isEnabled() else self._theme.faint
         painter.setBrush(QColor(self._theme.accent if self.hasFocus() else handles))
         top = self.height() - 1.0
-        corners = ((handle, middle - 1), (handle + 5, middle + 5), (handle + 5, top), (handle - 5, top),
-                   (handle - 5, middle + 5))  # fmt: skip
+        corners = (
+            (handle, middle - 1),
+            (handle + 5, middle + 5),
+            (handle + 5, top),
+            (handle - 5, top),
+            (handle - 5, middle + 5),
+        )
         painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
 
     def mousePressEvent(self, event: QMouseEvent) -> None:

@@ -438,7 +438,7 @@ class GuideModel(QObject):
         held_back = [said for k, said in self.sentences.items() if not self.steps[k].teaches]
         self._work.replace(
             lambda progress: self.learn(preset, takes, held_back=held_back, progress=progress), self._take_outcome
-        )  # fmt: skip
+        )
 
     def _take_outcome(self, outcome: CalibrationResult) -> None:
         self.outcome = outcome

@@ -18,9 +18,12 @@ from phonemeengine.calibration.takes.take import Take
 
 HEADINGS = (tr_noop("sound"), tr_noop("speaker"), "s", "dB", tr_noop("check"))
 TIPS = (
-    tr_noop("What was said"), tr_noop("Who said it"), tr_noop("How much of it counts, seconds"),
-    tr_noop("Level of that, dB below full scale (RMS)"), tr_noop("Whether it is good enough to calibrate with"),
-)  # fmt: skip
+    tr_noop("What was said"),
+    tr_noop("Who said it"),
+    tr_noop("How much of it counts, seconds"),
+    tr_noop("Level of that, dB below full scale (RMS)"),
+    tr_noop("Whether it is good enough to calibrate with"),
+)
 NUMBER = Qt.ItemDataRole.UserRole
 
 
@@ -80,10 +83,12 @@ class TakeListView(QTableWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Play, exclude or delete what is chosen, once however long the key is held; letters are the page's."""
         acts: dict[Qt.Key, Callable[[], object]] = {
-            Qt.Key.Key_Return: self.play, Qt.Key.Key_Enter: self.play,
-            Qt.Key.Key_Delete: self.delete_asked.emit, Qt.Key.Key_Backspace: self.delete_asked.emit,
+            Qt.Key.Key_Return: self.play,
+            Qt.Key.Key_Enter: self.play,
+            Qt.Key.Key_Delete: self.delete_asked.emit,
+            Qt.Key.Key_Backspace: self.delete_asked.emit,
             Qt.Key.Key_X: self.exclude_asked.emit,
-        }  # fmt: skip
+        }
         act = acts.get(Qt.Key(event.key()))
         if act is None and event.text().isalpha():
             event.ignore()

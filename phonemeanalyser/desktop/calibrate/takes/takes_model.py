@@ -287,9 +287,7 @@ class TakesModel(QObject):
 
     # -- in the background --------------------------------------------------------------------------------
 
-    def _change_takes(
-        self, numbers: Collection[int], act: Callable[[TakeProject, Take], Take], words: str
-    ) -> None:  # fmt: skip
+    def _change_takes(self, numbers: Collection[int], act: Callable[[TakeProject, Take], Take], words: str) -> None:
         """Change several takes at a time, which are one step of undo with words of their own."""
 
         def change(project: TakeProject) -> None:
@@ -306,9 +304,13 @@ class TakesModel(QObject):
         self._change(change)
 
     def _change(
-        self, act: Callable[[TakeProject], Take | None], then: Callable[[Take], object] = lambda _take: None, *,
-        is_new: bool = True, words: str = "",
-    ) -> None:  # fmt: skip
+        self,
+        act: Callable[[TakeProject], Take | None],
+        then: Callable[[Take], object] = lambda _take: None,
+        *,
+        is_new: bool = True,
+        words: str = "",
+    ) -> None:
         """Change the project, one change after the other; the first one makes it where there is none.
 
         Several changes are one step of undo where there are words for their number.

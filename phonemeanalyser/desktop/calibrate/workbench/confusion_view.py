@@ -133,9 +133,7 @@ class ConfusionView(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Choose the cell beside."""
-        steps = {
-            Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1), Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0)
-        }  # fmt: skip
+        steps = {Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1), Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0)}
         if event.key() not in steps:
             super().keyPressEvent(event)
             return

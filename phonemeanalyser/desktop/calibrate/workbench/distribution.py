@@ -104,9 +104,14 @@ class DistributionView(QWidget):
             self._paint_best(painter, self._workbench.preview.threshold)
 
     def _paint_row(
-        self, painter: QPainter, distribution: Distribution, phoneme: Phoneme, spread: Quartiles, top: float,
+        self,
+        painter: QPainter,
+        distribution: Distribution,
+        phoneme: Phoneme,
+        spread: Quartiles,
+        top: float,
         height: float,
-    ) -> None:  # fmt: skip
+    ) -> None:
         colour, middle = QColor(PHONEME_COLOURS[phoneme]), top + height / 2
         row = QRectF(0, top, self.width(), height)
         draw_text(painter, row.adjusted(8, 0, 0, 0), phoneme.label, self._theme.text, 12)
@@ -126,9 +131,14 @@ class DistributionView(QWidget):
             draw_text(painter, self._cell(k, top, height), short(value), self._theme.text, 11, AT_RIGHT)
 
     def _paint_histogram(
-        self, painter: QPainter, distribution: Distribution, spread: Quartiles, colour: QColor, middle: float,
+        self,
+        painter: QPainter,
+        distribution: Distribution,
+        spread: Quartiles,
+        colour: QColor,
+        middle: float,
         most: float,
-    ) -> None:  # fmt: skip
+    ) -> None:
         heights = most * spread.counts / max(1, int(spread.counts.max()))
         xs = [self.x_of(float(edge)) for edge in distribution.edges]
         centres = (np.array(xs[1:]) + np.array(xs[:-1])) / 2

@@ -86,9 +86,12 @@ class DriverModel(QObject):
             self._choose_again()
 
     def follow(
-        self, utterance: Utterance | None, text: str = "", sound: MeasuredSound | None = None,
+        self,
+        utterance: Utterance | None,
+        text: str = "",
+        sound: MeasuredSound | None = None,
         spoken: SpokenFace | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         """Take what is said in the sound in hand; None for nothing that is known.
 
         Parameters

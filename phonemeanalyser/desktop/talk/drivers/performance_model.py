@@ -305,9 +305,7 @@ def _measured(sound: MeasuredSound, progress: Progress) -> Prosody:
 
 
 def _speech(sound: MeasuredSound, utterance: Utterance, prosody: Prosody) -> Transcript:
-    return transcript_of_utterance(
-        utterance, prosody.intensities, prosody.pitches, sound.path.name, sound.path
-    )  # fmt: skip
+    return transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, sound.path.name, sound.path)
 
 
 def _units_of(track: PerformanceTrack, progress: Progress) -> tuple[UsedUnit, ...]:

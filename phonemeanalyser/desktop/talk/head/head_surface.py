@@ -142,9 +142,15 @@ class GlSurface(QOpenGLWidget):
         size = (max(1, round(self.width() * scale)), max(1, round(self.height() * scale)))
         try:
             self._renderer_of(scene.morph_mesh).draw(
-                scene.camera, scene.positions, scene.pose, size=size, background=scene.background,
-                wireframe=scene.wireframe, light=scene.light, glow=True,
-            )  # fmt: skip
+                scene.camera,
+                scene.positions,
+                scene.pose,
+                size=size,
+                background=scene.background,
+                wireframe=scene.wireframe,
+                light=scene.light,
+                glow=True,
+            )
             self.n_drawn += 1
         except RenderingError as error:
             self.error.emit(str(error))
@@ -247,9 +253,15 @@ class PictureSurface(QWidget):
             offscreen = self._offscreen_of(scene.morph_mesh)
             offscreen.resize((width, height))
             picture = offscreen.picture(
-                scene.camera, scene.positions, scene.pose, background=scene.background,
-                wireframe=scene.wireframe, light=scene.light, fine=fine, glow=True,
-            )  # fmt: skip
+                scene.camera,
+                scene.positions,
+                scene.pose,
+                background=scene.background,
+                wireframe=scene.wireframe,
+                light=scene.light,
+                fine=fine,
+                glow=True,
+            )
         except RenderingError as error:
             self.error.emit(str(error))
             return None

@@ -32,9 +32,7 @@ PER_NOTCH = 120
 STILL = 3
 """Pixels by which a press may move and still be a click."""
 LIGHT_STEP, MOST_LIGHT = math.radians(15), math.radians(75)
-ARROWS = {
-    Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)
-}  # fmt: skip
+ARROWS = {Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)}
 ZOOMS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 HINT = tr_noop(
     "Drag to go round the head, with Shift or the right button to move it; turn the wheel to come nearer. "
@@ -216,9 +214,11 @@ class HeadView(QWidget):
 
     def _arrow(self, x: int, y: int, *, shift: bool) -> None:
         assert self.camera is not None
-        moved = self.camera.pan(-x * PAN_PER_KEY, -y * PAN_PER_KEY) if shift else self.camera.orbit(
-            x * PER_KEY, y * PER_KEY
-        )  # fmt: skip
+        moved = (
+            self.camera.pan(-x * PAN_PER_KEY, -y * PAN_PER_KEY)
+            if shift
+            else self.camera.orbit(x * PER_KEY, y * PER_KEY)
+        )
         self.look(camera=moved)
 
     def _lay_out(self, theme: Theme) -> None:
@@ -273,6 +273,11 @@ class HeadView(QWidget):
         if morph_mesh is None or self.camera is None:
             return None
         return Scene(
-            morph_mesh, self._head.face.positions(), self._head.pose, self.camera, self.light,
-            self._background, self.wireframe,
-        )  # fmt: skip
+            morph_mesh,
+            self._head.face.positions(),
+            self._head.pose,
+            self.camera,
+            self.light,
+            self._background,
+            self.wireframe,
+        )

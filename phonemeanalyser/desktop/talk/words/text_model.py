@@ -103,9 +103,12 @@ class TextModel(QObject):
     info = Signal(str)
 
     def __init__(
-        self, session: Session, tools: TextTools | None = None, voice: VoiceModel | None = None,
+        self,
+        session: Session,
+        tools: TextTools | None = None,
+        voice: VoiceModel | None = None,
         drivers: DriverModel | None = None,
-    ) -> None:  # fmt: skip
+    ) -> None:
         super().__init__()
         self._session = session
         self.tools = tools or TextTools()
@@ -254,10 +257,16 @@ class TextModel(QObject):
         elif self._may_read():
             self._align(
                 ScriptedSound(
-                    sound, session.channel, session.preset.in_force, self.text, self.language, self._lexicon,
-                    self.literal, timed=self._timed if self.text == self._timed_text else (),
+                    sound,
+                    session.channel,
+                    session.preset.in_force,
+                    self.text,
+                    self.language,
+                    self._lexicon,
+                    self.literal,
+                    timed=self._timed if self.text == self._timed_text else (),
                 )
-            )  # fmt: skip
+            )
 
     def align_anyway(self) -> None:
         """Find the words of the text that was refused in its sound, since the user knows that they are said."""
@@ -434,7 +443,7 @@ class TextModel(QObject):
 
     def _spoken(
         self, text: str, language: str, voice: VoiceChoice, *, look_up: bool
-    ) -> tuple[Iterator[SpokenSentence], SpokenFace | None]:  # fmt: skip
+    ) -> tuple[Iterator[SpokenSentence], SpokenFace | None]:
         """Return a text as a voice speaks it, and what its face is looked up by, where it is."""
         sentences = self.tools.speak(text, language, voice)
         face = self.drivers.performance.spoken_face(language) if look_up else None

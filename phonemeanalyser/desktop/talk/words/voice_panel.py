@@ -131,10 +131,14 @@ class VoicePanel(QFrame):
         self._rows = QFormLayout(self)
         self._rows.setContentsMargins(10, 10, 10, 10)
         for words, widget in (
-            (tr("Voice"), self.name), (tr("Rate", "of speech"), self.rate), (tr("Command"), self.program),
-            ("", self._hint), (tr("Mouth moves by"), self.driver), (tr("Recorded faces"), self.table),
+            (tr("Voice"), self.name),
+            (tr("Rate", "of speech"), self.rate),
+            (tr("Command"), self.program),
+            ("", self._hint),
+            (tr("Mouth moves by"), self.driver),
+            (tr("Recorded faces"), self.table),
             (tr("Of several, take"), self.choice),
-        ):  # fmt: skip
+        ):
             self._rows.addRow(words, widget)
         self.setFixedWidth(WIDTH)
 

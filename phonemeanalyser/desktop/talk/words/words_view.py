@@ -26,10 +26,16 @@ UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
 UNIT_COLOURS = {
-    UnitKind.WORD: "#1b6e53", UnitKind.SYLLABLE: "#2f7f3c", UnitKind.VOWEL_TRIPHONE: "#2b6cb0",
-    UnitKind.CONSONANT_TRIPHONE: "#4f5bb5", UnitKind.BOUNDARY_TRIPHONE: "#6b4fa8", UnitKind.DIPHONE: "#a35a1c",
-    UnitKind.BOUNDARY_DIPHONE: "#8a6d1a", UnitKind.RIGHT_HALF: "#9c3d54", UnitKind.LEFT_HALF: "#7d3a6e",
-}  # fmt: skip
+    UnitKind.WORD: "#1b6e53",
+    UnitKind.SYLLABLE: "#2f7f3c",
+    UnitKind.VOWEL_TRIPHONE: "#2b6cb0",
+    UnitKind.CONSONANT_TRIPHONE: "#4f5bb5",
+    UnitKind.BOUNDARY_TRIPHONE: "#6b4fa8",
+    UnitKind.DIPHONE: "#a35a1c",
+    UnitKind.BOUNDARY_DIPHONE: "#8a6d1a",
+    UnitKind.RIGHT_HALF: "#9c3d54",
+    UnitKind.LEFT_HALF: "#7d3a6e",
+}
 """Of the sets, from the longest units to the shortest."""
 HEARD = tr_noop("Click to hear and see it as it was recorded, twice for the whole recording")
 SEEN = 4.0
@@ -174,9 +180,12 @@ def _lane_of_units(units: Sequence[UsedUnit]) -> Lane:
 
 def _tip_of(unit: UsedUnit) -> str:
     source = tr("{kind} [{names}] of {recording}, {start:.2f} to {end:.2f} s.").format(
-        kind=tr(unit.kind.value), names=" ".join(unit.names), recording=unit.recording, start=unit.source_start,
+        kind=tr(unit.kind.value),
+        names=" ".join(unit.names),
+        recording=unit.recording,
+        start=unit.source_start,
         end=unit.source_end,
-    )  # fmt: skip
+    )
     return f"{source} {tr(HEARD)}"
 
 
@@ -187,9 +196,14 @@ def _parts_of(row: PlanRow) -> list[tuple[float, float, str, bool]]:
 
 
 def _lane(
-    name: str, spans: Sequence[object], texts: Sequence[str], colours: Sequence[str],
-    marked: frozenset[int] = frozenset(), *, movable: bool,
-) -> Lane:  # fmt: skip
+    name: str,
+    spans: Sequence[object],
+    texts: Sequence[str],
+    colours: Sequence[str],
+    marked: frozenset[int] = frozenset(),
+    *,
+    movable: bool,
+) -> Lane:
     starts, ends = (np.array([getattr(span, edge) for span in spans], float) for edge in ("start", "end"))
     return Lane(tr(name), starts, ends, texts, _rgb(colours), marked, movable)
 

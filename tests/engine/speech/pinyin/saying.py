@@ -10,9 +10,12 @@ from phonemeengine.speech.pinyin.timing import Plan, pause_unit, said_at_rate
 
 TABLE = load_pinyin_table()
 SCRIPT = (
-    WrittenSyllable("你", "ni2"), WrittenSyllable("好", "hao3"), WrittenMark("，", 0.5), WrittenSyllable("吗", "ma5"),
+    WrittenSyllable("你", "ni2"),
+    WrittenSyllable("好", "hao3"),
+    WrittenMark("，", 0.5),
+    WrittenSyllable("吗", "ma5"),
     WrittenMark("。", 1.0),
-)  # fmt: skip
+)
 
 
 def spoken(start: float, middle: float, end: float, text: str) -> Syllable:
@@ -28,7 +31,7 @@ SAID = Utterance((NIHAO, MA), 1.5, "cmn")
 
 def plan_at_rate(
     script: Iterable[Written], table: PinyinTable = TABLE, rate: float = 4.0, seed: int | None = None
-) -> Plan:  # fmt: skip
+) -> Plan:
     """The whole plan of a text that nobody speaks."""
     rows = tuple(row for part in said_at_rate(script, table, rate, seed) for row in part.rows)
     return Plan(rows, pause_unit(table, rate))

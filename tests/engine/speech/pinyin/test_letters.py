@@ -98,22 +98,44 @@ def test_what_nobody_doubts_is_not_doubtful() -> None:
 @pytest.mark.parametrize(
     ("syllable", "parts"),
     [
-        ("zhuang", ("zh", "uang")), ("liu", ("l", "iou")), ("gui", ("g", "uei")), ("dun", ("d", "uen")),
-        ("jun", ("j", "ün")), ("que", ("q", "üe")), ("yuan", ("y", "üan")), ("you", ("y", "iou")),
-        ("ye", ("y", "ie")), ("yi", ("y", "i")), ("wu", ("w", "u")), ("wei", ("w", "uei")),
-        ("ang", ("", "ang")), ("er", ("", "er")),
-        ("lü", ("l", "ü")), ("lue", ("l", "üe")),
+        ("zhuang", ("zh", "uang")),
+        ("liu", ("l", "iou")),
+        ("gui", ("g", "uei")),
+        ("dun", ("d", "uen")),
+        ("jun", ("j", "ün")),
+        ("que", ("q", "üe")),
+        ("yuan", ("y", "üan")),
+        ("you", ("y", "iou")),
+        ("ye", ("y", "ie")),
+        ("yi", ("y", "i")),
+        ("wu", ("w", "u")),
+        ("wei", ("w", "uei")),
+        ("ang", ("", "ang")),
+        ("er", ("", "er")),
+        ("lü", ("l", "ü")),
+        ("lue", ("l", "üe")),
     ],
-)  # fmt: skip
+)
 def test_a_syllable_falls_into_its_initial_and_its_full_final(syllable: str, parts: tuple[str, str]) -> None:
     assert initial_and_final(syllable) == parts
 
 
 @pytest.mark.parametrize(
     ("written", "sound"),
-    [("hao3", "hao3"), ("hǎo", "hao3"), ("lv4", "lü4"), ("LÜ4", "lü4"), ("lǜ", "lü4"), ("lu:4", "lü4"), ("ma", "ma5"),
-     ("ế", "ê2"), ("ê", "ê5"), ("ǹg", "ng4"), (unicodedata.normalize("NFD", "nǚ"), "nü3")],
-)  # fmt: skip
+    [
+        ("hao3", "hao3"),
+        ("hǎo", "hao3"),
+        ("lv4", "lü4"),
+        ("LÜ4", "lü4"),
+        ("lǜ", "lü4"),
+        ("lu:4", "lü4"),
+        ("ma", "ma5"),
+        ("ế", "ê2"),
+        ("ê", "ê5"),
+        ("ǹg", "ng4"),
+        (unicodedata.normalize("NFD", "nǚ"), "nü3"),
+    ],
+)
 def test_a_tone_may_be_written_as_a_digit_or_a_mark(written: str, sound: str) -> None:
     assert sound_of(written) == sound
 

@@ -140,9 +140,14 @@ def test_a_seek_puts_the_mass_at_rest_on_its_target(time: float) -> None:
 
 @pytest.mark.parametrize(
     ("numbers", "words"),
-    [((0, 900, 60), "the mass of a spring must be a number above 0"), ((1, float("nan"), 60), "the stiffness"),
-     ((1, 900, -1), "the damping"), ((1, 1e6, 60), "swings ever farther"), ((0.01, 900, 60), "swings ever farther")],
-)  # fmt: skip
+    [
+        ((0, 900, 60), "the mass of a spring must be a number above 0"),
+        ((1, float("nan"), 60), "the stiffness"),
+        ((1, 900, -1), "the damping"),
+        ((1, 1e6, 60), "swings ever farther"),
+        ((0.01, 900, 60), "swings ever farther"),
+    ],
+)
 def test_an_impossible_spring_is_refused(numbers: tuple[float, float, float], words: str) -> None:
     with pytest.raises(MouthError, match=words):
         Spring(*numbers)

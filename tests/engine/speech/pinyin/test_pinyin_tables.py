@@ -82,7 +82,7 @@ def test_an_animator_sets_the_onset_of_one_letter_and_a_spring() -> None:
     [
         ('format = "phonemeanalyser pinyin 1"', 'format = "pinyin"', "a pinyin table begins with format"),
         ('movestates = "arkit"', 'movestates = "arkti"', "movestates must be one of arkit"),
-        ('f = ["f"]', 'f = []', r"\[onsets\] lacks 'f'; add it to the list"),
+        ('f = ["f"]', "f = []", r"\[onsets\] lacks 'f'; add it to the list"),
         ('f = ["f"]', 'f = ["f", "b"]', r"\[onsets\] names 'b' twice; remove one"),
         ('f = ["f"]', 'f = ["f", "v"]', r"\[onsets\] f does not know 'v'; known are b, p"),
         ('f = ["f"]', 'f = "f"', r"\[onsets\] f must be a list, found 'f'"),
@@ -90,7 +90,7 @@ def test_an_animator_sets_the_onset_of_one_letter_and_a_spring() -> None:
         ('f = ["f"]', 'ff = ["f"]', r"\[onsets\] has 'ff', which is no letter"),
         ('i = ["i", "in", "ing"]', 'i = ["i", "in"]', r"\[rimes\] lacks 'ing'"),
         ('hm = "gb"', 'hm = "gbb"', r"\[syllables\] hm must be two letters that \[shapes\] has, found 'gbb'"),
-        ('hm = "gb"', 'hm = 3', r"\[syllables\] hm must be text, found 3"),
+        ('hm = "gb"', "hm = 3", r"\[syllables\] hm must be text, found 3"),
         ('hm = "gb"', 'hello = "gb"', r"\[syllables\] names 'hello', which is no syllable without tone"),
         ('hm = "gb"', 'hm3 = "gb"', r"\[syllables\] names 'hm3', which is no syllable without tone"),
         ('u = ["w"', 'v = ["w"', r"\[variants\] has the shape 'v', which"),
@@ -112,7 +112,7 @@ def test_an_animator_sets_the_onset_of_one_letter_and_a_spring() -> None:
         ("[weights]", "[wieghts]", "a pinyin table does not know 'wieghts'"),
         ("[onsets]", "[onsets", "this is no TOML file"),
     ],
-)  # fmt: skip
+)
 def test_a_table_with_nonsense_is_refused_in_one_sentence(old: str, new: str, words: str) -> None:
     assert old in GOOD
     with pytest.raises(MouthError, match=words) as refusal:

@@ -139,11 +139,15 @@ def test_sentences_of_a_voice_are_planned_one_after_the_other_with_their_marks()
     first = list(planner.rows_of("你好,吗.", (NIHAO, MA), 1.5))
     then = list(planner.rows_of("Me, me.", (Word("Me", (Syllable(phones),)), Word("me", (Syllable(again),))), 2.5))
     assert [(row.start, row.end, row.text) for row in first if row.kind is PlanKind.PAUSE] == [
-        (0.0, 0.1, ""), (0.7, 0.95, "，"), (1.15, 1.5, "。"),
-    ]  # fmt: skip
+        (0.0, 0.1, ""),
+        (0.7, 0.95, "，"),
+        (1.15, 1.5, "。"),
+    ]
     assert [(row.start, row.end, row.text) for row in then if row.kind is PlanKind.PAUSE] == [
-        (1.5, 1.6, ""), (1.8, 2.0, ","), (2.1, 2.5, "."),
-    ]  # fmt: skip
+        (1.5, 1.6, ""),
+        (1.8, 2.0, ","),
+        (2.1, 2.5, "."),
+    ]
 
 
 def test_what_holds_no_pinyin_moves_no_letters() -> None:

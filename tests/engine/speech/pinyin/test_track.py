@@ -79,8 +79,13 @@ def test_a_silent_text_is_even_speech_of_its_phones_until_the_mouth_is_at_rest()
     said = track.silent_transcript("妈")
     assert said.duration == pytest.approx(0.25 + 0.3 + 0.25 + 0.6 + AFTERWARDS)
     assert [run.phoneme for run in said.runs] == [
-        Phoneme.M, Phoneme.A, Phoneme.SILENCE, Phoneme.UNIDENTIFIED, Phoneme.A, Phoneme.SILENCE,
-    ]  # fmt: skip
+        Phoneme.M,
+        Phoneme.A,
+        Phoneme.SILENCE,
+        Phoneme.UNIDENTIFIED,
+        Phoneme.A,
+        Phoneme.SILENCE,
+    ]
     assert all(run.end == following.start for run, following in pairwise(said.runs))
     assert said.runs[-1].end == said.duration
     assert said.intensities[said.times < 0.249].min() == 1
