@@ -14,7 +14,8 @@ from phonemeengine.execution import Progress
 
 def clip_options(options: argparse.Namespace) -> ClipOptions:
     """Return how the clip of a command line with the arguments of `add_clip` looks."""
-    return ClipOptions(options.size, options.fps or USUAL_CLIP_RATE, {"light": LIGHT, "dark": DARK}[options.theme])
+    rate = USUAL_CLIP_RATE if options.fps is None else options.fps
+    return ClipOptions(options.size, rate, {"light": LIGHT, "dark": DARK}[options.theme])
 
 
 @contextmanager

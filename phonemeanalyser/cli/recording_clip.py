@@ -44,10 +44,11 @@ def write_recording_clip(options: argparse.Namespace) -> None:
     with PerformanceTable.open(options.table) as table, ExitStack() as stack:
         performance = table.recording_called(options.recording)
         start, end = _part_of(performance, options)
-        animation = _animation_of(performance, start, end, options.fps)
+        look = clip_options(options)
+        animation = _animation_of(performance, start, end, look.rate)
         caption = f"{performance.name}, as recorded: {table.about.title}"
         sound = _sound_of(table, start, end, options, stack)
-        head, look = subdivided(load_head()), clip_options(options)
+        head = subdivided(load_head())
         with frames_bar(len(animation.weights)) as progress:
             guard = Guard(overwrite=options.overwrite)
             with output_path(options.out, ".mp4") as path:

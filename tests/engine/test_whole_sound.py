@@ -50,7 +50,7 @@ def test_all_of_it_is_what_the_file_gives(long: Path, name: str):
     expected = whole(long, preset)
     assert (tracks.states == FrameState.KNOWN).all()
     assert tracks.names == expected.features.names
-    for name_of in ("recognised", "phonemes", "visemes", "intensities", "confidences"):
+    for name_of in ("recognised", "phonemes", "intensities", "confidences"):
         np.testing.assert_array_equal(getattr(tracks, name_of), getattr(expected, name_of))
     np.testing.assert_array_equal(tracks.values, expected.features.values)
     assert tracks.peaks.n_samples == SECONDS * SAMPLE_RATE + 123

@@ -73,7 +73,7 @@ def _trouble(name: str, job: Job, progress: Progress) -> None:
 
 
 def _hold(source: Path, _progress: Progress) -> None:
-    print(source.stem, flush=True)
+    os.write(1, f"{source.stem}\n".encode())  # at once, as several processes say theirs
     threading.Event().wait()
 
 

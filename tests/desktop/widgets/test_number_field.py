@@ -30,7 +30,7 @@ def test_a_point_and_a_comma_are_both_understood_and_a_point_is_shown(desktop, w
     field = window.filters.fields["time_smooth"]
     type_number(field, typed)
     assert desktop.preset.preset.settings.time_smooth == 0.75
-    assert field.text() == "0.75"
+    assert field.text() == "0.750"
 
 
 @pytest.mark.parametrize("typed", ["-1.5", "-1,5"])
