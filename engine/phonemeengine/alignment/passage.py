@@ -125,8 +125,8 @@ class Passage:
 
     def _with_closures(self, steps: Sequence[WayStep]) -> Iterator[WayStep]:
         """Return steps where the quiet before a stop, within speech, is part of it."""
-        # A stop is a closure and a burst; the recogniser hears silence in the closure, so the way takes it for a
-        # pause. A short one between two sounds of speech belongs to the stop.
+        # A stop is a closure and a burst; the recogniser names the closure silence, so the best path has a pause
+        # there. A short one between two sounds of speech belongs to the stop.
         earlier: tuple[WayStep | None, ...] = (None, None, *steps)
         for before, quiet, step in zip(earlier, earlier[1:], steps, strict=False):
             spoken = before is not None and before.kind == step.kind == SOUND

@@ -87,7 +87,7 @@ Say = Callable[[str, str], None]
 
 
 def say_nothing(_name: str, _note: str) -> None:
-    """Tell nobody."""
+    """Report nothing."""
 
 
 @dataclass(frozen=True)

@@ -201,7 +201,7 @@ class ConversionOptions:
         "of several channels: mix, left, right, or a number from 1", "C", read_channel, Channel.MIX
     )
     longest: float = _option(
-        "refuse sounds that last longer than so many seconds", "S", Number(0, unit="s"), math.inf, elsewhere=False
+        "refuse sounds longer than S seconds", "S", Number(0, unit="s"), math.inf, elsewhere=False
     )
     text: str | None = _option("what is said in the sound: recognition becomes far more exact", "TEXT")
     script: Path | None = _file(

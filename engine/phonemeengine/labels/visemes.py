@@ -50,7 +50,7 @@ _LABELS = {
     for viseme in Viseme
 }
 NO_VISEME = 255
-"""The code of frames whose viseme nobody knows, or of which people disagree."""
+"""The code of frames whose viseme is unknown or disputed."""
 MOST_VISEMES = 32
 """So many a set may have: a shipped ear computes them together."""
 
@@ -198,7 +198,7 @@ _LETTERS: dict[Viseme, str] = {
     Viseme.OH: "o ɔ",
     Viseme.OU: "u ʊ",
 }
-"""The sounds of which nobody doubts what they show, by their letters in the IPA. Others share the looks of several:
+"""The sounds with one unambiguous viseme, by their letters in the IPA. Others share the looks of several:
 h takes the mouth of the next vowel, j and w are between a vowel and a consonant, ə is anything."""
 _BY_LETTER = {letter: viseme for viseme, letters in _LETTERS.items() for letter in letters.split()}
 STANDARD_VISEMES = VisemeSet(
