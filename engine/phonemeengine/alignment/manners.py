@@ -15,7 +15,7 @@ from phonemeengine.labels.visemes import Viseme, viseme_of
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.settings import WINDOW
 
-# one or two periods of a voice, so shorter than the window of the recogniser: the closure of a stop shows
+# one or two periods of a voice, shorter than the recogniser's window: the closure of a stop shows
 HEARD = slice(WINDOW // 2 - 330, WINDOW // 2 + 331)
 """The middle of a window that is measured, 15 ms."""
 QUIETEST = 1e-9
