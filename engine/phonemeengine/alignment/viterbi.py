@@ -179,8 +179,8 @@ class _Search:
         # without a beam: stretches are short enough to keep every state.
         self._reached = np.full((n + 1, n_junctions), -np.inf)
         self._whence = np.zeros((n + 1, n_junctions), np.uint8)
-        # Every state lasts at least as long as a block, so none that begins in a block ends in it: a block depends only
-        # on what is known before it, and its frames are computed together.
+        # Every state lasts at least as long as a block, so none that begins in a block ends in it:
+        # a block depends only on what is known before it, and its frames are computed together.
         self._block = int(min(*least.sounds, least.silence, least.strange))
 
     def run(self) -> None:
