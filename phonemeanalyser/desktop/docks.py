@@ -88,9 +88,10 @@ class Docks(QObject):
             dock.removeEventFilter(self)
 
     def prefer(self, widths: Mapping[QDockWidget, int]) -> None:
-        """Give some docks other widths, pixels, which they get again whenever there is room for all."""
-        self._wide.update(widths)
-        self.resize(widths)
+        """Give some docks other widths, pixels, or what all of them needs; they get these whenever there is room."""
+        for dock, width in widths.items():
+            self._wide[dock] = max(width, *(scrolled.needed_width for scrolled in dock.findChildren(Scrolled)))
+        self.resize({dock: self._wide[dock] for dock in widths})
 
     def resize(self, widths: Mapping[QDockWidget, int]) -> None:
         """Give some docks other widths, pixels."""

@@ -47,7 +47,7 @@ from phonemeengine.phonemes import Phoneme
 FILTERS_WIDTH, PHONEME_WIDTH, HEAD_HEIGHT = 280, 310, 230
 USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 """What the window likes to have, and what window managers put around it, pixels."""
-NARROW = 1260
+NARROW = 1272
 """A window that is narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
 KEYS_OF_DOCKS = {tr_noop("Head"): "F7"}

@@ -1,5 +1,7 @@
 """Nothing is clipped: every text has room at the sizes that people use."""
 
+from itertools import product
+
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
@@ -21,6 +23,7 @@ from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import Tone, ToneKind
+from phonemeengine.presets.files import FACTORY
 from tests.desktop.hands import click, followed, settle, shown
 
 SMALLEST = (1016, 660)
@@ -151,17 +154,30 @@ def test_the_tabs_of_the_calibration_can_be_scrolled_where_they_are_narrow(deskt
         assert scrolled.horizontalScrollBar().maximum() == max(0, hidden)
 
 
+def is_seen(area: QScrollArea) -> bool:
+    """Say whether something of it is on the screen: it lies behind no other dock."""
+    return any(not widget.visibleRegion().isEmpty() for widget in (area, *area.findChildren(QWidget)))
+
+
 @pytest.mark.parametrize("language", ["en", "de"])
-def test_the_page_of_the_head_shows_its_whole_width(settings, request, qtbot, language):
+def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, request, qtbot, language):
     settings.setValue("language", language)
-    window = shown(request.getfixturevalue("desktop"), qtbot, None)
-    window.show_page(2)
-    window.resize(*SMALLEST)
-    settle()
-    around_it = [a for a in window.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes)]
-    assert len(around_it) == 2
-    for scrolled in around_it:
-        assert scrolled.widget().width() <= scrolled.viewport().width()
+    window = shown(request.getfixturevalue("desktop"), qtbot)
+    for preset, size, page in product(("learned", "thesis"), (SMALLEST, (1272, 800), (1920, 1080)), range(3)):
+        if (size, page) == (SMALLEST, 0):
+            window.dialogs.load_preset(FACTORY / f"{preset}.toml")
+        window.show_page(page)
+        window.resize(*size)
+        settle()
+        seen = [area for area in window.findChildren(QScrollArea) if is_seen(area)]
+        assert seen
+        for area in seen:
+            assert area.widget().width() <= area.viewport().width(), (preset, size, page, area.accessibleName())
+    for column in (window.filters, window.analysis.thresholds):
+        needed = column.widget().minimumSizeHint().width() + column.verticalScrollBar().sizeHint().width()
+        assert column.minimumWidth() >= needed
+    around_visemes = [a for a in window.findChildren(QScrollArea) if a.isAncestorOf(window.talk.visemes)]
+    assert len(around_visemes) == 2
 
 
 def test_the_window_opens_within_the_screen(desktop, qapp):

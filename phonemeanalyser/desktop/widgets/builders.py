@@ -260,6 +260,11 @@ class Scrolled(QScrollArea):
         """Ask for little."""
         return LEAST.boundedTo(self._view.minimumSizeHint())
 
+    @property
+    def needed_width(self) -> int:
+        """The least width at which nothing is scrolled sideways, pixels."""
+        return self._view.minimumSizeHint().width()
+
 
 _SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider)
 

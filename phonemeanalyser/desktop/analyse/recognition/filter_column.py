@@ -134,6 +134,7 @@ class FilterColumn(QScrollArea):
         super().__init__()
         self._preset = preset
         self._theme = theme
+        self._unused_style = f"color: {theme.faint}; font-style: italic"
         self.switches: dict[str, QCheckBox] = {}
         self.fields: dict[str, QComboBox | NumberField] = {}
         self.resets: dict[str, QToolButton] = {}
@@ -188,13 +189,17 @@ class FilterColumn(QScrollArea):
             self._grid.addWidget(reset, row + 1, 2)
 
     def _heading(self, stage: Stage, switch: Callable[[bool], None] | None) -> QWidget:
+        heading: QLabel | QCheckBox
         if switch is None:
-            return QLabel(tr(stage.label))
-        box = QCheckBox(tr(stage.label))
-        box.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        box.toggled.connect(switch)
-        self.switches[stage.name] = box
-        return box
+            heading = QLabel(tr(stage.label))
+        else:
+            heading = self.switches[stage.name] = QCheckBox(tr(stage.label))
+            heading.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            heading.toggled.connect(switch)
+        usual = heading.sizeHint().width()
+        heading.setStyleSheet(self._unused_style)
+        heading.setMinimumWidth(max(usual, heading.sizeHint().width()))  # the column keeps its width
+        return heading
 
     def _reset(self, key: str, text: str) -> QToolButton:
         reset = self.resets[key] = tool_button(
@@ -265,7 +270,7 @@ class FilterColumn(QScrollArea):
                 else ""
             )
             heading.setToolTip(f"{tr(STAGES[key].label)}: {tr(STAGES[key].hint)}{note}")
-            heading.setStyleSheet(f"color: {self._theme.faint}; font-style: italic" if key in unused else "")
+            heading.setStyleSheet(self._unused_style if key in unused else "")
         if unused >= FILTERS:
             self.unused.setText(
                 tr("{name} hears the bare sound: the filters shape only what is seen").format(name=name)
