@@ -1,4 +1,4 @@
-"""Builds the graphs of Whisper's encoder for ONNX Runtime from its weights; needs the package onnx (extra ``train``).
+"""Builds the graphs of Whisper's encoder for ONNX Runtime from its weights.
 
 The weights are a dict of float32 arrays with the names that CTranslate2 gives those of Whisper, without ``encoder/``
 (``conv1/weight``, ``layer_0/self_attention/linear_0/weight`` ...). Both graphs take as many layers as they find
@@ -13,12 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.encoder.whisper import N_MELS
+from phonemeengine.encoder import onnx_file
+from phonemeengine.encoder.weights import N_MELS
 
 Weights = Mapping[str, Float32Array]
 
-OPSET, IR_VERSION = 20, 9
-"""Of ONNX: the first opset with Gelu; what ONNX Runtime reads from version 1.17 on."""
 HEAD_SIZE = 64
 BACK = 150
 """States, 20 ms each, that the live encoder looks back to."""
@@ -33,6 +32,8 @@ LIMIT = 63
 ACTIVATION_LIMIT, ACTIVATION_ZERO = 127, 128
 """Quantised inputs lie within ± this around that, in unsigned bytes."""
 LEAST_SCALE = 1e-12
+_FLOAT = 1
+"""Code of float32, to which operators cast."""
 _INTEGERS = {"count", "ahead"}
 
 
@@ -49,7 +50,7 @@ def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None 
     Parameters
     ----------
     weights : as the module says.
-    bits : 32 for float32, 8 for matrices of bytes.
+    bits : 32 for float32; 16 for float32 with weights that are float16 in the file; 8 for matrices of bytes.
     metadata : texts by name, kept in the model.
     """
     graph = _Graph(bits)
@@ -57,15 +58,10 @@ def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None 
     edge = graph.constant(np.array([0, 1, 0, 0, 1, 0], np.int64))
     frames = _convolution(graph, weights, "conv1", graph.node("Pad", frames, edge), step=1)
     states = _convolution(graph, weights, "conv2", graph.node("Pad", frames, edge), step=2)
-    positions = graph.constant(weights["position_encodings/encodings"][np.newaxis])
-    zero = graph.integers(0)
-    states = graph.node("Add", states, graph.slice(positions, zero, graph.length(states, 1), 1))
+    positions = graph.weight(weights["position_encodings/encodings"][np.newaxis])
+    states = graph.node("Add", states, graph.slice(positions, graph.integers(0), graph.length(states, 1), 1))
     for k in range(layer_count(weights)):
-        name = f"layer_{k}/self_attention"
-        parts = _heads_of(graph, weights, name, _norm(graph, weights, f"{name}/layer_norm", states))
-        scores = graph.node("MatMul", parts.queries, parts.keys)
-        found = graph.node("MatMul", graph.node("Softmax", scores, axis=-1), parts.values)
-        states = _after_attention(graph, weights, k, states, found)
+        states = _after_attention(graph, weights, k, states, _whole_attention(graph, weights, k, states))
     states = _final_norm(graph, weights, states)
     return graph.model({"mel": [1, N_MELS, "frames"]}, {"states": states}, metadata or {})
 
@@ -118,7 +114,9 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
         if k == 0:  # queries are asked of the states from the pending one on, keys are those of the new ones
             after = graph.node("Add", n, one)
             queries = graph.slice(parts.queries, start, end, 2)
-            parts = _Heads(queries, graph.slice(parts.keys, one, after, 3), graph.slice(parts.values, one, after, 2))
+            parts = _HeadInputs(
+                queries, graph.slice(parts.keys, one, after, 3), graph.slice(parts.values, one, after, 2)
+            )
         if k < 2:  # all layers but the first look at the same places
             places = _places(graph, n, count, ahead)
             ahead, count = none, graph.node("Sub", "count", "ahead")
@@ -133,7 +131,7 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
     return graph.model(_live_inputs(weights), outputs, metadata or {})
 
 
-class _Heads(NamedTuple):
+class _HeadInputs(NamedTuple):
     """Names of queries and values, (batch, n_heads, n, 64), and of keys, (batch, n_heads, 64, n)."""
 
     queries: str
@@ -145,19 +143,23 @@ class _Graph:
     """Nodes and constants of a graph that is being made; each is known by the name of its result."""
 
     def __init__(self, bits: int) -> None:
-        if bits not in {8, 32}:
-            raise ValueError(f"the weights have 8 or 32 bits, got {bits}")
+        if bits not in {8, 16, 32}:
+            raise ValueError(f"the weights have 8, 16 or 32 bits, got {bits}")
         self._bits = bits
-        self._nodes: list[Any] = []
-        self._constants: list[Any] = []
+        self._nodes: list[bytes] = []
+        self._constants: list[bytes] = []
 
     def constant(self, array: NDArray[Any]) -> str:
         """Add an array that is the same in all calls."""
-        from onnx import numpy_helper  # noqa: PLC0415 - it is an extra
-
         name = f"c{len(self._constants)}"
-        self._constants.append(numpy_helper.from_array(np.asarray(array, order="C"), name))
+        self._constants.append(onnx_file.tensor(name, array))
         return name
+
+    def weight(self, array: Float32Array) -> str:
+        """Add constant float32 numbers, which the file may hold in 16 bits; they are unpacked as it is opened."""
+        if self._bits == 16:
+            return self.node("Cast", self.constant(array.astype(np.float16)), to=_FLOAT)
+        return self.constant(array.astype(np.float32))
 
     def integers(self, *values: int) -> str:
         """Add constant int64 numbers, shape (n,)."""
@@ -169,10 +171,8 @@ class _Graph:
 
     def node(self, kind: str, *inputs: str, **attributes: Any) -> str:
         """Add a node with one result."""
-        from onnx import helper  # noqa: PLC0415 - it is an extra
-
         name = f"n{len(self._nodes)}"
-        self._nodes.append(helper.make_node(kind, inputs, [name], **attributes))
+        self._nodes.append(onnx_file.node(kind, inputs, name, **attributes))
         return name
 
     def slice(self, array: str, start: str, end: str, axis: int) -> str:
@@ -190,7 +190,7 @@ class _Graph:
 
     def product(self, inputs: str, weight: Float32Array) -> str:
         """Add the product with a matrix (n_out, n_in) in float32."""
-        return self.node("MatMul", inputs, self.constant(weight.T.astype(np.float32)))
+        return self.node("MatMul", inputs, self.weight(weight.T))
 
     def _quantised(self, inputs: str, weight: Float32Array) -> str:
         # Each output of the matrix, and each row of the inputs, has a scale of its own. The latter makes the answer
@@ -202,32 +202,22 @@ class _Graph:
         scale = self.node("Max", scale, self.number(LEAST_SCALE))
         zero = self.constant(np.array(ACTIVATION_ZERO, np.uint8))
         as_bytes = self.node("QuantizeLinear", self.node("Div", inputs, scale), self.number(1), zero)
-        sums = self.node("Cast", self.node("MatMulInteger", as_bytes, self.constant(quantised.T), zero), to=1)
+        sums = self.node("Cast", self.node("MatMulInteger", as_bytes, self.constant(quantised.T), zero), to=_FLOAT)
         return self.node("Mul", self.node("Mul", sums, scale), self.constant(scales))
 
     def model(
         self, inputs: Mapping[str, Sequence[int | str]], outputs: Mapping[str, str], metadata: Mapping[str, str]
     ) -> bytes:
         """Return the model's file, with inputs of these shapes, and outputs that are these nodes."""
-        from onnx import TensorProto, helper  # noqa: PLC0415 - it is an extra
-
-        kinds = {name: TensorProto.INT64 if name in _INTEGERS else TensorProto.FLOAT for name in inputs}
-        graph = helper.make_graph(
-            [*self._nodes, *(helper.make_node("Identity", [node], [name]) for name, node in outputs.items())],
-            "encoder",
-            [helper.make_tensor_value_info(name, kinds[name], shape) for name, shape in inputs.items()],
-            [helper.make_tensor_value_info(name, TensorProto.FLOAT, None) for name in outputs],
+        ends = [onnx_file.node("Identity", [found], name) for name, found in outputs.items()]
+        kinds = {name: np.int64 if name in _INTEGERS else np.float32 for name in inputs}
+        return onnx_file.model(
+            [*self._nodes, *ends],
             self._constants,
+            [onnx_file.port(name, kinds[name], shape) for name, shape in inputs.items()],
+            [onnx_file.port(name, np.float32, None) for name in outputs],
+            metadata,
         )
-        model = helper.make_model(
-            graph,
-            opset_imports=[helper.make_opsetid("", OPSET)],
-            ir_version=IR_VERSION,
-            producer_name="phonemeengine",
-        )
-        helper.set_model_props(model, dict(metadata))
-        content: bytes = model.SerializeToString()
-        return content
 
 
 def _time_first(graph: _Graph, mel: str) -> str:
@@ -263,7 +253,7 @@ def _final_norm(graph: _Graph, weights: Weights, states: str) -> str:
     return _norm(graph, weights, "layer_norm", states) if "layer_norm/gamma" in weights else states
 
 
-def _heads_of(graph: _Graph, weights: Weights, name: str, normed: str) -> _Heads:
+def _heads_of(graph: _Graph, weights: Weights, name: str, normed: str) -> _HeadInputs:
     """Add queries, keys and values of normed states; queries are scaled by 1 / 8, so that scores are."""
     weight, bias = weights[f"{name}/linear_0/weight"].copy(), weights[f"{name}/linear_0/bias"].copy()
     n_channels = weight.shape[1]
@@ -273,11 +263,21 @@ def _heads_of(graph: _Graph, weights: Weights, name: str, normed: str) -> _Heads
     split = graph.node("Reshape", graph.linear(normed, weight, bias), shape)
     parts = [graph.node("Gather", split, graph.constant(np.array(k, np.int64)), axis=2) for k in range(3)]
     queries, values = (graph.node("Transpose", parts[k], perm=[0, 2, 1, 3]) for k in (0, 2))
-    return _Heads(queries, graph.node("Transpose", parts[1], perm=[0, 2, 3, 1]), values)
+    return _HeadInputs(queries, graph.node("Transpose", parts[1], perm=[0, 2, 3, 1]), values)
 
 
-def _attention(graph: _Graph, parts: _Heads, layer: int, bias: str) -> str:
-    """Add attention to what the ring of a layer holds and to what is new, shape (batch, n_heads, n, 64)."""
+def _whole_attention(graph: _Graph, weights: Weights, layer: int, states: str) -> str:
+    """Add attention to all states of a stretch, shape (batch, n, n_channels)."""
+    # ONNX Runtime's own operator never writes down the scores of all queries and keys, which takes a seventh off.
+    name = f"layer_{layer}/self_attention"
+    both = _linear(graph, weights, f"{name}/linear_0", _norm(graph, weights, f"{name}/layer_norm", states))
+    n = len(weights[f"{name}/linear_1/bias"])
+    parts = [graph.slice(both, graph.integers(k * n), graph.integers((k + 1) * n), 2) for k in range(3)]
+    return graph.node("MultiHeadAttention", *parts, domain=onnx_file.CONTRIBUTED, num_heads=n // HEAD_SIZE)
+
+
+def _attention(graph: _Graph, parts: _HeadInputs, layer: int, bias: str) -> str:
+    """Add attention to what the ring of a layer holds and to what is new, shape (batch, n, n_channels)."""
     # Two products each, so that the ring is never copied to be laid beside what is new.
     old = graph.node("MatMul", parts.queries, f"keys_{layer}")
     new = graph.node("MatMul", parts.queries, parts.keys)
@@ -285,7 +285,9 @@ def _attention(graph: _Graph, parts: _Heads, layer: int, bias: str) -> str:
     shares = graph.node("Softmax", scores, axis=-1)
     zero, slots, end = graph.integers(0), graph.integers(SLOTS), graph.length(shares, 3)
     found = graph.node("MatMul", graph.slice(shares, zero, slots, 3), f"values_{layer}")
-    return graph.node("Add", found, graph.node("MatMul", graph.slice(shares, slots, end, 3), parts.values))
+    found = graph.node("Add", found, graph.node("MatMul", graph.slice(shares, slots, end, 3), parts.values))
+    beside = graph.node("Transpose", found, perm=[0, 2, 1, 3])
+    return graph.node("Reshape", beside, graph.integers(0, 0, -1))
 
 
 def _places(graph: _Graph, n: str, count: str, ahead: str) -> str:
@@ -322,10 +324,7 @@ def _relative_bias(graph: _Graph, bias: Float32Array, places: str) -> str:
 def _after_attention(graph: _Graph, weights: Weights, layer: int, states: str, found: str) -> str:
     """Add what attention found to the states, and then what the two linear maps make of them."""
     name = f"layer_{layer}"
-    n_channels = len(weights[f"{name}/self_attention/linear_1/bias"])
-    joined = graph.node("Transpose", found, perm=[0, 2, 1, 3])
-    joined = graph.node("Reshape", joined, graph.integers(0, 0, n_channels))
-    states = graph.node("Add", states, _linear(graph, weights, f"{name}/self_attention/linear_1", joined))
+    states = graph.node("Add", states, _linear(graph, weights, f"{name}/self_attention/linear_1", found))
     hidden = _linear(graph, weights, f"{name}/ffn/linear_0", _norm(graph, weights, f"{name}/ffn/layer_norm", states))
     return graph.node("Add", states, _linear(graph, weights, f"{name}/ffn/linear_1", graph.node("Gelu", hidden)))
 

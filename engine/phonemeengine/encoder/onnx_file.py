@@ -1,0 +1,86 @@
+"""Writes ONNX files: the operators of a network with its weights, as ONNX Runtime takes them.
+
+The few messages of onnx.proto3 (https://github.com/onnx/onnx) that this takes are written here, so that who cuts a
+network out of another one on his own machine needs no further library.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+OPSET, IR_VERSION = 20, 9
+"""Of ONNX: the first opset with Gelu; what ONNX Runtime reads from version 1.17 on."""
+CONTRIBUTED = "com.microsoft"
+"""The domain of the operators that ONNX Runtime has besides those of ONNX."""
+TYPES = {"float32": 1, "uint8": 2, "int8": 3, "int64": 7, "float16": 10}
+"""Codes of the types of numbers, as in ``TensorProto.DataType``."""
+
+
+def tensor(name: str, values: NDArray[Any]) -> bytes:
+    """Return a constant."""
+    little = np.asarray(values, values.dtype.newbyteorder("<"), order="C").tobytes()
+    sizes = [_field(1, size) for size in values.shape]
+    return b"".join((*sizes, _field(2, TYPES[values.dtype.name]), _field(8, name), _field(9, little)))
+
+
+def node(kind: str, inputs: Iterable[str], output: str, domain: str = "", **attributes: Any) -> bytes:
+    """Return an operator with one output; attributes are whole numbers, floats, or sequences of whole numbers."""
+    fields = [_field(1, name) for name in inputs] + [_field(2, output), _field(4, kind)]
+    fields += [_field(5, _attribute(*each)) for each in attributes.items()]
+    return b"".join((*fields, _field(7, domain) if domain else b""))
+
+
+def port(name: str, dtype: DTypeLike, shape: Sequence[int | str] | None) -> bytes:
+    """Return an input or output; sizes that may differ are names, and None leaves the shape open."""
+    sizes = b"".join(_field(1, _field(1 if isinstance(size, int) else 2, size)) for size in shape or ())
+    kind = _field(1, TYPES[np.dtype(dtype).name]) + (_field(2, sizes) if shape is not None else b"")
+    return _field(1, name) + _field(2, _field(1, kind))
+
+
+def model(
+    nodes: Iterable[bytes],
+    tensors: Iterable[bytes],
+    inputs: Iterable[bytes],
+    outputs: Iterable[bytes],
+    metadata: Mapping[str, str],
+) -> bytes:
+    """Return the content of a file, with texts by name beside the graph."""
+    parts = {1: nodes, 2: [b"encoder"], 5: tensors, 11: inputs, 12: outputs}
+    graph = b"".join(_field(number, part) for number, group in parts.items() for part in group)
+    opsets = (_field(2, OPSET), _field(1, CONTRIBUTED) + _field(2, 1))
+    texts = (_field(1, name) + _field(2, text) for name, text in metadata.items())
+    rest = [_field(8, opset) for opset in opsets] + [_field(14, text) for text in texts]
+    return b"".join((_field(1, IR_VERSION), _field(7, graph), *rest))
+
+
+def _attribute(name: str, value: Any) -> bytes:
+    # Each kind of value has a field of its own; the last one tells which, as in ``AttributeProto.AttributeType``.
+    if isinstance(value, float):
+        return _field(1, name) + _tag(2, 5) + np.array(value, "<f4").tobytes() + _field(20, 1)
+    if isinstance(value, int):
+        return _field(1, name) + _field(3, value) + _field(20, 2)
+    return b"".join((_field(1, name), *(_field(8, each) for each in value), _field(20, 7)))
+
+
+def _field(number: int, value: int | str | bytes) -> bytes:
+    """Return a field of a message of protobuf: a number, or bytes with their length before them."""
+    if isinstance(value, int):
+        return _tag(number, 0) + _varint(value)
+    content = value.encode() if isinstance(value, str) else value
+    return b"".join((_tag(number, 2), _varint(len(content)), content))
+
+
+def _tag(number: int, wire_type: int) -> bytes:
+    return _varint(number << 3 | wire_type)
+
+
+def _varint(value: int) -> bytes:
+    """Return a number, seven bits a byte, the lowest first; negative ones are of 64 bits."""
+    value &= (1 << 64) - 1
+    groups = bytearray()
+    while value > 127:
+        groups.append(value & 127 | 128)
+        value >>= 7
+    return bytes([*groups, value])
