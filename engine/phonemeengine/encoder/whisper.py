@@ -1,6 +1,8 @@
-"""Whisper's encoder, run by CTranslate2 on the processor: the only door to ctranslate2."""
+"""What Whisper's encoder makes of whole sounds: its mel bands, and its lower layers, cut out of the model."""
 
-from collections.abc import Iterator
+import json
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, Protocol
@@ -10,15 +12,19 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.audio.resampling import resample_whole
+from phonemeengine.encoder.graph import whole_graph
+from phonemeengine.encoder.runtime import first_line, open_session
+from phonemeengine.encoder.weights import N_MELS, N_STATES, read_weights
 from phonemeengine.errors import ModelError
 from phonemeengine.execution import threads_allowed
 from phonemeengine.settings import SAMPLE_RATE
+from phonemeengine.storage.files import atomic_write, reason_of
+from phonemeengine.storage.paths import data_folder
 
 # The log-mel spectrogram that Whisper's encoder takes (A. Radford et al., arXiv:2212.04356, section 2.2).
 
 ENCODER_RATE = 16_000
 """Samples a second."""
-N_MELS = 80
 N_FFT, MEL_HOP = 400, 160
 """Samples of a frame, and from one to the next: 25 and 10 ms."""
 DYNAMIC_RANGE = 8.0
@@ -61,12 +67,10 @@ def slaney_bank() -> Float64Array:
     return np.asarray(np.maximum(0, triangles) * 2 / (high - low))
 
 
-N_STATES = 512
-"""Numbers that the base model gives for each of its frames of 20 ms."""
 PERIOD = 0.02
-FILES = ("config.json", "model.bin")
-VOCABULARIES = ("vocabulary.json", "vocabulary.txt")
-"""What a model's folder must hold: all of the first, and one of the second, without which CTranslate2 opens none."""
+"""Seconds of a state."""
+LAYER = 4
+"""After which of the encoder's layers, 0..5, its states are taken: the upper ones have turned to words."""
 BEFORE, AFTER = 0.2, 0.5
 """Seconds of near silence before and after a sound, which are cut off again."""
 DITHER = 1e-4
@@ -74,8 +78,13 @@ DITHER = 1e-4
 STRETCH, OVERLAP = 2800, 100
 """Mel frames that are encoded at once, and how many more on both sides; it takes at most 3000."""
 NEEDED_MEMORY = 400e6
-"""Bytes: the weights as 8-bit integers, and what it works on."""
+"""Bytes: the weights, what it works on, and the whole model while it is cut."""
+MODEL_FILE = "model.bin"
 WHISPER_LICENCE = "Whisper base, multilingual, by OpenAI, MIT licence"
+CUT = "whisper-base-layer-{layer}.onnx"
+"""In the user's data: the convolutions and the lower layers of the model, as ONNX Runtime takes them."""
+BITS, REVISION = 16, 1
+"""Of each weight in that file, and of the way in which it is made."""
 
 
 class SpeechEncoder(Protocol):
@@ -92,27 +101,30 @@ class SpeechEncoder(Protocol):
 
 
 class WhisperEncoder:
-    """The encoder of a Whisper model in a folder, as CTranslate2 keeps it.
+    """The lower layers of the encoder of a Whisper model that CTranslate2 wrote, run by ONNX Runtime.
+
+    They are cut out of the model once, and kept in the user's data.
 
     Parameters
     ----------
-    folder : with `model.bin`, `config.json` and a vocabulary.
+    files : `model.bin`, or its parts one after the other.
+    layer : after which the states are taken, 0..5; `OUTPUT` for the encoder's output.
     n_threads : that work on a sound.
     free_memory : bytes that programs may still take.
 
     Raises
     ------
-    ModelError : ctranslate2 is not installed, the folder lacks a file, is damaged, or there is too little memory.
+    ModelError : onnxruntime is not installed, a file is missing or damaged, or there is too little memory.
     """
 
-    def __init__(self, folder: Path, n_threads: int = 0, free_memory: float | None = None) -> None:
+    def __init__(
+        self, *files: Path, layer: int = LAYER, n_threads: int = 0, free_memory: float | None = None
+    ) -> None:
         free = _free_memory() if free_memory is None else free_memory
-        self._model = _load(folder, n_threads or threads_allowed(), free)
+        self._session = _load(files, layer, n_threads or threads_allowed(), free)
 
     def encode(self, samples: Float32Array) -> NDArray[np.float16]:
         """Return the states, float16, shape (n_frames, 512): frame k lies at k x 20 ms..(k + 1) x 20 ms."""
-        import ctranslate2  # noqa: PLC0415 - it is an extra
-
         # The second convolution of the encoder has a stride of 2, so a state stands for two mel frames, 20 ms.
         sound = resample_whole(samples, SAMPLE_RATE, ENCODER_RATE)
         wanted = -(-len(sound) // (2 * MEL_HOP))
@@ -121,10 +133,8 @@ class WhisperEncoder:
         # Attention sees the whole stretch, so the states near a cut would change with it; both neighbours overlap by
         # a second, and of each only the middle is kept. All places are even, so that the halves meet.
         for first, begin, end, last in _stretches(mels.shape[1]):
-            # CTranslate2 takes the memory as it is, so a slice has to become an array of its own
-            features = np.ascontiguousarray(mels[np.newaxis, :, begin:end])
-            found = self._model.encode(ctranslate2.StorageView.from_array(features), to_cpu=True)
-            parts.append(np.array(found)[0, (first - begin) // 2 : (last - begin) // 2].astype(np.float32))
+            (found,) = self._session.run(None, {"mel": mels[np.newaxis, :, begin:end]})
+            parts.append(found[0, (first - begin) // 2 : (last - begin) // 2])
         before = round(BEFORE / PERIOD)
         return np.concatenate(parts)[before : before + wanted].astype(np.float16)
 
@@ -146,45 +156,49 @@ def _stretches(n: int) -> Iterator[tuple[int, int, int, int]]:
         yield first, max(0, first - OVERLAP), min(n, last + OVERLAP), last
 
 
-def missing_files(folder: Path) -> list[str]:
-    """Return the names of the files that a folder lacks to be a model."""
-    missing = [name for name in FILES if not (folder / name).is_file()]
-    has_vocabulary = any((folder / name).is_file() for name in VOCABULARIES)
-    return missing if has_vocabulary else [*missing, VOCABULARIES[-1]]
-
-
-def _load(folder: Path, n_threads: int, free: float) -> Any:
-    missing = missing_files(folder)
+def _load(files: Sequence[Path], layer: int, n_threads: int, free: float) -> Any:
+    missing = [path for path in files if not path.is_file()]
     if missing:
         raise ModelError(
-            f"{folder}: there is no Whisper model, {missing[0]} is missing; choose its folder, or fetch "
-            "what is missing"
+            f"{missing[0].parent}: there is no Whisper model, {missing[0].name} is missing; choose its folder, or "
+            "fetch it"
         )
-    try:
-        import ctranslate2  # noqa: PLC0415 - it is an extra
-    except ImportError as error:
-        raise ModelError(
-            "Whisper needs ctranslate2, which is not installed; install phonemeanalyser[whisper]"
-        ) from error
     if free < NEEDED_MEMORY:
         raise ModelError(
             f"Whisper needs {NEEDED_MEMORY / 1e6:.0f} MB of memory and {free / 1e6:.0f} MB are free; "
             "close other programs"
         )
+    cut, source = data_folder() / CUT.format(layer=layer), _source_of(files)
+    if cut.is_file():
+        with suppress(ModelError):  # a damaged one is made anew
+            session = open_session(cut, n_threads)
+            if session.get_modelmeta().custom_metadata_map.get("source") == source:
+                return session
+    content = _cut(files, layer, source)
+    with suppress(OSError):  # it only saves a second at the next start
+        cut.parent.mkdir(parents=True, exist_ok=True)
+        with atomic_write(cut) as file:
+            file.write(content)
+    return open_session(content, n_threads)
+
+
+def _source_of(files: Sequence[Path]) -> str:
+    """Return what changes as soon as a cut has to be made anew, without reading the files."""
+    facts = [(str(path.absolute()), path.stat().st_size, path.stat().st_mtime_ns) for path in files]
+    return json.dumps([REVISION, BITS, facts])
+
+
+def _cut(files: Sequence[Path], layer: int, source: str) -> bytes:
     try:
-        # 8-bit weights take a quarter of the memory of float32.
-        return ctranslate2.models.Whisper(str(folder), device="cpu", compute_type="int8", intra_threads=n_threads)
-    except (RuntimeError, ValueError, MemoryError) as error:
+        weights = read_weights(b"".join(path.read_bytes() for path in files), layer)
+    except (OSError, ValueError, MemoryError) as error:
+        reason = reason_of(error) if isinstance(error, OSError) else first_line(error)
         raise ModelError(
-            f"{folder}: the Whisper model cannot be opened ({first_line(error)}); get it anew, or choose "
-            "another folder"
+            f"{files[0].parent}: the Whisper model cannot be opened ({reason}); get it anew, or choose another folder"
         ) from error
-
-
-def first_line(error: Exception) -> str:
-    """Return the first sentence of what a library says went wrong, for a place in ours."""
-    words = (str(error).strip() or type(error).__name__).splitlines()[0]
-    return words.removeprefix("Got: ").split(". ")[0][:160]
+    # Weights of 16 bits are those of the file as they are. Eight would be a third quicker, and off by a seventh of
+    # the states' spread, since a few numbers of each state are many times as large as all others.
+    return whole_graph(weights, BITS, {"source": source, "licence": WHISPER_LICENCE})
 
 
 def _free_memory() -> float:

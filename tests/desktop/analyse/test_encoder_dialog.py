@@ -62,7 +62,7 @@ def test_a_folder_without_a_model_is_refused(dialog, files, qtbot, tmp_path):
     files.show = FileAnswers(tmp_path)
     dialog.buttons[0].click()
     assert said(dialog, qtbot) == (
-        f"{tmp_path}: there is no Whisper model, config.json is missing; choose its folder, or fetch what is missing."
+        f"{tmp_path}: there is no Whisper model, model.bin is missing; choose its folder, or fetch it."
     )
 
 

@@ -39,8 +39,6 @@ def packages(tmp_path: Path, whisper_folder: Path, monkeypatch: pytest.MonkeyPat
         (site / name / "__init__.py").touch()
         (site / name / "data" / f"model.bin.part{k}").write_bytes(part)
         monkeypatch.delitem(sys.modules, name)
-    for name in ("config.json", "vocabulary.json"):
-        shutil.copy(whisper_folder / name, site / PACKAGES[0] / "data")
     monkeypatch.syspath_prepend(site)
     return site
 
@@ -71,57 +69,37 @@ def test_the_variable_goes_first_then_what_was_chosen(whisper_folder, tmp_path, 
 
 
 def test_a_folder_without_a_model_is_not_chosen(tmp_path):
-    with pytest.raises(ModelError, match=r"there is no Whisper model, config\.json is missing; choose its folder"):
+    with pytest.raises(ModelError, match=r"there is no Whisper model, model\.bin is missing; choose its folder"):
         choose_whisper(tmp_path)
     assert not has_whisper()
 
 
-@pytest.mark.usefixtures("packages")
-def test_the_halves_of_two_packages_are_put_together_once(whisper_folder, data, monkeypatch):
+def test_the_halves_of_two_packages_are_one_model_and_copied_nowhere(packages, whisper_folder, data):
     assert has_whisper()
     found = find_whisper()
-    assert found.path == data / "whisper-base"
-    assert (found.path / "model.bin").read_bytes() == (whisper_folder / "model.bin").read_bytes()
+    assert found.origin == "of two packages"
+    assert b"".join(path.read_bytes() for path in found.files) == (whisper_folder / "model.bin").read_bytes()
     open_whisper()
-    for name in PACKAGES:
-        monkeypatch.setitem(sys.modules, name, None)
-    assert find_whisper().path == found.path
+    assert [path.name for path in data.iterdir()] == ["whisper-base-layer-4.onnx"]
 
 
 @pytest.mark.usefixtures("packages")
-def test_a_folder_that_an_earlier_version_left_without_vocabulary_is_mended(data):
-    left = find_whisper().path
-    (left / "vocabulary.json").unlink()
-    with (left / "model.bin").open("ab"):  # as old as it is: what is whole is not written again
-        before = (left / "model.bin").stat()
-    assert find_whisper().path == left
-    open_whisper()
-    after = (left / "model.bin").stat()
-    assert (after.st_ino, after.st_mtime_ns) == (before.st_ino, before.st_mtime_ns)
-
-
-def test_without_vocabulary_one_sentence_says_what_is_missing_and_gets_it(whisper_folder, data):
+def test_what_was_fetched_or_left_by_an_earlier_version_goes_before_packages(whisper_folder, data):
     left = data / "whisper-base"
     left.mkdir(parents=True)
-    for name in ("config.json", "model.bin"):
-        shutil.copy(whisper_folder / name, left)
-    assert has_whisper()
-    with pytest.raises(ModelError, match=r"vocabulary\.txt is missing; choose its folder, or fetch what is missing"):
-        open_whisper()
+    shutil.copy(whisper_folder / "model.bin", left)
+    assert (find_whisper().path, find_whisper().origin) == (left, "in the data of the program")
+    open_whisper()
 
 
-def test_programs_that_put_it_together_at_once_all_have_it(packages, whisper_folder, data):
+def test_programs_that_cut_it_at_once_all_have_it(packages, data):
     program = "from phonemeengine import find_whisper; from phonemeengine.encoder.model_folder import open_whisper; "
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(packages), *sys.path])}
     words = [sys.executable, "-c", program + "open_whisper(); print(find_whisper().path)"]
     started = [subprocess.Popen(words, env=environment, stdout=subprocess.PIPE, text=True) for _ in range(3)]
-    assert [program.communicate()[0].strip() for program in started] == [str(data / "whisper-base")] * 3
-    assert (data / "whisper-base" / "model.bin").read_bytes() == (whisper_folder / "model.bin").read_bytes()
-    assert sorted(path.name for path in (data / "whisper-base").iterdir()) == [
-        "config.json",
-        "model.bin",
-        "vocabulary.json",
-    ]
+    found = [program.communicate()[0].strip() for program in started]
+    assert found == [str(packages / PACKAGES[0] / "data")] * 3
+    assert [path.name for path in data.iterdir()] == ["whisper-base-layer-4.onnx"]
 
 
 def test_turned_off_there_is_none_whatever_lies_there(whisper_folder, monkeypatch):
@@ -132,20 +110,12 @@ def test_turned_off_there_is_none_whatever_lies_there(whisper_folder, monkeypatc
         find_whisper()
 
 
-@pytest.mark.usefixtures("packages")
-def test_where_the_halves_cannot_be_put_together_that_is_said(data):
-    data.parent.mkdir(parents=True)
-    data.write_text("a file, where a folder should be")
-    with pytest.raises(ModelError, match="Whisper's model cannot be put together here"):
-        find_whisper()
-
-
 def test_it_is_fetched_by_its_usual_name(whisper_folder, data, monkeypatch):
     def fetch(name: str, local_dir: Path, allow_patterns: list[str]) -> None:
         assert name == REPOSITORY
         local_dir.mkdir(parents=True)
-        for wanted in {*allow_patterns} & {path.name for path in whisper_folder.iterdir()}:
-            (local_dir / wanted).write_bytes((whisper_folder / wanted).read_bytes())
+        for wanted in allow_patterns:
+            shutil.copy(whisper_folder / wanted, local_dir)
 
     hub(monkeypatch, fetch)
     assert fetch_whisper() == data / "whisper-base"

@@ -23,7 +23,7 @@ pytestmark = pytest.mark.skipif(
 
 @pytest.fixture
 def model(home: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """The folder of the model, put together in a home without one."""
+    """The folder of the model, in a home without one."""
     for package in PACKAGES:
         monkeypatch.delitem(sys.modules, package)
     return find_whisper().path
@@ -35,7 +35,9 @@ def test_the_model_of_the_two_packages_opens_and_tells_speech_from_silence(model
         speech = reader.read_mono()
     spoken, silent = (open_whisper().encode(sound).astype(float) for sound in (speech, 0 * speech))
     assert spoken.shape == silent.shape == (-(-len(speech) * 50 // 44_100), 512)
-    assert np.linalg.norm(spoken - silent, axis=1).mean() > np.linalg.norm(np.diff(silent, axis=0), axis=1).mean()
+    # medians, since a few states of each stretch are ten times as large as all others
+    between, within = (np.median(np.linalg.norm(d, axis=1)) for d in (spoken - silent, np.diff(silent, axis=0)))
+    assert between > within
 
 
 def test_a_preset_is_right_more_often_with_it_than_live(model):

@@ -177,7 +177,7 @@ def test_where_the_encoder_is_damaged_the_next_best_serves_and_that_is_told(tmp_
 
 
 def test_where_no_encoder_is_installed_nobody_hears_of_it_unless_he_asks(monkeypatch):
-    monkeypatch.setitem(sys.modules, "ctranslate2", None)
+    monkeypatch.setitem(sys.modules, "onnxruntime", None)
     assert (for_files(BOTH).ear, for_files(BOTH).warnings) == (Ear.TWIN, ())
     (told,) = for_files(BOTH, Ear.WHISPER).warnings
     assert told.startswith("the speech encoder is not installed; pip install")
