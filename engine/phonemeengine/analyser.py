@@ -422,7 +422,7 @@ def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.config, preset.ear
+    return preset.recogniser, preset.config, preset.ear, preset.live_encoder
 
 
 def _statistics_key(preset: Preset) -> object:

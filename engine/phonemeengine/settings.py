@@ -57,11 +57,12 @@ class WindowFunction(StrEnum):
 class Ear(StrEnum):
     """What a sound is heard with: by who does not know yet what comes, or who does.
 
-    ``live`` is the preset's own recogniser, ``twin`` its network for files, which hears as far ahead as back, and
-    ``whisper`` a speech encoder together with the network.
+    ``live`` is the preset's own recogniser, ``encoder`` the real-time model together with it, ``twin`` its network
+    for files, which hears as far ahead as back, and ``whisper`` a speech encoder together with the network.
     """
 
     LIVE = "live"
+    ENCODER = "encoder"
     TWIN = "twin"
     WHISPER = "whisper"
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import scipy.fft
 
 from phonemeengine import Analyser, load_preset
-from phonemeengine.presets.ears import for_live_use
+from phonemeengine.presets.ears import with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from phonemeengine.shipping.targets import format_ear
@@ -52,7 +52,7 @@ def listening(library: EarLibrary, ears: Sequence[CEar], sound: Sound, n: int = 
 
 
 def _beside_python(library: EarLibrary, model: CModel, preset: Preset, sound: Sound) -> Figure:
-    analyser, hops = Analyser(for_live_use(preset), phonemes_only=True), sound.reshape(-1, HOP)
+    analyser, hops = Analyser(with_small_network(preset), phonemes_only=True), sound.reshape(-1, HOP)
 
     def push_all() -> None:
         for hop in hops:

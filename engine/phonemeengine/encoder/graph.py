@@ -128,7 +128,8 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
     logits = graph.linear(states, weights["head/weight"], weights["head/bias"])
     shape = graph.integers(0, -1, len(weights["head/bias"]) // N_HALVES)
     outputs = {"logits": graph.node("Reshape", logits, shape), "states": states} | outputs
-    return graph.model(_live_inputs(weights), outputs, metadata or {})
+    inputs = live_inputs(layer_count(weights), len(weights["conv2/bias"]))
+    return graph.model(inputs, outputs, metadata or {})
 
 
 class _HeadInputs(NamedTuple):
@@ -333,15 +334,15 @@ def _linear(graph: _Graph, weights: Weights, name: str, inputs: str) -> str:
     return graph.linear(inputs, weights[f"{name}/weight"], weights[f"{name}/bias"])
 
 
-def _live_inputs(weights: Weights) -> dict[str, Sequence[int | str]]:
-    n_channels = len(weights["conv2/bias"])
-    shape: list[int | str] = ["batch", n_channels // HEAD_SIZE]
-    inputs: dict[str, Sequence[int | str]] = {
+def live_inputs(n_layers: int, n_channels: int) -> dict[str, list[int | str]]:
+    """Return the names and shapes of the inputs of a live graph."""
+    inputs: dict[str, list[int | str]] = {
         "mel": ["batch", N_MELS, "frames"],
         "count": ["batch"],
         "ahead": [1],
         "pending": ["batch", 1, n_channels],
     }
-    for k in range(layer_count(weights)):
-        inputs |= {f"keys_{k}": [*shape, HEAD_SIZE, SLOTS], f"values_{k}": [*shape, SLOTS, HEAD_SIZE]}
+    heads: list[int | str] = ["batch", n_channels // HEAD_SIZE]
+    for k in range(n_layers):
+        inputs |= {f"keys_{k}": [*heads, HEAD_SIZE, SLOTS], f"values_{k}": [*heads, SLOTS, HEAD_SIZE]}
     return inputs

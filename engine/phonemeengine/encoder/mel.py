@@ -6,12 +6,16 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.dsp.framing import LEAD
-from phonemeengine.encoder.whisper import N_FFT, slaney_bank
+from phonemeengine.encoder.whisper import DYNAMIC_RANGE, N_FFT, slaney_bank
 
 LENGTH = 1102
 """Samples of a frame, 25 ms at 44.1 kHz: bins are 40.02 Hz apart, 40 Hz in Whisper's frames of 400 at 16 kHz. Its
 factors are small, which 1103, nearer to 25 ms, has none of: a Fourier transform of that takes four times as long."""
 LEAST_POWER = 1e-10
+LEAST_PEAK, PEAK_FALL = -2.0, 0.002
+"""Of the running peak, base-10 logarithms of powers: its least, and by how much it falls each frame of 10 ms."""
+SILENT = (LEAST_PEAK - DYNAMIC_RANGE + 4) / 4
+"""What silence is, scaled for the encoder."""
 _FRAME = slice(LEAD - LENGTH // 2, LEAD + LENGTH // 2)
 
 
@@ -31,6 +35,25 @@ def whisper_log_mels(windows: Float32Array, warp: float = 1.0) -> Float32Array:
     powers = bins.real * bins.real
     powers += bins.imag * bins.imag
     return np.asarray(np.log10(np.maximum(powers @ _bank(warp), np.float32(LEAST_POWER))), np.float32)
+
+
+class RunningScale:
+    """Scales the logarithms of a running sound for the encoder, which cuts off what is far below the loudest band.
+
+    Whisper takes the loudest band of the whole sound; here it is that of what came, and falls by 2 dB a second.
+    """
+
+    def __init__(self) -> None:
+        self._peak = LEAST_PEAK
+
+    def scale(self, logarithms: Float32Array) -> Float32Array:
+        """Return the next frames as the encoder takes them, shape (n_frames, 80)."""
+        # frame by frame, so that the numbers are the same however the sound is cut
+        floors = np.empty((len(logarithms), 1), np.float32)
+        for k, loudest in enumerate(logarithms.max(axis=1, initial=LEAST_PEAK).tolist()):
+            self._peak = max(loudest, self._peak - PEAK_FALL, LEAST_PEAK)
+            floors[k] = self._peak - DYNAMIC_RANGE
+        return (np.maximum(logarithms, floors) + np.float32(4)) / np.float32(4)
 
 
 @lru_cache(maxsize=1)

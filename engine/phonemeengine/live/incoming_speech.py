@@ -13,8 +13,9 @@ from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.presets.ears import for_live_use
+from phonemeengine.presets.ears import for_live_use, with_small_network
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.real_time import real_time_look_ahead
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, WINDOW
 from phonemeengine.text.pronunciation import ScriptWord
@@ -181,13 +182,16 @@ def _heard_alone(speech: IncomingSpeech, piece: Float32Array) -> HeardPiece | En
 def in_time(preset: Preset, delay: float) -> Preset:
     """Return the preset that looks ahead as far as live sound may, and no further than 60 ms allow.
 
+    Where they do not allow what the real-time model needs, the small network serves.
+
     Parameters
     ----------
     delay : seconds that are held back before the sound is analysed.
     """
-    settings = for_live_use(preset).settings
     left = max(0.0, MOST_LATE - WORK - BEYOND - delay)
-    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, left)))
+    has_time = real_time_look_ahead(left) * FRAME_PERIOD <= left
+    live = for_live_use(preset) if has_time else with_small_network(preset)
+    return replace(live, settings=replace(live.settings, look_ahead=min(live.settings.look_ahead, left)))
 
 
 def _weights(morpher: Morpher, analysis: Analysis) -> Float32Array:

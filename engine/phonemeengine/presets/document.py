@@ -15,6 +15,7 @@ import tomli_w
 
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.encoder.head import EncoderHead, load_head
+from phonemeengine.encoder.live import LiveEncoder, load_live_encoder
 from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
@@ -48,6 +49,7 @@ _TEXTS: dict[str, type] = {
     "model": str,
     "file_model": str,
     "encoder_head": str,
+    "live_encoder": str,
     "notes": str,
 }
 _VARIABLE: dict[str, type] = {
@@ -83,6 +85,7 @@ def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> s
         "recogniser": preset.recogniser,
         **{name: getattr(settings, name) for name in _AHEAD},
         **(models or {}),
+        **({"live_model": preset.live_model} if preset.live_model is not Ear.ENCODER else {}),
         **({"file_ear": preset.file_ear} if preset.file_ear is not Ear.WHISPER else {}),
         "notes": preset.notes,
         "front_end": front_end,
@@ -119,11 +122,12 @@ def preset_from_toml(text: str, folder: Path) -> Preset:
 
 
 def _preset_of(top: StrictTable, folder: Path) -> Preset:
-    top.check_keys(_TABLES, (*_TEXTS, "file_ear", *_AHEAD, *_OPTIONAL_TABLES))
+    top.check_keys(_TABLES, (*_TEXTS, "live_model", "file_ear", *_AHEAD, *_OPTIONAL_TABLES))
     texts = {key: top.value(key, str) for key in _TEXTS if key in top}
     settings = _settings_of(top)
     file_model, lost = _file_model_of(texts.get("file_model", ""), folder)
     encoder_head, lost_too = _encoder_head_of(texts.get("encoder_head", ""), folder)
+    live_encoder, lost_three = _live_encoder_of(texts.get("live_encoder", ""), folder)
     preset = Preset(
         name=texts.get("name", "untitled"),
         settings=settings,
@@ -132,6 +136,8 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
         file_model=file_model,
         encoder_head=encoder_head,
+        live_encoder=live_encoder,
+        live_model=top.value("live_model", Ear, Ear.ENCODER),
         file_ear=top.value("file_ear", Ear, Ear.WHISPER),
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
         templates=_templates_of_table(top.table("templates")) if "templates" in top else None,
@@ -139,7 +145,7 @@ def _preset_of(top: StrictTable, folder: Path) -> Preset:
         successors=_successors_of(top.table("successors")),
         confidences=_curves_of(top.table("confidence")),
         notes=texts.get("notes", ""),
-        warnings=lost + lost_too,
+        warnings=lost + lost_too + lost_three,
     )
     preset = preset.with_phoneme_data(PhonemeData(**top.table("phoneme_data").read(_PHONEME_DATA)))
     return replace(preset, settings=replace(preset.settings, filters=settings.filters))
@@ -189,6 +195,16 @@ def _encoder_head_of(name: str, folder: Path) -> tuple[EncoderHead | None, tuple
         return load_head(_beside(name, folder)), ()
     except ModelError as error:
         return None, (f"{error}; until then files are heard without Whisper",)
+
+
+def _live_encoder_of(name: str, folder: Path) -> tuple[LiveEncoder | None, tuple[str, ...]]:
+    """Return the real-time model, or none and why."""
+    if not name:
+        return None, ()
+    try:
+        return load_live_encoder(_beside(name, folder)), ()
+    except ModelError as error:
+        return None, (f"{error}; until then the small network recognises live sound",)
 
 
 def _rule_of(entry: StrictTable) -> Rule:

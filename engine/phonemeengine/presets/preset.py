@@ -6,6 +6,7 @@ from types import MappingProxyType
 
 from phonemeengine.arrays import ShortRepr
 from phonemeengine.encoder.head import EncoderHead
+from phonemeengine.encoder.live import LiveEncoder
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
@@ -20,6 +21,8 @@ from phonemeengine.recognition.templates import Templates
 from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Ear
 
 NO_CURVES: Mapping[Ear, ConfidenceCurve] = MappingProxyType({})
+LIVE_EARS = (Ear.LIVE, Ear.ENCODER)
+"""What live sound may be recognised with."""
 _IN_BINS = ("high_pass_start", "high_pass_end")
 
 
@@ -38,8 +41,12 @@ class Preset(ShortRepr):
     model : what the learned recogniser knows.
     file_model : what it knows of sounds that are wholly known, a centred one; None where it hears files as all else.
     encoder_head : what it knows of phonemes from a speech encoder, for the ear ``whisper``; None where it has none.
+    live_encoder : the real-time model that recognises live sound together with `model`; None where it has none.
+    live_model : ``encoder`` to use it where it can be had, or ``live`` for the small network alone; see
+        `phonemeengine.presets.ears.for_live_use`.
     file_ear : the best that files are heard with, if it can be had; see `phonemeengine.presets.ears.for_files`.
-    ear : what is heard with now; only `for_files` gives presets whose ear is another one than ``live``.
+    ear : what is heard with now; only `for_files` and `for_live_use` give presets whose ear is another one than
+        ``live``.
     templates : what the recogniser by templates compares with.
     sensitivities : by phoneme, log-odds in nats that recognisers by scores add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
@@ -64,6 +71,8 @@ class Preset(ShortRepr):
     model: Model | None = None
     file_model: Model | None = None
     encoder_head: EncoderHead | None = None
+    live_encoder: LiveEncoder | None = None
+    live_model: Ear = Ear.ENCODER
     file_ear: Ear = Ear.WHISPER
     ear: Ear = Ear.LIVE
     templates: Templates | None = None
@@ -77,6 +86,8 @@ class Preset(ShortRepr):
         check_user_variables(self.variables)
         check_recogniser(self.recogniser, self.config)
         check_sensitivities(self.sensitivities)
+        if self.live_model not in LIVE_EARS:
+            raise PresetError(f"live_model is one of {', '.join(LIVE_EARS)}, got {self.live_model}")
         _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
 
     @property
@@ -87,7 +98,7 @@ class Preset(ShortRepr):
     @property
     def config(self) -> RecogniserConfig:
         """What the recogniser is made from."""
-        model = self.model if self.ear is Ear.LIVE else self.file_model or self.model
+        model = self.model if self.ear in LIVE_EARS else self.file_model or self.model
         look_ahead = self.settings.look_ahead
         return RecogniserConfig(self.thresholds, self.rules, model, self.templates, look_ahead, self.sensitivities)
 

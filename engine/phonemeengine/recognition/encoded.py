@@ -10,7 +10,7 @@ from phonemeengine.features.measure import Features
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.recognition import Recognition
-from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity
+from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity, agreed
 from phonemeengine.settings import HOP, WINDOW
 
 STRETCH, OVERLAP = 2800, 100
@@ -19,7 +19,6 @@ ENCODER_SHARE = 0.6
 """Of the encoder in the mean of the logarithms of both probabilities; the rest is the network's."""
 WEAKENED = 0.35
 """How much less the likeliness of a class beforehand counts: frequent ones are named too often by both together."""
-LEAST = 1e-6
 N_VISEMES = len(Viseme)
 
 Hear = Callable[[Float32Array], Float32Array]
@@ -44,7 +43,7 @@ class EncodedRecogniser(ScoredRecogniser):
     ) -> None:
         self.look_ahead = STRETCH + OVERLAP
         self._network, self._hear, self._sensitivity = network, hear, sensitivity
-        self._log_priors = np.log(priors)
+        self._penalties = np.float32(WEAKENED) * np.log(priors)
         self._samples = np.zeros(0, np.float32)
         self._n_before = 0  # frames of the samples that are answered already
         self._shares: list[tuple[Float32Array, Float32Array]] = []
@@ -93,17 +92,7 @@ class EncodedRecogniser(ScoredRecogniser):
         kept = max(0, self._n_before + n - OVERLAP)
         self._samples, self._n_before = self._samples[kept * HOP :], self._n_before + n - kept
         n_phonemes = len(SCORES)
-        found = _together(heard[:, :n_phonemes], shares[:n], self._log_priors[:n_phonemes])
-        return self._sensitivity.apply(found), _together(
-            heard[:, n_phonemes:], fine[:n], self._log_priors[n_phonemes:]
+        found = agreed(heard[:, :n_phonemes], shares[:n], ENCODER_SHARE, self._penalties[:n_phonemes])
+        return self._sensitivity.apply(found), agreed(
+            heard[:, n_phonemes:], fine[:n], ENCODER_SHARE, self._penalties[n_phonemes:]
         )
-
-
-def _together(heard: Float32Array, shares: Float32Array, log_priors: Float32Array) -> Float32Array:
-    """Return probabilities that both agree on most."""
-    # A weighted geometric mean (a product of experts): a class has to be plausible to both. Dividing by a power of
-    # the priors takes back that both were trained on the same frequent classes and so count them twice.
-    logs = ENCODER_SHARE * np.log(np.maximum(heard, LEAST))
-    logs += (1 - ENCODER_SHARE) * np.log(np.maximum(shares, LEAST)) - WEAKENED * log_priors
-    together = np.exp(logs - logs.max(axis=1, keepdims=True))
-    return np.asarray(together / together.sum(axis=1, keepdims=True), np.float32)

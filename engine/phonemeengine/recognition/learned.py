@@ -166,6 +166,13 @@ class LearnedRecogniser(ScoredRecogniser):
         ----------
         windows : the next frames of each, its own first, at least one and `most_together`, shape (n_k, 2048).
         """
+        found = self.probabilities_with(others, windows)
+        return [r._recognition(*known) for r, known in zip((self, *others), found, strict=True)]
+
+    def probabilities_with(
+        self, others: Sequence["LearnedRecogniser"], windows: Sequence[Float32Array]
+    ) -> list[tuple[Float32Array, Float32Array | None]]:
+        """Return the same as `probabilities` for its own sound and those of others, given as to `recognise_with`."""
         recognisers = (self, *others)
         networks = [recogniser._network for recogniser in recognisers if isinstance(recogniser._network, Network)]
         # All sounds are laid one after the other for what has no memory, log mels and heads; only layers and mixers
@@ -176,7 +183,7 @@ class LearnedRecogniser(ScoredRecogniser):
         wanted = [recogniser._without_early(block) for recogniser, block in zip(recognisers, found, strict=True)]
         ends = np.cumsum([len(block) for block in wanted])
         if not ends[-1]:
-            return [self._recognition(*NOTHING) for _ in recognisers]
+            return [NOTHING for _ in recognisers]
         ends = ends[:-1]
         shares, *of_visemes = (self._probabilities_of(np.concatenate(wanted), head) for head in self._heads)
         weights = np.concatenate(
@@ -184,7 +191,7 @@ class LearnedRecogniser(ScoredRecogniser):
         )
         phonemes = np.split(mixed(shares, weights), ends)
         visemes = np.split(mixed(of_visemes[0], weights), ends) if of_visemes else [None] * len(recognisers)
-        return [self._recognition(*known) for known in zip(phonemes, visemes, strict=True)]
+        return list(zip(phonemes, visemes, strict=True))
 
     def _probabilities_of(self, found: Float32Array, head: OutputHead) -> Float32Array:
         """Return how likely each class of a head is with each vocal tract, shape (n, n_warps, n_classes)."""

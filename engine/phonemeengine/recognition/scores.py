@@ -16,13 +16,15 @@ from phonemeengine.features.variables import SCORES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
 
-__all__ = ["SCORES", "ScoredRecogniser", "Sensitivity", "check_sensitivities", "scores_in"]
+__all__ = ["SCORES", "ScoredRecogniser", "Sensitivity", "agreed", "check_sensitivities", "scores_in"]
 
 
 N_NEAREST = 5
 """How many phonemes a trace compares."""
 MOST_LOG_ODDS = 10.0
 """A sensitivity lies within ± this: e to the tenth is 22 000 to one."""
+LEAST_SHARE = 1e-6
+"""What less likely is counts as that, where recognisers have to agree."""
 
 
 class Sensitivity:
@@ -48,6 +50,23 @@ class Sensitivity:
         weighed = scores * self._factors
         weighed /= np.add.reduce(weighed, axis=1, keepdims=True)
         return weighed
+
+
+def agreed(first: Float32Array, second: Float32Array, share: float, penalties: Float32Array) -> Float32Array:
+    """Return probabilities that two recognisers agree on most, float32, shape (n_frames, n_classes).
+
+    Parameters
+    ----------
+    first, second : their probabilities, shape (n_frames, n_classes).
+    share : of the first in the mean of the logarithms, 0..1; the rest is the second's.
+    penalties : log-odds by which classes count less, nats, shape (n_classes,): a part of the logarithms of the
+        priors, where both were trained on the same frequent classes and so count them twice.
+    """
+    # a weighted geometric mean (a product of experts): a class has to be plausible to both
+    logs = share * np.log(np.maximum(first, LEAST_SHARE)) + (1 - share) * np.log(np.maximum(second, LEAST_SHARE))
+    logs -= penalties
+    together = np.exp(logs - logs.max(axis=1, keepdims=True))
+    return np.asarray(together / together.sum(axis=1, keepdims=True), np.float32)
 
 
 def check_sensitivities(sensitivities: Mapping[Phoneme, float]) -> None:

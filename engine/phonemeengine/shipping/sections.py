@@ -24,7 +24,7 @@ from phonemeengine.features.variables import (
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_live_use
+from phonemeengine.presets.ears import with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
@@ -171,7 +171,7 @@ def recogniser_sections(preset: Preset) -> Iterator[Section]:
     ------
     PresetError : its recogniser is another package's, or hears files alone.
     """
-    live, spec = for_live_use(preset), spec_of(preset.recogniser)
+    live, spec = with_small_network(preset), spec_of(preset.recogniser)
     config = live.config
     if Tuning.MODEL in spec.tuned_by and config.model is not None:
         model = _live_model(config.model)

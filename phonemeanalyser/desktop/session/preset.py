@@ -333,6 +333,8 @@ def _joined(source: Preset, preset: Preset, first: Preset) -> Preset:
         model=knows.model,
         file_model=knows.file_model,
         encoder_head=knows.encoder_head,
+        live_encoder=knows.live_encoder,
+        live_model=knows.live_model,
         confidences=source.confidences,
         file_ear=knows.file_ear,
         templates=first.templates or source.templates or preset.templates,

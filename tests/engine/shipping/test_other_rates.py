@@ -10,7 +10,7 @@ import soundfile
 from phonemeengine import Analyser, SoundReader, analyse_blocks, load_preset
 from phonemeengine.analyser import concatenate_analyses
 from phonemeengine.audio.resampling import resample_whole
-from phonemeengine.presets.ears import for_live_use
+from phonemeengine.presets.ears import with_small_network
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.shipping.targets import format_ear
@@ -28,7 +28,7 @@ def heard_both_ways(library: EarLibrary, rate: int, folder: Path) -> tuple[np.nd
     preset, sound = load_preset("learned"), resample_whole(speech(), SAMPLE_RATE, rate)
     soundfile.write(folder / "speech.wav", sound, rate, subtype="FLOAT")
     with SoundReader(folder / "speech.wav") as reader:
-        analysis = concatenate_analyses(list(analyse_blocks(reader.blocks(SAMPLE_RATE), for_live_use(preset))))
+        analysis = concatenate_analyses(list(analyse_blocks(reader.blocks(SAMPLE_RATE), with_small_network(preset))))
     frames = CEar(CModel(library, format_ear(preset, ())), rate).hear(sound, range(0, len(sound), rate // 7))
     n = min(len(frames), len(analysis))
     assert abs(len(frames) - len(analysis)) <= 1  # a sound of a fraction of a sample more or less
@@ -52,9 +52,9 @@ def test_speech_of_a_low_rate_is_nearly_the_same_in_c(library: EarLibrary, rate:
 
 
 @pytest.mark.parametrize("rate", [16_000, 44_100, 48_000])
-def test_an_analyser_for_live_use_says_what_the_ear_in_c_says(library: EarLibrary, rate: int) -> None:
+def test_a_live_analyser_with_the_small_network_says_what_c_says(library: EarLibrary, rate: int) -> None:
     preset, sound = load_preset("learned"), resample_whole(speech(), SAMPLE_RATE, rate)
-    analyser = Analyser(preset, rate=rate, live=True)
+    analyser = Analyser(with_small_network(preset), rate=rate, live=True)
     found = np.concatenate([analyser.push(sound).phonemes, analyser.finish().phonemes])
     expected = CEar(CModel(library, format_ear(preset, ())), rate).hear(sound)["phoneme"]
     n = min(len(found), len(expected))

@@ -16,7 +16,7 @@ from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.features.variables import Kind, Spectrum
 from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme, VisemeSet
 from phonemeengine.mouth.table import load_table
-from phonemeengine.presets.ears import for_live_use
+from phonemeengine.presets.ears import with_small_network
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
@@ -46,7 +46,7 @@ def sound_of(path: Path) -> Sound:
 
 
 def heard_by_engine(preset: Preset, sound: Sound) -> Analysis:
-    analyser = Analyser(for_live_use(preset))
+    analyser = Analyser(with_small_network(preset))
     return concatenate_analyses([analyser.push(sound), analyser.finish()])
 
 

@@ -1,0 +1,107 @@
+"""The recogniser of live sound that asks the real-time model and the small network together."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
+from phonemeengine.encoder.head import N_OUTPUTS, softmax
+from phonemeengine.encoder.live import LOOK_AHEADS, EncoderStream, OpenEncoder
+from phonemeengine.encoder.mel import whisper_log_mels
+from phonemeengine.features.measure import Features
+from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.model import Model
+from phonemeengine.recognition.network import ROOM
+from phonemeengine.recognition.recognition import Recognition
+from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivity, agreed
+from phonemeengine.settings import FRAME_PERIOD
+
+N_PHONEMES = len(SCORES)
+_UNASKED = np.zeros((0, N_OUTPUTS), np.float32)
+
+
+def real_time_look_ahead(look_ahead: float) -> int:
+    """Return how many frames the real-time model looks ahead where it may wait so many seconds; never less than 2."""
+    return max((n for n in LOOK_AHEADS if n * FRAME_PERIOD <= look_ahead + 1e-6), default=LOOK_AHEADS[0])
+
+
+class RealTimeRecogniser(ScoredRecogniser):
+    """Names what the real-time model and the small network together find likeliest.
+
+    Parameters
+    ----------
+    encoder : the real-time model.
+    model : of the small network.
+    look_ahead : seconds that it may wait for what comes after a frame; it waits for 20 or 40 ms.
+    sensitivity : log-odds that are added in the end.
+
+    Attributes
+    ----------
+    kin : see `LearnedRecogniser`.
+    """
+
+    most_together = ROOM
+
+    def __init__(self, encoder: OpenEncoder, model: Model, look_ahead: float, sensitivity: Sensitivity) -> None:
+        n_ahead = real_time_look_ahead(look_ahead)
+        self._network = LearnedRecogniser(model, n_ahead * FRAME_PERIOD)
+        self.look_ahead = max(n_ahead, self._network.look_ahead)
+        self._encoder, self._sensitivity = encoder, sensitivity
+        self._stream = EncoderStream(encoder, LOOK_AHEADS.index(n_ahead))
+        own = self._network.kin
+        self.kin: object | None = None if own is None else (id(encoder), n_ahead, own)
+        self._n_early = self.look_ahead  # frames that still come before the first answer
+        self._by_encoder = self._by_network = _UNASKED  # what they said of frames that have no answer yet
+
+    def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
+        """Recognise the next frames; the answers are about those `look_ahead` frames before."""
+        return self._joined_with([], [windows], [self._network.probabilities(windows)])[0]
+
+    def recognise_with(
+        self, others: Sequence["RealTimeRecogniser"], windows: Sequence[Float32Array]
+    ) -> list[Recognition]:
+        """Recognise the next frames of its own sound, and of those of others of its kin, as if each were alone.
+
+        Parameters
+        ----------
+        windows : the next frames of each, its own first, at least one and `most_together`, shape (n_k, 2048).
+        """
+        known = self._network.probabilities_with([other._network for other in others], windows)
+        return self._joined_with(others, windows, known)
+
+    def _joined_with(
+        self,
+        others: Sequence["RealTimeRecogniser"],
+        windows: Sequence[Float32Array],
+        by_network: Sequence[tuple[Float32Array, Float32Array | None]],
+    ) -> list[Recognition]:
+        """Ask the encoder about the next frames of all sounds, and join what the network said of each."""
+        recognisers = (self, *others)
+        ends = np.cumsum([len(block) for block in windows])[:-1]
+        logarithms = np.split(whisper_log_mels(np.concatenate(windows)), ends)
+        by_encoder = self._encoder.encode([each._stream for each in recognisers], logarithms)
+        told = zip(recognisers, windows, by_encoder, by_network, strict=True)
+        return [each._answer(len(block), logits, *known) for each, block, logits, known in told]
+
+    def _answer(
+        self, n_came: int, logits: Float32Array, shares: Float32Array, visemes: Float32Array | None
+    ) -> Recognition:
+        """Return the answers that are due now that `n_came` more frames came."""
+        # The encoder answers for two frames at once, and either may be quicker than the other; the delay is constant.
+        n_early = min(self._n_early, n_came)
+        self._n_early -= n_early
+        n = n_came - n_early
+        mix = self._encoder.mix
+        fine = np.ones((len(shares), N_OUTPUTS - N_PHONEMES), np.float32) if visemes is None else visemes
+        said = np.concatenate((softmax(logits[:, :N_PHONEMES]), softmax(logits[:, N_PHONEMES:])), axis=1)
+        self._by_encoder = np.concatenate((self._by_encoder, said))
+        self._by_network = np.concatenate((self._by_network, np.concatenate((shares, fine), axis=1)))
+        first, second = self._by_encoder[:n], self._by_network[:n]
+        self._by_encoder, self._by_network = self._by_encoder[n:], self._by_network[n:]
+        penalties = np.float32(mix.weakened) * np.log(np.asarray(mix.priors, np.float32))
+        phonemes, visemes = (
+            agreed(first[:, part], second[:, part], mix.encoder_share, penalties[part])
+            for part in (slice(None, N_PHONEMES), slice(N_PHONEMES, None))
+        )
+        scores = self._sensitivity.apply(phonemes)
+        return Recognition(scores.argmax(axis=1).astype(np.uint8), scores, visemes)

@@ -1,0 +1,131 @@
+"""The real-time model: its file, and what it makes of sounds that come in any pieces."""
+
+import json
+import sys
+
+import numpy as np
+import pytest
+
+from phonemeengine.encoder.graph import live_graph, whole_graph
+from phonemeengine.encoder.live import (
+    LARGEST_FILE,
+    EncoderStream,
+    LiveEncoder,
+    Mix,
+    OpenEncoder,
+    build_live_encoder,
+    load_live_encoder,
+    open_live_encoder,
+    save_live_encoder,
+)
+from phonemeengine.encoder.mel import LEAST_PEAK, SILENT, RunningScale
+from phonemeengine.errors import ModelError
+from tests.fakes.encoder_weights import encoder_weights, reference_logits
+
+WEIGHTS = encoder_weights(n_layers=2, n_channels=64)
+EXACT = build_live_encoder(WEIGHTS, bits=32)
+SMALL = build_live_encoder(WEIGHTS, Mix(0.7, 0.35, (0.5,) * 26), about={"trained on": "noise"})
+FEWER = WEIGHTS | {"head/weight": WEIGHTS["head/weight"][:50], "head/bias": np.zeros(50, np.float32)}
+KNOWN = {"format": 1, "encoder_share": 0.5, "weakened": 0, "priors": [0.1] * 26}
+
+
+def log_mels(n_frames: int, seed: int = 3) -> np.ndarray:
+    return np.random.default_rng(seed).uniform(-9, 1, (n_frames, 80)).astype(np.float32)
+
+
+def answers(encoder: LiveEncoder, frames: np.ndarray, ahead: int, cuts: list[int]) -> np.ndarray:
+    model = open_live_encoder(encoder)
+    stream = EncoderStream(model, ahead)
+    return np.concatenate([model.encode([stream], [block])[0] for block in np.split(frames, cuts)])
+
+
+def test_a_model_that_is_saved_is_the_same_when_it_is_read(tmp_path):
+    save_live_encoder(SMALL, tmp_path / "x.encoder.onnx")
+    found = load_live_encoder(tmp_path / "x.encoder.onnx")
+    assert found == SMALL != EXACT
+    assert found.name == "x.encoder.onnx"
+    assert open_live_encoder(found) is open_live_encoder(SMALL)
+    assert open_live_encoder(found).mix == Mix(0.7, 0.35, (0.5,) * 26)
+
+
+@pytest.mark.parametrize("ahead", [0, 1])
+@pytest.mark.parametrize("cuts", [[], [1, 2, 3, 10, 11, 200], list(range(1, 441))])
+def test_it_says_what_numpy_finds_however_the_sound_is_cut(ahead, cuts):
+    frames = log_mels(441)
+    found = answers(EXACT, frames, ahead, cuts)
+    mel = np.concatenate((np.full((2, 80), SILENT, np.float32), RunningScale().scale(frames)))
+    assert len(found) == 440 - 2 * (1 + ahead) + 2  # a state needs the two frames after its first, or four
+    np.testing.assert_allclose(found, reference_logits(WEIGHTS, mel.T, ahead)[: len(found)], atol=3e-4)
+
+
+def test_a_sound_is_recognised_alike_wherever_in_a_stream_it_comes():
+    frames = log_mels(120)
+    plain = answers(EXACT, np.concatenate((np.full((400, 80), -10, np.float32), frames)), 1, [])
+    for more in (38, 250, 1000):  # states of silence that come before, beyond the 150 that it remembers
+        silence = np.full((400 + 2 * more, 80), -10, np.float32)
+        later = answers(EXACT, np.concatenate((silence, frames)), 1, [])
+        np.testing.assert_allclose(later[2 * more + 400 :], plain[400:], atol=2e-5)
+
+
+def test_many_sounds_together_are_answered_as_each_alone():
+    model = open_live_encoder(SMALL)
+    sounds = [log_mels(n, n) for n in (30, 41, 90)]
+    streams = [EncoderStream(model, 1) for _ in sounds]
+    first = model.encode(streams, [sound[:20] for sound in sounds])
+    rest = model.encode(streams, [sound[20:] for sound in sounds])
+    for sound, *parts in zip(sounds, first, rest, strict=True):
+        np.testing.assert_allclose(np.concatenate(parts), answers(SMALL, sound, 1, []), atol=2e-3)
+
+
+def test_the_floor_follows_the_loudest_band_and_falls_slowly():
+    frames = np.full((201, 80), -10, np.float32)
+    frames[1, 3] = 1.0
+    scaled = RunningScale().scale(frames)
+    assert scaled[0, 0] == SILENT == (LEAST_PEAK - 8 + 4) / 4
+    np.testing.assert_allclose(scaled[1, [0, 3]], [(1 - 8 + 4) / 4, 5 / 4])
+    np.testing.assert_allclose(scaled[101, 0], (1 - 0.2 - 8 + 4) / 4, rtol=1e-6)
+    parts = RunningScale()
+    np.testing.assert_array_equal(
+        np.concatenate([parts.scale(part) for part in np.split(frames, [1, 2, 50])]), scaled
+    )
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        b"",
+        b"no model",
+        SMALL.content[: len(SMALL.content) // 2],
+        live_graph(WEIGHTS, 8),
+        live_graph(WEIGHTS, 8, {"phonemeanalyser": "{}"}),
+        live_graph(WEIGHTS, 8, {"phonemeanalyser": json.dumps(KNOWN | {"priors": [0.0] * 26})}),
+        live_graph(WEIGHTS, 8, {"phonemeanalyser": json.dumps(KNOWN | {"encoder_share": "much"})}),
+        live_graph(FEWER, 8, {"phonemeanalyser": json.dumps(KNOWN)}),
+        whole_graph(WEIGHTS, 8, {"phonemeanalyser": json.dumps(KNOWN)}),
+    ],
+    ids=["empty", "text", "half", "untold", "no numbers", "priors", "share", "outputs", "another graph"],
+)
+def test_a_damaged_or_foreign_file_is_refused_in_a_sentence(content):
+    with pytest.raises(ModelError, match=r"^x\.onnx: (is no real-time model, or damaged; get it anew)$"):
+        open_live_encoder(LiveEncoder(content, "x.onnx"))
+
+
+def test_a_newer_or_larger_one_is_refused(tmp_path):
+    newer = live_graph(WEIGHTS, 8, {"phonemeanalyser": json.dumps(KNOWN | {"format": 2})})
+    with pytest.raises(ModelError, match="newer version; update the program"):
+        OpenEncoder(newer)
+    (tmp_path / "x.onnx").write_bytes(bytes(LARGEST_FILE + 1))
+    with pytest.raises(ModelError, match=r"x\.onnx: a real-time model has at most 12 MB, this has 12\.1 MB"):
+        load_live_encoder(tmp_path / "x.onnx")
+    with pytest.raises(ModelError, match=r"at most 12 MB, this has 13\.0; use 8 bits"):
+        save_live_encoder(LiveEncoder(bytes(13 << 20), "y"), tmp_path / "y.onnx")
+    with pytest.raises(ModelError, match=r"z\.onnx: cannot be read"):
+        load_live_encoder(tmp_path / "z.onnx")
+
+
+def test_without_its_library_it_says_how_to_get_it(monkeypatch):
+    monkeypatch.setitem(sys.modules, "onnxruntime", None)
+    with pytest.raises(
+        ModelError, match=r"x: .*onnxruntime, which is not installed; install phonemeanalyser\[encoder\]"
+    ):
+        open_live_encoder(LiveEncoder(b"never opened", "x"))
