@@ -7,6 +7,8 @@ from pathlib import Path
 
 from tools.voices import packages
 
+ENGINE = Path(__file__).resolve().parents[2] / "engine"
+
 
 def main() -> None:
     """Install what is asked for, go over into the virtual environment, and build voice by voice."""
@@ -14,7 +16,7 @@ def main() -> None:
     out, cache = arguments.out.resolve(), (arguments.cache or arguments.out / ".cache").resolve()
     if arguments.install:
         packages.install(cache)
-    _enter(packages.python_of(cache))
+    _enter(cache)
     if arguments.check:
         from tools.voices.check import check
 
@@ -31,22 +33,23 @@ def _arguments() -> argparse.Namespace:
     )
     parser.add_argument("out", metavar="OUT_DIR", type=Path, help="folder for the corpus")
     parser.add_argument("--install", action="store_true", help="first install the packages")
-    parser.add_argument(
-        "--only", default=",".join(packages.SYNTHESIZERS), help="synthesizers or voices, with commas between"
-    )
-    parser.add_argument("--minutes", type=float, default=6.0, metavar="N", help="of speech, for each voice")
+    parser.add_argument("--only", default=",".join(packages.SOURCES), help="sources or voices, with commas between")
+    parser.add_argument("--minutes", type=float, default=6.0, metavar="N", help="of speech, for each synthetic voice")
     parser.add_argument("--check", action="store_true", help="print figures of the labels that are there, build none")
     parser.add_argument("--cache", type=Path, help="virtual environment and unpacked packages (OUT_DIR/.cache)")
     return parser.parse_args()
 
 
-def _enter(python: Path) -> None:
-    """Start again inside the virtual environment, unless it is there already."""
-    if not python.exists():
-        sys.exit(f"{python} is missing: run once with --install.")
+def _enter(cache: Path) -> None:
+    """Start again inside the virtual environment, with the engine's modules, unless it is there already."""
+    if lacking := packages.missing(cache):
+        sys.exit(f"{lacking[0]} is missing: run once with --install.")
+    python = packages.python_of(cache)
     if Path(sys.prefix).resolve() != python.parent.parent.resolve():
         rest = [argument for argument in sys.argv[1:] if argument != "--install"]
-        os.execv(python, [str(python), "-m", "tools.voices", *rest])
+        modules = os.pathsep.join(filter(None, (str(ENGINE), os.environ.get("PYTHONPATH"))))
+        command = [str(python), "-m", "tools.voices", *rest]
+        os.execve(python, command, {**os.environ, "PYTHONPATH": modules})
 
 
 if __name__ == "__main__":

