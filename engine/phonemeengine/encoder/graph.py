@@ -32,8 +32,6 @@ LIMIT = 63
 ACTIVATION_LIMIT, ACTIVATION_ZERO = 127, 128
 """Quantised inputs lie within ± this around that, in unsigned bytes."""
 LEAST_SCALE = 1e-12
-_FLOAT = 1
-"""Code of float32, to which operators cast."""
 _INTEGERS = {"count", "ahead"}
 
 
@@ -50,7 +48,7 @@ def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None 
     Parameters
     ----------
     weights : as the module says.
-    bits : 32 for float32; 16 for float32 with weights that are float16 in the file; 8 for matrices of bytes.
+    bits : 32 for float32, 8 for matrices of bytes.
     metadata : texts by name, kept in the model.
     """
     graph = _Graph(bits)
@@ -58,7 +56,7 @@ def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None 
     edge = graph.constant(np.array([0, 1, 0, 0, 1, 0], np.int64))
     frames = _convolution(graph, weights, "conv1", graph.node("Pad", frames, edge), step=1)
     states = _convolution(graph, weights, "conv2", graph.node("Pad", frames, edge), step=2)
-    positions = graph.weight(weights["position_encodings/encodings"][np.newaxis])
+    positions = graph.constant(weights["position_encodings/encodings"][np.newaxis])
     states = graph.node("Add", states, graph.slice(positions, graph.integers(0), graph.length(states, 1), 1))
     for k in range(layer_count(weights)):
         states = _after_attention(graph, weights, k, states, _whole_attention(graph, weights, k, states))
@@ -144,8 +142,8 @@ class _Graph:
     """Nodes and constants of a graph that is being made; each is known by the name of its result."""
 
     def __init__(self, bits: int) -> None:
-        if bits not in {8, 16, 32}:
-            raise ValueError(f"the weights have 8, 16 or 32 bits, got {bits}")
+        if bits not in {8, 32}:
+            raise ValueError(f"the weights have 8 or 32 bits, got {bits}")
         self._bits = bits
         self._nodes: list[bytes] = []
         self._constants: list[bytes] = []
@@ -155,12 +153,6 @@ class _Graph:
         name = f"c{len(self._constants)}"
         self._constants.append(onnx_file.tensor(name, array))
         return name
-
-    def weight(self, array: Float32Array) -> str:
-        """Add constant float32 numbers, which the file may hold in 16 bits; they are unpacked as it is opened."""
-        if self._bits == 16:
-            return self.node("Cast", self.constant(array.astype(np.float16)), to=_FLOAT)
-        return self.constant(array.astype(np.float32))
 
     def integers(self, *values: int) -> str:
         """Add constant int64 numbers, shape (n,)."""
@@ -191,7 +183,7 @@ class _Graph:
 
     def product(self, inputs: str, weight: Float32Array) -> str:
         """Add the product with a matrix (n_out, n_in) in float32."""
-        return self.node("MatMul", inputs, self.weight(weight.T))
+        return self.node("MatMul", inputs, self.constant(weight.T.astype(np.float32)))
 
     def _quantised(self, inputs: str, weight: Float32Array) -> str:
         # Each output of the matrix, and each row of the inputs, has a scale of its own. The latter makes the answer
@@ -203,7 +195,11 @@ class _Graph:
         scale = self.node("Max", scale, self.number(LEAST_SCALE))
         zero = self.constant(np.array(ACTIVATION_ZERO, np.uint8))
         as_bytes = self.node("QuantizeLinear", self.node("Div", inputs, scale), self.number(1), zero)
-        sums = self.node("Cast", self.node("MatMulInteger", as_bytes, self.constant(quantised.T), zero), to=_FLOAT)
+        sums = self.node(
+            "Cast",
+            self.node("MatMulInteger", as_bytes, self.constant(quantised.T), zero),
+            to=onnx_file.TYPES["float32"],
+        )
         return self.node("Mul", self.node("Mul", sums, scale), self.constant(scales))
 
     def model(

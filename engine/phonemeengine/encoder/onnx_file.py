@@ -14,7 +14,7 @@ OPSET, IR_VERSION = 20, 9
 """Of ONNX: the first opset with Gelu; what ONNX Runtime reads from version 1.17 on."""
 CONTRIBUTED = "com.microsoft"
 """The domain of the operators that ONNX Runtime has besides those of ONNX."""
-TYPES = {"float32": 1, "uint8": 2, "int8": 3, "int64": 7, "float16": 10}
+TYPES = {"float32": 1, "uint8": 2, "int8": 3, "int64": 7}
 """Codes of the types of numbers, as in ``TensorProto.DataType``."""
 
 

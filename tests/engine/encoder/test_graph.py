@@ -9,7 +9,7 @@ from tests.fakes.encoder_weights import encoder_weights, reference_logits, refer
 
 WEIGHTS = encoder_weights()
 N_HEADS = 2
-CLOSE = {32: 2e-4, 16: 5e-3, 8: 0.25}
+CLOSE = {32: 2e-4, 8: 0.25}
 """Greatest difference of numbers with a spread of about 1."""
 
 
@@ -64,7 +64,7 @@ def live(request):
     return session(live_graph(WEIGHTS, request.param)), CLOSE[request.param]
 
 
-@pytest.mark.parametrize("bits", [32, 16, 8])
+@pytest.mark.parametrize("bits", [32, 8])
 def test_a_whole_stretch_has_the_states_that_numpy_finds(bits):
     mel = mel_of(240)
     (found,) = session(whole_graph(WEIGHTS, bits)).run(None, {"mel": mel[np.newaxis]})
@@ -80,7 +80,7 @@ def test_there_is_no_final_norm_where_there_are_no_weights_of_one():
 
 def test_what_is_said_about_a_model_is_read_back():
     about = {"source": "x" * 300, "licence": "MIT – ©"}
-    assert session(whole_graph(WEIGHTS, 16, about)).get_modelmeta().custom_metadata_map == about
+    assert session(whole_graph(WEIGHTS, 8, about)).get_modelmeta().custom_metadata_map == about
 
 
 @pytest.mark.parametrize("ahead", [0, 1])

@@ -11,16 +11,14 @@ from phonemeengine.encoder.head import load_head, save_head
 from phonemeengine.encoder.model_folder import open_whisper
 from phonemeengine.encoder.weights import OUTPUT, read_weights
 from phonemeengine.encoder.whisper import (
-    AFTER,
-    BEFORE,
     CUT,
-    DITHER,
     ENCODER_RATE,
     LAYER,
     MODEL_FILE,
     STRETCH,
     WhisperEncoder,
     log_mel_spectrogram,
+    surrounded,
 )
 from phonemeengine.errors import ModelError
 from phonemeengine.settings import SAMPLE_RATE
@@ -44,13 +42,12 @@ def encoder(model_file) -> WhisperEncoder:
 @pytest.mark.parametrize("layer", [0, LAYER, OUTPUT])
 def test_states_are_those_that_numpy_finds_after_the_layer(model_file, layer):
     sound = NOISE[:SAMPLE_RATE]
-    edges = [round(seconds * ENCODER_RATE) for seconds in (BEFORE, AFTER + 0.02)]
-    padded = np.pad(resample_whole(sound, SAMPLE_RATE, ENCODER_RATE), edges)
-    mels = log_mel_spectrogram(padded + DITHER * np.random.default_rng(0).standard_normal(len(padded)))
+    mels = log_mel_spectrogram(surrounded(resample_whole(sound, SAMPLE_RATE, ENCODER_RATE)))
     weights = read_weights(model_file.read_bytes(), layer)
     expected = reference_states(weights, mels, None)[10:60]
     found = WhisperEncoder(model_file, layer=layer, n_threads=1).encode(sound)
-    np.testing.assert_allclose(found, expected, atol=0.01 * expected.std())
+    # weights and states have 8 bits on the way
+    assert np.corrcoef(found.ravel(), expected.ravel())[0, 1] > 0.997
 
 
 @pytest.mark.parametrize("seconds", [0.0, 0.001, 0.02, 0.5, 2.345])
@@ -115,7 +112,7 @@ def test_a_damaged_model_is_refused(tmp_path, model_file):
 
 
 def test_too_little_memory_is_said(model_file):
-    with pytest.raises(ModelError, match="needs 400 MB of memory and 100 MB are free; close other programs"):
+    with pytest.raises(ModelError, match="needs 250 MB of memory and 100 MB are free; close other programs"):
         WhisperEncoder(model_file, free_memory=1e8)
 
 

@@ -117,7 +117,7 @@ class EncoderDialog(QDialog):
         intro = QLabel(
             tr(
                 "Files are heard best by the network and the encoder of Whisper base together, which knows very many "
-                "voices. It works on this computer, takes 400 MB of memory, and helps where all of a file is "
+                "voices. It works on this computer, takes 250 MB of memory, and helps where all of a file is "
                 "recognised at once: saved, exported, or aligned with its text."
             )
         )
