@@ -1595,8 +1595,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>Files are heard best by the network and the encoder of Whisper base together, which knows very many voices. It works on this computer, takes 400 MB of memory, and helps where all of a file is recognised at once: saved, exported, or aligned with its text.</source>
-            <translation>Am besten werden Dateien vom Netz und dem Encoder von Whisper base gemeinsam erkannt, denn der kennt sehr viele Stimmen. Er arbeitet auf diesem Computer, braucht 400 MB Speicher und hilft dort, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, beim Exportieren und beim Ausrichten an einem Text.</translation>
+            <source>Files are heard best by the network and the encoder of Whisper base together, which knows very many voices. It works on this computer, takes 250 MB of memory, and helps where all of a file is recognised at once: saved, exported, or aligned with its text.</source>
+            <translation>Am besten werden Dateien vom Netz und dem Encoder von Whisper base gemeinsam erkannt, denn der kennt sehr viele Stimmen. Er arbeitet auf diesem Computer, braucht 250 MB Speicher und hilft dort, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, beim Exportieren und beim Ausrichten an einem Text.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
