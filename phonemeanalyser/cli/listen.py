@@ -41,7 +41,10 @@ from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.settings import PARAMETERS
+from phonemeengine.presets.ears import ear_in_words, for_live_use
+from phonemeengine.presets.preset import LIVE_EARS
+from phonemeengine.settings import PARAMETERS, Ear
+from phonemeengine.storage.files import printable
 
 LOOK = 0.2
 """Seconds between two looks at how it goes."""
@@ -58,6 +61,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     limits = f"{ahead.low:g} to {ahead.high:g} {ahead.unit}"
     wait = f"wait so long for what comes after a sound, {limits}: surer, later (default: the preset's)"
     parser.add_argument("--look-ahead", type=number_in(*ahead.limits), metavar="S", help=wait)
+    model = "encoder: the real-time model, live: the small network (default: the best that the preset has)"
+    parser.add_argument("--live-model", type=Ear, choices=LIVE_EARS, help=model)
     parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
     parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
@@ -81,9 +86,16 @@ def run(options: argparse.Namespace) -> int:
 
 def _preset_of(options: argparse.Namespace) -> Preset:
     preset = load_preset(options.preset)
-    if options.look_ahead is None:
-        return preset
-    return replace(preset, settings=preset.settings.with_number("live_look_ahead", options.look_ahead))
+    if options.look_ahead is not None:
+        preset = replace(preset, settings=preset.settings.with_number("live_look_ahead", options.look_ahead))
+    if options.live_model is not None:
+        preset = replace(preset, live_model=options.live_model)
+    live = for_live_use(preset)
+    for warning in live.warnings:
+        print(f"phonemeanalyser: {printable(preset.name)}: note: {warning}", file=sys.stderr)
+    if sys.stderr.isatty():
+        print(f"phonemeanalyser: recognised with: {ear_in_words(live)}", file=sys.stderr)
+    return preset
 
 
 def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None:

@@ -4,9 +4,10 @@ import argparse
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import file_place
+from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import load_preset, ship
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES
+from phonemeengine.shipping.targets import SMALL_NETWORK_SERVES, TARGETS, USUAL_TABLES
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -28,6 +29,8 @@ def run(options: argparse.Namespace) -> int:
     """Ship; returns the exit code."""
     tables = options.table or USUAL_TABLES
     preset = load_preset(options.preset)
+    if preset.live_encoder is not None:
+        say_note(preset.name, SMALL_NETWORK_SERVES)
     written = ship(preset, options.out, options.target, tables=tables, overwrite=options.overwrite)
     size = sum(path.stat().st_size for path in written)
     print(f"{options.out}: {preset.name!r} in {len(written)} files, {size / 1e6:.2f} MB; see README.md there")

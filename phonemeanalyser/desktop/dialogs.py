@@ -27,6 +27,7 @@ from phonemeanalyser.desktop.widgets.plot_menu import save_picture
 from phonemeengine import __version__
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
+from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY_PRESETS,
@@ -238,8 +239,8 @@ class Dialogs(QObject):
     def _load(self, path: Path) -> bool:
         """Load a preset; say what of it could not be had, and whether it is loaded."""
         is_loaded = self._try(lambda: self._preset.load(path))
-        if is_loaded and self._preset.preset.warnings:
-            self.rejected.emit(" ".join(self._preset.preset.warnings))
+        if is_loaded and (warnings := for_live_use(self._preset.preset).warnings):
+            self.rejected.emit(" ".join(warnings))
         return is_loaded
 
     def choose_recogniser(self, name: str) -> None:

@@ -235,6 +235,7 @@ SPOKEN = (
 """Languages of espeak-ng, but for those that are called the same in all languages."""
 SENTENCES = (
     tr_noop("twin, {seconds} s each way"),
+    tr_noop("encoder and network, {ms} ms ahead"),
     tr_noop("{recogniser}, {ms} ms ahead"),
     tr_noop("waiting for the first sound from {microphone}"),
     tr_noop("nothing comes from {microphone} since {seconds} s; trying again every 2 s"),

@@ -257,6 +257,7 @@ class MainWindow(QMainWindow):
         self.analysis.averaged.variable_asked.connect(dialogs.ask_variable)
         self.filters.bypass_asked.connect(preset.set_bypassed)
         self.recogniser.chosen.connect(dialogs.choose_recogniser)
+        self.recogniser.live_model_chosen.connect(preset.set_live_model)
         self.recogniser.ear_chosen.connect(preset.set_file_ear)
         self.preset_box.chosen.connect(dialogs.load_preset)
         dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)

@@ -22,6 +22,7 @@ from phonemeengine import FORMATS, EngineError, ScriptWord, __version__, load_pr
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.presets.ears import ear_in_words
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import WINDOW
 from phonemeengine.storage.files import reason_of
@@ -117,6 +118,9 @@ class Service:
         self._readers = ThreadPoolExecutor(1, "reading texts")  # a voice reads one text at a time
         self._n_streams = 0
         speech = IncomingSpeech(self._preset, StreamFormat())
+        self._recogniser = ear_in_words(speech.analyser.preset)
+        for warning in speech.analyser.preset.warnings:
+            _log.warning("%s: %s", self._preset.name, warning)
         speech.hear(np.zeros(2 * WINDOW, np.float32))  # so that the first stream need not wait for imports
 
     def close(self) -> None:
@@ -181,6 +185,7 @@ class Service:
             "program": "phonemeanalyser",
             "version": __version__,
             "preset": self._preset.name,
+            "recogniser": self._recogniser,
             "stream": STREAM,
             "export": EXPORT,
             "encodings": [*Encoding],

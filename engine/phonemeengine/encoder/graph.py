@@ -191,16 +191,14 @@ class _Graph:
         scales = np.maximum(np.abs(weight).max(axis=1) / LIMIT, LEAST_SCALE).astype(np.float32)
         quantised = np.round(weight / scales[:, np.newaxis]).astype(np.int8)
         most = self.node("ReduceMax", self.node("Abs", inputs), self.integers(-1), keepdims=1)
-        scale = self.node("Mul", most, self.number(1 / ACTIVATION_LIMIT))
-        scale = self.node("Max", scale, self.number(LEAST_SCALE))
-        zero = self.constant(np.array(ACTIVATION_ZERO, np.uint8))
-        as_bytes = self.node("QuantizeLinear", self.node("Div", inputs, scale), self.number(1), zero)
-        sums = self.node(
-            "Cast",
-            self.node("MatMulInteger", as_bytes, self.constant(quantised.T), zero),
-            to=onnx_file.TYPES["float32"],
-        )
-        return self.node("Mul", self.node("Mul", sums, scale), self.constant(scales))
+        most = self.node("Max", most, self.number(LEAST_SCALE))
+        step, zero = self.number(1 / ACTIVATION_LIMIT), self.constant(np.array(ACTIVATION_ZERO, np.uint8))
+        as_bytes = self.node("QuantizeLinear", self.node("Div", inputs, most), step, zero)
+        factors = self.constant(quantised.T), step, self.constant(scales), zero
+        # one operator in place of a product, a conversion and two scales: at a state a time, operators cost as much
+        # as the work
+        product = self.node("MatMulIntegerToFloat", as_bytes, *factors, domain=onnx_file.CONTRIBUTED)
+        return self.node("Mul", product, most)
 
     def model(
         self, inputs: Mapping[str, Sequence[int | str]], outputs: Mapping[str, str], metadata: Mapping[str, str]

@@ -56,7 +56,7 @@ class LiveEncoder(ShortRepr):
 
 
 @dataclass(frozen=True)
-class Mix:
+class EncoderMix:
     """How the probabilities of the encoder and of the small network are joined.
 
     Attributes
@@ -77,7 +77,7 @@ class Mix:
 
 
 def build_live_encoder(
-    weights: Weights, mix: Mix | None = None, bits: int = 8, about: Mapping[str, str] | None = None
+    weights: Weights, mix: EncoderMix | None = None, bits: int = 8, about: Mapping[str, str] | None = None
 ) -> LiveEncoder:
     """Return a real-time model.
 
@@ -88,7 +88,7 @@ def build_live_encoder(
     bits : 8, or 32 for weights as they are.
     about : texts by name that stand in the file, for people.
     """
-    mix = mix or Mix()
+    mix = mix or EncoderMix()
     known = {"format": FORMAT, "encoder_share": mix.encoder_share, "weakened": mix.weakened, "priors": mix.priors}
     told = {**(about or {}), _KEY: json.dumps(known), "licence": LICENCE}
     return LiveEncoder(live_graph(weights, bits, told), "the new model")
@@ -261,10 +261,10 @@ def _side_by_side(arrays: Sequence[Float32Array]) -> Float32Array:
     return np.ascontiguousarray(arrays[0])[np.newaxis] if len(arrays) == 1 else np.stack(arrays)
 
 
-def _mix_of(metadata: Mapping[str, str]) -> Mix:
+def _mix_of(metadata: Mapping[str, str]) -> EncoderMix:
     try:
         known = json.loads(metadata[_KEY])
-        mix = Mix(float(known["encoder_share"]), float(known["weakened"]), tuple(map(float, known["priors"])))
+        mix = EncoderMix(float(known["encoder_share"]), float(known["weakened"]), tuple(map(float, known["priors"])))
         version = int(known["format"])
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
         raise ModelError(_DAMAGED) from error

@@ -296,6 +296,10 @@ TARGETS: Mapping[str, ShipTarget] = {
 # A folder with an ear that builds and runs as it is: the preset, the sources, examples and how to go on.
 
 USUAL_TABLES = ("arkit", "rhubarb")
+SMALL_NETWORK_SERVES = (
+    "programs without Python recognise with the preset's small network; the real-time model with the encoder needs "
+    "Python and onnxruntime"
+)
 MOST_TABLES = 16
 
 

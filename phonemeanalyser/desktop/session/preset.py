@@ -12,7 +12,7 @@ from phonemeanalyser.desktop.language import tr, tr_amid
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
 from phonemeengine.presets.controls import Control, ControlGroup, controls_of
-from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.ears import for_files, for_live_use
 from phonemeengine.presets.files import (
     DEFAULT_PRESET,
     FACTORY,
@@ -250,6 +250,15 @@ class PresetModel(QObject):
             self.edit(replace(self.preset, file_ear=ear), tr("ear for files"))
         else:
             self.rejected.emit(heard.warnings[-1])
+
+    def set_live_model(self, ear: Ear) -> None:
+        """Have live sound recognised with another model; one that cannot be had is said, and nothing changes."""
+        changed = replace(self.preset, live_model=ear)
+        live = for_live_use(changed)
+        if live.ear is ear:
+            self.edit(changed, tr("model for the microphone"))
+        elif live.warnings:
+            self.rejected.emit(live.warnings[-1])
 
     def saved_value(self, name: str) -> float | None:
         """Return a control's value as the preset's file has it; None where the file's rules are others."""

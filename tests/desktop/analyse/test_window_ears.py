@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.analyser import analyse_file, concatenate_analyses
 from phonemeengine.audio.files import SoundReader
+from phonemeengine.encoder.live import build_live_encoder
 from phonemeengine.labels.files import read_labels
 from phonemeengine.mouth.lip_sync import transcribe
 from phonemeengine.phonemes import Phoneme
@@ -16,6 +17,7 @@ from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import AnalysisSettings, Ear
 from tests.desktop.hands import CARDS, followed, shown, wait_for_results
+from tests.fakes.encoder_weights import encoder_weights
 from tests.fakes.whisper_model import encoder_head
 from tests.models import centred_model, tone_model
 
@@ -26,6 +28,7 @@ PRESET = Preset(
     file_model=centred_model(dilations=(1, 2, 4, 8, 16, 16, 4)),
     settings=AnalysisSettings(statistics=False),
 )
+ENCODER = build_live_encoder(encoder_weights(n_layers=1, n_channels=64))
 
 
 @pytest.fixture
@@ -49,6 +52,22 @@ def shown_phonemes(desktop, qtbot) -> np.ndarray:
 def in_file(preset: Preset, n: int) -> np.ndarray:
     with SoundReader(CARDS) as reader:
         return concatenate_analyses(list(analyse_file(reader, preset))).phonemes[:n]
+
+
+def test_a_microphone_is_recognised_with_the_model_that_the_user_chooses(desktop, window):
+    choice, live = window.recogniser.live_models, replace(PRESET, live_encoder=ENCODER)
+    assert not choice.model().item(1).isEnabled()  # this preset has none
+    desktop.preset.edit(live, "test")
+    assert choice.model().item(1).isEnabled()
+    assert choice.currentText() == "encoder"
+    desktop.session.set_source(SourceKind.MICROPHONE)
+    window.status.refresh(frozen=False)
+    assert "encoder and network, 20 ms ahead" in window.status.left.text()
+    choice.setCurrentIndex(0)
+    choice.activated.emit(0)
+    window.status.refresh(frozen=False)
+    assert "learned, 20 ms ahead" in window.status.left.text()
+    assert desktop.preset.preset.live_model is Ear.LIVE
 
 
 def test_the_opened_file_is_heard_as_the_commands_hear_it(window, desktop, qtbot):
@@ -86,12 +105,12 @@ def offered(window) -> list[bool]:
 
 def test_only_what_is_there_is_offered(desktop, qtbot, tmp_path, whisper):
     window = shown(desktop, qtbot)
-    assert offered(window) == [True, False, False]  # rules hear files themselves
+    assert offered(window) == [True, False, False, False]  # rules hear files themselves
     save_preset(PRESET, tmp_path / "both.toml")
     desktop.preset.load(tmp_path / "both.toml")
-    assert offered(window) == [True, True, False]
+    assert offered(window) == [True, False, True, False]
     desktop.preset.edit(replace(PRESET, encoder_head=encoder_head()), "what is known of Whisper")
-    assert offered(window) == [True, True, True]
+    assert offered(window) == [True, False, True, True]
 
 
 def test_a_preset_whose_model_for_files_is_missing_is_loaded_and_that_is_told(desktop, qtbot, tmp_path):

@@ -9,9 +9,9 @@ import pytest
 from phonemeengine.encoder.graph import live_graph, whole_graph
 from phonemeengine.encoder.live import (
     LARGEST_FILE,
+    EncoderMix,
     EncoderStream,
     LiveEncoder,
-    Mix,
     OpenEncoder,
     build_live_encoder,
     load_live_encoder,
@@ -24,7 +24,7 @@ from tests.fakes.encoder_weights import encoder_weights, reference_logits
 
 WEIGHTS = encoder_weights(n_layers=2, n_channels=64)
 EXACT = build_live_encoder(WEIGHTS, bits=32)
-SMALL = build_live_encoder(WEIGHTS, Mix(0.7, 0.35, (0.5,) * 26), about={"trained on": "noise"})
+SMALL = build_live_encoder(WEIGHTS, EncoderMix(0.7, 0.35, (0.5,) * 26), about={"trained on": "noise"})
 FEWER = WEIGHTS | {"head/weight": WEIGHTS["head/weight"][:50], "head/bias": np.zeros(50, np.float32)}
 KNOWN = {"format": 1, "encoder_share": 0.5, "weakened": 0, "priors": [0.1] * 26}
 
@@ -45,7 +45,7 @@ def test_a_model_that_is_saved_is_the_same_when_it_is_read(tmp_path):
     assert found == SMALL != EXACT
     assert found.name == "x.encoder.onnx"
     assert open_live_encoder(found) is open_live_encoder(SMALL)
-    assert open_live_encoder(found).mix == Mix(0.7, 0.35, (0.5,) * 26)
+    assert open_live_encoder(found).mix == EncoderMix(0.7, 0.35, (0.5,) * 26)
 
 
 @pytest.mark.parametrize("ahead", [0, 1])

@@ -9,7 +9,7 @@ import pytest
 from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, push_together
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.encoder.head import softmax
-from phonemeengine.encoder.live import LiveEncoder, Mix, build_live_encoder
+from phonemeengine.encoder.live import EncoderMix, LiveEncoder, build_live_encoder
 from phonemeengine.encoder.mel import SILENT, RunningScale, whisper_log_mels
 from phonemeengine.errors import PresetError
 from phonemeengine.labels.visemes import VisemeSet
@@ -25,7 +25,7 @@ from tests.sounds import silence, tone
 
 WEIGHTS = encoder_weights(n_layers=1, n_channels=64)
 NETWORK = tone_model({700.0: Phoneme.A, 2500.0: Phoneme.I}).rounded()
-ENCODERS = {share: build_live_encoder(WEIGHTS, Mix(encoder_share=share), bits=32) for share in (0.0, 0.6, 1.0)}
+ENCODERS = {share: build_live_encoder(WEIGHTS, EncoderMix(encoder_share=share), bits=32) for share in (0.0, 0.6, 1.0)}
 SOUND = np.concatenate([silence(0.2), tone(700, 0.31, 0.5), silence(0.1), tone(2500, 0.3, 0.5)])
 N_FRAMES = -(-len(SOUND) // HOP)
 

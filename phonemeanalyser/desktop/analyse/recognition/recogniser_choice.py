@@ -1,4 +1,4 @@
-"""Which recogniser names the phonemes and what hears files, and where the speech encoder's model is."""
+"""Which recogniser names the phonemes, its models for live sound and for files, and where the speech encoder is."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -25,19 +25,22 @@ from phonemeengine.settings import Ear
 
 NAMES_WIDTH = 86
 """Pixels that the recogniser's name has at least."""
-EARS = {Ear.LIVE: tr_noop("live"), Ear.TWIN: tr_noop("twin"), Ear.WHISPER: "Whisper"}
+LIVE_MODELS = {Ear.LIVE: tr_noop("network"), Ear.ENCODER: tr_noop("encoder")}
+EARS = {Ear.LIVE: tr_noop("live"), Ear.ENCODER: tr_noop("encoder"), Ear.TWIN: tr_noop("twin"), Ear.WHISPER: "Whisper"}
 
 
 class RecogniserChoice(QWidget):
-    """Offers all recognisers that are installed, and the ears for files, and shows the preset's.
+    """Offers all recognisers that are installed, and the models for live sound and for files, and shows the preset's.
 
     Signals
     -------
     chosen : name of the recogniser that the user wants.
+    live_model_chosen : the `Ear` that the user wants live sound to be recognised with.
     ear_chosen : the `Ear` that the user wants files to be heard with.
     """
 
     chosen = Signal(str)
+    live_model_chosen = Signal(object)
     ear_chosen = Signal(object)
 
     def __init__(self, preset: PresetModel) -> None:
@@ -55,6 +58,16 @@ class RecogniserChoice(QWidget):
         )
         self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.names.setMinimumWidth(NAMES_WIDTH)
+        self.live_models = choice(
+            ((tr(words), None) for words in LIVE_MODELS.values()),
+            tr("model for the microphone"),
+            tr(
+                "<p>What recognises a microphone. <i>network</i>: the small network, which costs next to nothing and "
+                "looks ahead as little as you like. <i>encoder</i>: the lower layers of a speech encoder, which "
+                "knows very many voices, together with the network; it looks ahead 20 or 40 ms and takes a few "
+                "percent of a processor core.</p><p>What is grey is not there.</p>"
+            ),
+        )
         self.ears = choice(
             ((tr(words), None) for words in EARS.values()),
             tr("ear for files"),
@@ -66,11 +79,13 @@ class RecogniserChoice(QWidget):
             ),
         )
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        recogniser, files = label(tr("Recogniser")), label(tr("Files"))
-        recogniser.setBuddy(self.names)
-        files.setBuddy(self.ears)
-        row(recogniser, (self.names, 1), files, self.ears, on=self, margins=(8, 4, 8, 2))
+        recogniser, live, files = label(tr("Recogniser")), label(tr("Live")), label(tr("Files"))
+        for words, box in ((recogniser, self.names), (live, self.live_models), (files, self.ears)):
+            words.setBuddy(box)
+        boxes = (recogniser, (self.names, 1), live, self.live_models, files, self.ears)
+        row(*boxes, on=self, margins=(8, 4, 8, 2))
         self.names.activated.connect(self._choose)
+        self.live_models.activated.connect(self._choose_live_model)
         self.ears.activated.connect(self._choose_ear)
         preset.changed.connect(self._show_preset)
         self._show_preset()
@@ -79,16 +94,24 @@ class RecogniserChoice(QWidget):
         self.chosen.emit(self.names.itemText(index))
         self._show_preset()  # where it was refused, the old one is in use still
 
+    def _choose_live_model(self, index: int) -> None:
+        self.live_model_chosen.emit(list(LIVE_MODELS)[index])
+        self._show_preset()
+
     def _choose_ear(self, index: int) -> None:
         self.ear_chosen.emit(list(EARS)[index])
         self._show_preset()
 
     def _show_preset(self) -> None:
-        model = self.ears.model()
-        assert isinstance(model, QStandardItemModel)
-        for k, ear in enumerate(EARS):
-            model.item(k).setEnabled(has_ear(self._preset.preset, ear))
-        self.ears.setCurrentIndex(list(EARS).index(offered_ear(self._preset.preset)))
+        preset = self._preset.preset
+        for box, ears in ((self.live_models, LIVE_MODELS), (self.ears, EARS)):
+            model = box.model()
+            assert isinstance(model, QStandardItemModel)
+            for k, ear in enumerate(ears):
+                model.item(k).setEnabled(has_ear(preset, ear))
+        live = preset.live_model if has_ear(preset, preset.live_model) else Ear.LIVE
+        self.live_models.setCurrentIndex(list(LIVE_MODELS).index(live))
+        self.ears.setCurrentIndex(list(EARS).index(offered_ear(preset)))
         name = self._preset.preset.recogniser
         self.names.setCurrentIndex(
             self.names.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive)
