@@ -149,6 +149,11 @@
             <translation>&lt;p&gt;Benennt das Phonem jedes Frames. Ein anderer bringt die Filter und Zahlen mit, für die er eingestellt wurde, sofern sie nicht schon geändert wurden. Was sich an ihm einstellen lässt, steht darunter.&lt;/p&gt;&lt;p&gt;Einen weiteren bekommt das Programm, indem sein Paket daneben installiert und das Programm neu gestartet wird. Wie man einen schreibt, steht im README.&lt;/p&gt;</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>&lt;p&gt;What recognises a microphone. &lt;i&gt;network&lt;/i&gt;: the small network, which costs next to nothing and looks ahead as little as you like. &lt;i&gt;encoder&lt;/i&gt;: the lower layers of a speech encoder, which knows very many voices, together with the network; it looks ahead 20 or 40 ms and takes a few percent of a processor core.&lt;/p&gt;&lt;p&gt;What is grey is not there.&lt;/p&gt;</source>
+            <translation>&lt;p&gt;Womit das Mikrofon erkannt wird. &lt;i&gt;Netz&lt;/i&gt;: das kleine Netz, das fast nichts kostet und beliebig wenig vorausschaut. &lt;i&gt;Encoder&lt;/i&gt;: die unteren Schichten eines Sprach-Encoders, der sehr viele Stimmen kennt, zusammen mit dem Netz; er schaut 20 oder 40 ms voraus und braucht wenige Prozent eines Prozessorkerns.&lt;/p&gt;&lt;p&gt;Was grau ist, ist nicht vorhanden.&lt;/p&gt;</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>A and E</source>
             <translation>A und E</translation>
@@ -1397,6 +1402,16 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Empty Deleted Takes…</source>
             <translation>Gelöschte Takes entfernen…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>encoder</source>
+            <translation>Encoder</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>encoder and network, {ms} ms ahead</source>
+            <translation>Encoder und Netz, {ms} ms voraus</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -2715,6 +2730,11 @@
             <translation>Litauisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>Live</source>
+            <translation>Live</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>live</source>
             <translation>live</translation>
@@ -3085,6 +3105,11 @@
             <translation>Mix</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>model for the microphone</source>
+            <translation>Modell für das Mikrofon</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Model: {ear}</source>
             <translation>Modell: {ear}</translation>
@@ -3208,6 +3233,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Network</source>
             <translation>Netzwerk</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>network</source>
+            <translation>Netz</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
