@@ -27,10 +27,6 @@ from phonemeengine import (
     Transcript,
     Utterance,
     animation_of,
-    load_head,
-    load_morph_mesh,
-    load_morph_targets,
-    matched,
 )
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array, UInt8Array
@@ -41,6 +37,7 @@ from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
@@ -303,41 +300,23 @@ ANALYSED = 0.2
 """How much of the work at a clip is done when the sound is analysed."""
 
 
-@dataclass(frozen=True)
-class ShownFace:
-    """The files of a face; it is the head that ships with the program where there are none.
+SHIPPED_FACE = FaceFiles()
 
-    Attributes
-    ----------
-    mesh, movestates : the files.
+
+def face_of(files: FaceFiles) -> MorphMesh:
+    """Load a face that can be moved.
+
+    Raises
+    ------
+    EngineError : it cannot be used.
     """
-
-    mesh: Path | None = None
-    movestates: Path | None = None
-
-    def morph_mesh(self) -> MorphMesh:
-        """Load it.
-
-        Raises
-        ------
-        EngineError : it cannot be used.
-        """
-        if self.mesh is None:
-            if self.movestates is not None:
-                raise RenderingError(
-                    f"{self.movestates.name}: movestates move a mesh of their own; name it with --mesh"
-                )
-            return load_head()
-        face = load_morph_mesh(self.mesh)
-        if self.movestates is not None:
-            face = MorphMesh(face.mesh, matched(load_morph_targets(self.movestates), face.mesh).states)
-        if not face.states:
-            words = "there are no morph targets in it; name its movestates with --movestates"
-            raise RenderingError(f"{self.mesh.name}: {words}")
-        return face
-
-
-SHIPPED_FACE = ShownFace()
+    if files.mesh is None and files.movestates is not None:
+        raise RenderingError(f"{files.movestates.name}: movestates move a mesh of their own; name it with --mesh")
+    face = files.load()
+    if files.mesh is not None and not face.states:
+        words = "there are no morph targets in it; name its movestates with --movestates"
+        raise RenderingError(f"{files.mesh.name}: {words}")
+    return face
 
 
 @dataclass(frozen=True)
@@ -362,7 +341,7 @@ class ClipWork:
     channel: Channel = Channel.MIX
     texts: SpokenTexts = NO_TEXTS
     driver: DriverChoice = USUAL_DRIVER
-    faces: ShownFace = SHIPPED_FACE
+    faces: FaceFiles = SHIPPED_FACE
     look: ClipOptions = USUAL_CLIP
     ending: str = ""
     overwrite: bool = False
@@ -392,8 +371,8 @@ class ClipWork:
         table = written.mouth_table(USUAL_TABLE)
         if written.idle.expression is not None:
             written.idle.expression.check_fits(table.movestates, table.name)
-        faces = ShownFace(options.mesh, options.movestates)
-        faces.morph_mesh()
+        faces = FaceFiles(options.mesh, options.movestates)
+        face_of(faces)
         texts, driver = SpokenTexts.of(options, sounds, say), DriverChoice.of(options)
         by_rules = replace(written, mesh=None, rate=None)
         return cls(by_rules, preset, options.channel, texts, driver, faces, look, ending, options.overwrite)
@@ -411,7 +390,7 @@ class ClipWork:
     @contextmanager
     def opened(self) -> Iterator[Act]:
         """Load the face, open what moves it, and give what makes one clip."""
-        head = subdivided(self.faces.morph_mesh())
+        head = subdivided(face_of(self.faces))
         with self.driver.opened() as driving:
             yield partial(self._make, head, driving)
 

@@ -22,6 +22,7 @@ from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.preset import Preset
@@ -127,11 +128,11 @@ def work_of(order: ExportOrder) -> Work:
         )
     if not kind.moves_mouth:
         return ReportWork(order)
-    from phonemeanalyser.rendering.clip import ClipWork, ShownFace, check_clip  # noqa: PLC0415 - no window waits for it
+    from phonemeanalyser.rendering.clip import ClipWork, check_clip  # noqa: PLC0415 - no window waits for it
 
     options, look = order.options, ClipOptions(rate=order.options.rate or USUAL_CLIP.rate)
     check_clip(Path("clip" + kind.ending), look.size)
-    face = ShownFace(None if options.mesh is None else Path(options.mesh), order.movestates)
+    face = FaceFiles(None if options.mesh is None else Path(options.mesh), order.movestates)
     return ClipWork(options, order.preset, order.channel, texts, order.driver, face, look, overwrite=order.overwrite)
 
 

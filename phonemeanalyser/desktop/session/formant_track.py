@@ -1,15 +1,12 @@
 """The formants of what is seen of a file, measured in the background."""
 
-from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.formants import CEILING, WINDOW_SECONDS, formants_of
 from phonemeengine.execution import Progress
 from phonemeengine.settings import FRAME_PERIOD, HOP
@@ -27,45 +24,19 @@ class KnownFormants(NamedTuple):
     frequencies: Float32Array
 
 
-class FormantTrack(QObject):
+class FormantTrack(SeenTrack):
     """Measures the formants where somebody looks, once they are wanted.
-
-    Signals
-    -------
-    changed : more of them are measured, or another file is in hand.
-    error : a sentence for the user.
 
     Attributes
     ----------
     ceiling : Hz below which they are looked for.
     """
 
-    changed = Signal()
-    error = Signal(str)
-
     def __init__(self) -> None:
         super().__init__()
         self.ceiling = CEILING
-        self._open: Callable[[], SoundReader] | None = None
         self._known: KnownFormants | None = None
         self._wanted: tuple[int, int] = (0, 0)
-        self._n_frames = 0
-        self._work = TaskQueue(self.error.emit)
-
-    @property
-    def busy(self) -> bool:
-        """Whether more is being measured."""
-        return self._work.busy
-
-    def open(self, open_sound: Callable[[], SoundReader], duration: float) -> None:
-        """Measure another file, of so many seconds."""
-        self._open, self._n_frames = open_sound, int(np.ceil(duration / FRAME_PERIOD))
-        self._forget()
-
-    def leave(self) -> None:
-        """Know nothing any more."""
-        self._open, self._n_frames = None, 0
-        self._forget()
 
     def set_ceiling(self, ceiling: float) -> None:
         """Look for them below another frequency, Hz."""
@@ -78,16 +49,13 @@ class FormantTrack(QObject):
         if not 0 < seen.seconds <= MOST_SECONDS or self._open is None:
             return None
         first = max(0, int(seen.start / FRAME_PERIOD))
-        last = min(self._n_frames, int(np.ceil(seen.end / FRAME_PERIOD)))
+        n_frames = int(np.ceil(self._duration / FRAME_PERIOD))
+        last = min(n_frames, int(np.ceil(seen.end / FRAME_PERIOD)))
         begin, end = self._wanted
         if first < begin or last > end:
             around = int(AROUND * (last - first))
-            self._measure(max(0, first - around), min(self._n_frames, last + around))
+            self._measure(max(0, first - around), min(n_frames, last + around))
         return self._known
-
-    def close(self) -> None:
-        """End all work."""
-        self._work.close(CLOSE_TIMEOUT)
 
     def _measure(self, first: int, last: int) -> None:
         open_sound, ceiling, self._wanted = self._open, self.ceiling, (first, last)
@@ -109,6 +77,5 @@ class FormantTrack(QObject):
         self.changed.emit()
 
     def _forget(self) -> None:
-        self._work.cancel()
         self._known, self._wanted = None, (0, 0)
-        self.changed.emit()
+        super()._forget()

@@ -4,16 +4,16 @@ import math
 import threading
 import time
 from collections import OrderedDict
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from math import ceil, floor, log2
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, Qt, QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 
+from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import PRE_ROLL
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
@@ -62,13 +62,8 @@ class _Key(NamedTuple):
         return TimeSpan(self.number * seconds, (self.number + 1) * seconds)
 
 
-class SonagramTiles(QObject):
+class SonagramTiles(SeenTrack):
     """Measures what is looked at, and remembers it.
-
-    Signals
-    -------
-    changed : more of it is measured, or another file is in hand.
-    error : a sentence for the user.
 
     Attributes
     ----------
@@ -77,8 +72,6 @@ class SonagramTiles(QObject):
     level_range : the levels, dB, to be drawn darkest and brightest, as the loudest tiles so far have it.
     """
 
-    changed = Signal()
-    error = Signal(str)
     _kept = Signal()
 
     most_tiles = 96
@@ -94,9 +87,6 @@ class SonagramTiles(QObject):
         self._tiles: OrderedDict[_Key, Tile] = OrderedDict()
         self._highest: float | None = None
         self._wanted: tuple[_Key, ...] = ()
-        self._duration = 0.0
-        self._open: Callable[[], SoundReader] | None = None
-        self._work = TaskQueue(self.error.emit)
         self._kept.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         self._began = -math.inf
         self._resting = QTimer(self, singleShot=True)
@@ -105,17 +95,7 @@ class SonagramTiles(QObject):
     @property
     def busy(self) -> bool:
         """Whether more is being measured."""
-        return self._work.busy or self._resting.isActive()
-
-    def open(self, open_sound: Callable[[], SoundReader], duration: float) -> None:
-        """Measure another file, of so many seconds."""
-        self._open, self._duration = open_sound, duration
-        self._forget()
-
-    def leave(self) -> None:
-        """Know nothing any more."""
-        self._open, self._duration = None, 0.0
-        self._forget()
+        return super().busy or self._resting.isActive()
 
     def use(self, settings: SonagramSettings) -> None:
         """Measure it otherwise."""
@@ -150,10 +130,6 @@ class SonagramTiles(QObject):
             elif not self._resting.isActive():
                 self._resting.start(round(1000 * rest))
         return found
-
-    def close(self) -> None:
-        """End all work."""
-        self._work.close(CLOSE_TIMEOUT)
 
     def _keys_for(self, seen: TimeSpan, n_pixels: int) -> list[_Key]:
         """Return the tiles that cover some seconds with one column a pixel, or up to two; the middle one first."""
@@ -207,7 +183,6 @@ class SonagramTiles(QObject):
         self._kept.emit()
 
     def _forget(self) -> None:
-        self._work.cancel()
         self._resting.stop()
         self._began = -math.inf
         with self._lock:
@@ -215,7 +190,7 @@ class SonagramTiles(QObject):
             self._tiles, self._highest = OrderedDict(), None
         self._wanted = ()
         self.level_range = (-SPAN, 0.0)
-        self.changed.emit()
+        super()._forget()
 
 
 def _levels_of(

@@ -3,10 +3,9 @@
 from collections.abc import Callable
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.waveform_peaks import FINEST, Peaks, WaveformPeaks
 from phonemeengine.execution import Progress, report_progress
@@ -20,43 +19,18 @@ BLOCK = 2**18
 """Samples that are read at a time."""
 
 
-class WaveformTrack(QObject):
-    """Reads the outline of the waveform where somebody looks, if the analysis has not come so far yet.
-
-    Signals
-    -------
-    changed : more of it is read, or another file is in hand.
-    error : a sentence for the user.
-    """
-
-    changed = Signal()
-    error = Signal(str)
+class WaveformTrack(SeenTrack):
+    """Reads the outline of the waveform where somebody looks, if the analysis has not come so far yet."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._open: Callable[[], SoundReader] | None = None
-        self._n_samples = 0
         self._wanted = 0, 0
         self._first = 0
         self._peaks = WaveformPeaks()
-        self._work = TaskQueue(self.error.emit)
 
     @property
-    def busy(self) -> bool:
-        """Whether more is being read."""
-        return self._work.busy
-
-    def open(self, open_sound: Callable[[], SoundReader], duration: float) -> None:
-        """Read another file, of so many seconds."""
-        self.leave()
-        self._open, self._n_samples = open_sound, round(duration * SAMPLE_RATE)
-
-    def leave(self) -> None:
-        """Know nothing any more."""
-        self._work.cancel()
-        self._open, self._n_samples, self._wanted = None, 0, (0, 0)
-        self._first, self._peaks = 0, WaveformPeaks()
-        self.changed.emit()
+    def _n_samples(self) -> int:
+        return round(self._duration * SAMPLE_RATE)
 
     def outline_in(self, seen: TimeSpan, known: WaveformPeaks, n_columns: int) -> Peaks:
         """Return the outline of what is seen in so many columns; what nobody knows yet is read in the background.
@@ -71,10 +45,6 @@ class WaveformTrack(QObject):
         mine = self._peaks.between(first - self._first, last - self._first, n_columns)
         missing = np.isnan(outline.low)
         return Peaks(*(np.where(missing, a, b) for a, b in zip(mine, outline, strict=True)))
-
-    def close(self) -> None:
-        """End all work."""
-        self._work.close(CLOSE_TIMEOUT)
 
     def _want(self, first: int, last: int) -> None:
         begin, end = self._wanted
@@ -101,3 +71,7 @@ class WaveformTrack(QObject):
     def _take(self, found: tuple[int, WaveformPeaks]) -> None:
         self._first, self._peaks = found
         self.changed.emit()
+
+    def _forget(self) -> None:
+        self._wanted, self._first, self._peaks = (0, 0), 0, WaveformPeaks()
+        super()._forget()

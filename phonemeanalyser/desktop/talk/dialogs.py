@@ -9,12 +9,11 @@ from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
-from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
-from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
+from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
 
 MESHES = tr_noop("Meshes and movestates ({endings})")
 MESH_ENDINGS = " ".join(f"*{kind}" for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))

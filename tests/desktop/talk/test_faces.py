@@ -9,8 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
-from phonemeengine.mouth.files.io import save_morph_targets
+from phonemeengine.mouth.files.io import FaceFiles, save_morph_targets
 from phonemeengine.mouth.head import load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of

@@ -2,7 +2,7 @@
 
 import os
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
@@ -12,7 +12,8 @@ from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
-from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, morph_targets_of
+from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
 from phonemeengine.storage.files import MEGABYTE, read_file, write_file
 
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
@@ -39,6 +40,32 @@ def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
     return MorphMesh(replace(morph_mesh.mesh, name=morph_mesh.mesh.name or path.stem), morph_mesh.states)
+
+
+@dataclass(frozen=True)
+class FaceFiles:
+    """The files of a face; without a mesh it is the head that ships with the program.
+
+    Attributes
+    ----------
+    mesh : .obj, .gltf, .glb or .x.
+    movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted.
+    """
+
+    mesh: Path | None = None
+    movestates: Path | None = None
+
+    def load(self) -> MorphMesh:
+        """Load it; it may have no movestates.
+
+        Raises
+        ------
+        MeshError : a file cannot be read, or the movestates are those of another mesh.
+        """
+        face = load_morph_mesh(self.mesh) if self.mesh else load_head()
+        if self.movestates is None:
+            return face
+        return MorphMesh(face.mesh, matched(load_morph_targets(self.movestates), face.mesh).states)
 
 
 def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:

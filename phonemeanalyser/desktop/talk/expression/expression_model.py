@@ -6,9 +6,9 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.talk.expression.osc_connection import OscConnection
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
-from phonemeengine.errors import EngineError
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
 from phonemeengine.mouth.osc import OscAddress, OscExpression
@@ -16,38 +16,19 @@ from phonemeengine.performance.livelink import read_expression
 
 USUAL_ADDRESS = "127.0.0.1:39540"
 """Where VMC programs send faces to on this computer."""
-NETWORK_TIMEOUT = 2.0
-"""Seconds after which the end of the program waits no longer for the network."""
 
 
-class ExpressionInput(QObject):
-    """Listens for expressions by OSC while it is switched on; nothing here waits for the network.
-
-    Signals
-    -------
-    changed : switched on or off, or another address.
-    error : a sentence for the user.
-
-    Attributes
-    ----------
-    address : ``HOST:PORT``, as the user wrote it.
-    stream : what is heard; None while nobody listens.
-    """
-
-    changed = Signal()
-    error = Signal(str)
+class ExpressionInput(OscConnection):
+    """Listens for expressions by OSC while it is switched on; nothing here waits for the network."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.address = USUAL_ADDRESS
-        self.stream: OscExpression | None = None
-        self._wanted: OscAddress | None = None
-        self._work = TaskQueue(self._fail)
+        super().__init__(USUAL_ADDRESS)
 
     @property
-    def on(self) -> bool:
-        """Whether it is switched on."""
-        return self._wanted is not None
+    def stream(self) -> OscExpression | None:
+        """What is received; None while it does not listen."""
+        stream: OscExpression | None = self.connection
+        return stream
 
     @property
     def words(self) -> str:
@@ -66,50 +47,8 @@ class ExpressionInput(QObject):
         """Whether another program sends an expression."""
         return self.stream is not None and bool(self.stream.names)
 
-    def set_on(self, on: bool) -> None:
-        """Begin or end to listen."""
-        self._leave()
-        if on:
-            self._begin()
-        self.changed.emit()
-
-    def set_address(self, text: str) -> None:
-        """Listen elsewhere."""
-        if text.strip() != self.address:
-            self.address = text.strip()
-            self.set_on(self.on)
-
-    def close(self) -> None:
-        """Listen no more."""
-        self._leave()
-        self._work.finish(NETWORK_TIMEOUT)
-
-    def _begin(self) -> None:
-        try:
-            address = self._wanted = OscAddress.of(self.address)
-        except EngineError as error:
-            self._fail(str(error))
-            return
-        self._work.submit(lambda _progress: OscExpression(address), lambda stream: self._take(address, stream))
-
-    def _take(self, address: OscAddress, stream: OscExpression) -> None:
-        """Listen with this one, unless something else is wanted by now."""
-        if address is self._wanted:
-            self.stream = stream
-            self.changed.emit()
-        else:
-            self._work.submit(lambda _progress: stream.close())
-
-    def _leave(self) -> None:
-        self._wanted = None
-        stream, self.stream = self.stream, None
-        if stream is not None:
-            self._work.submit(lambda _progress: stream.close())
-
-    def _fail(self, sentence: str) -> None:
-        self._leave()
-        self.error.emit(f"{sentence[0].upper()}{sentence[1:]}.")
-        self.changed.emit()
+    def _connect(self, address: OscAddress) -> OscExpression:
+        return OscExpression(address)
 
 
 USUAL_PRIORITY = 0.5

@@ -1,8 +1,6 @@
 """Whose face it is, the program's own or a mesh of the user's; and a head that says with it what is heard."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -12,29 +10,14 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
-from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
-from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import EYES, Gaze, HeadPose, gaze_weights
-from phonemeengine.mouth.morph_mesh import MorphMesh, matched
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import MOST_PERCENT, MovestateSet
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
 
 MOST_WEIGHT = MOST_PERCENT / 100
-
-
-@dataclass(frozen=True)
-class FaceFiles:
-    """Where a face comes from; without a mesh it is the head that ships with the program.
-
-    Attributes
-    ----------
-    mesh : .obj, .gltf, .glb or .x.
-    movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted.
-    """
-
-    mesh: Path | None = None
-    movestates: Path | None = None
 
 
 class FaceModel(QObject):
@@ -164,16 +147,11 @@ class FaceModel(QObject):
 
 
 def _loaded(files: FaceFiles) -> MorphMesh:
-    morph_mesh = load_morph_mesh(files.mesh) if files.mesh else load_head()
-    if files.movestates is None:
-        if not morph_mesh.states:
-            raise MeshError(
-                tr("{mesh}: this mesh has no movestates; choose its .3dm file together with it").format(
-                    mesh=morph_mesh.mesh.name
-                )
-            )
-        return morph_mesh
-    return MorphMesh(morph_mesh.mesh, matched(load_morph_targets(files.movestates), morph_mesh.mesh).states)
+    face = files.load()
+    if not face.states:
+        sentence = tr("{mesh}: this mesh has no movestates; choose its .3dm file together with it")
+        raise MeshError(sentence.format(mesh=face.mesh.name))
+    return face
 
 
 def _plain(name: str) -> str:

@@ -6,12 +6,12 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QSizePolicy, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
-from phonemeanalyser.desktop.talk.head.face_model import FaceFiles
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import choice, grid, label, named, offer, row, silent, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeanalyser.desktop.widgets.number_field import NumberField
+from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import SPEAKING, TABLES
 from phonemeengine.phonemes import Phoneme
