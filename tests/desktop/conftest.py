@@ -132,7 +132,7 @@ def play(session: Session, outputs: Outputs, qtbot: QtBot) -> Callable[[float], 
 
 
 def ended(session: Session) -> bool:
-    return session.source.player is not None and session.source.player._at_end
+    return session.source.player is not None and session.source.player.all_written
 
 
 def begin(app: QApplication, settings: QSettings, microphone: Microphone) -> Desktop:

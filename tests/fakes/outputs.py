@@ -76,6 +76,10 @@ class HandDrivenSound(Sound):
     def _open_device(self, n_channels: int) -> Output:
         return self._open(n_channels)
 
+    def catch_up(self) -> bool:
+        """Say whether as much is played as may be."""
+        return self._player.catch_up()
+
 
 class Outputs:
     """Opens outputs that the test moves, and remembers them.

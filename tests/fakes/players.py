@@ -8,7 +8,7 @@ import numpy as np
 from phonemeengine.analyser import Analysis, analyse_blocks
 from phonemeengine.analyser import concatenate_analyses as joined
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.live.player import STEP, Player
+from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, AnalysisSettings, Channel
 from tests.fakes.outputs import HandDrivenOutput
@@ -69,14 +69,7 @@ class Rig:
 
     def settle(self) -> None:
         """Wait until the thread has followed all commands and written as much as it may."""
-        player = self.player
-        player._wake.set()
-
-        def settled() -> bool:
-            held = not player.playing or player._at_end or self.output.room < STEP
-            return player._error is not None or (not player._commands and player._target is None and held)
-
-        wait_for(settled, "the analysis thread")
+        wait_for(self.player.catch_up, "the analysis thread")
 
     def go_round(self) -> None:
         """Wait until the thread has followed all commands, and has gone round once more."""

@@ -46,12 +46,16 @@ class GrowingAligner:
     """Finds the words of a text that comes in pieces, in a sound that does, in memory that grows with neither.
 
     Words are looked for in the last seconds of the sound only, so they must come before it, or soon after.
+
+    Attributes
+    ----------
+    n_waiting : frames that are kept since a word may still end in them.
     """
 
     def __init__(self) -> None:
         self._words: list[ScriptWord] = []
         self._waiting: list[Evidence] = []
-        self._n_waiting = self._n_settled = 0
+        self.n_waiting = self._n_settled = 0
         self._fit = TextFit()
 
     @property
@@ -75,7 +79,7 @@ class GrowingAligner:
     def push(self, evidence: Evidence) -> None:
         """Take what is heard next."""
         self._waiting.append(evidence)
-        self._n_waiting += len(evidence)
+        self.n_waiting += len(evidence)
 
     def look(self) -> GrownWords:
         """Return what is known of the words by now; to be asked every few frames."""
@@ -88,7 +92,7 @@ class GrowingAligner:
         return GrownWords(words, (), (*found.skipped, *(word.text for word in self._words)))
 
     def _look(self, *, last: bool) -> GrownWords:
-        if not self._n_waiting:
+        if not self.n_waiting:
             return GrownWords()
         heard = joined(self._waiting)
         self._waiting = [heard]
@@ -125,7 +129,7 @@ class GrowingAligner:
         """Forget the first frames that wait."""
         self._waiting = [self._waiting[0].part(slice(n, None))]
         self._n_settled += n
-        self._n_waiting -= n
+        self.n_waiting -= n
 
     def _parted(
         self, steps: Sequence[WayStep], n: int, passage: Passage, *, last: bool

@@ -170,6 +170,22 @@ class Player:
         return self._at_end and not self._waiting and (drained or not self._playing)
 
     @property
+    def all_written(self) -> bool:
+        """Whether all of the sound is written to the output; it may not all be heard yet."""
+        return self._at_end
+
+    def catch_up(self) -> bool:
+        """Have the thread look at its output at once.
+
+        Returns
+        -------
+        whether it has followed all calls and written as much as the output takes, or has failed.
+        """
+        self._wake.set()
+        held = not self._playing or self._at_end or self._output.room < STEP
+        return self._error is not None or (not self._commands and self._target is None and held)
+
+    @property
     def n_dropped(self) -> int:
         """Frames that were analysed but not taken in time."""
         return self._waiting.n_dropped

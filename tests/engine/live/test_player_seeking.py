@@ -8,7 +8,7 @@ import pytest
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.settings import FRAME_PERIOD
 from tests.fakes.players import N_FRAMES, Rig, agree, frames_of, offline
-from tests.waiting import PATIENCE, wait_for
+from tests.waiting import PATIENCE
 
 
 @pytest.mark.parametrize("frame", [1, 3, 39, 40, 41, 70, 101, N_FRAMES - 1])
@@ -66,9 +66,10 @@ def test_a_seek_beyond_an_end_goes_to_that_end(seconds: float, position: float, 
 class SlowReader(SoundReader):
     """Goes to a place when it may."""
 
-    may_go = threading.Event()
+    asked, may_go = threading.Event(), threading.Event()
 
     def seek(self, sample: int) -> None:
+        self.asked.set()
         assert self.may_go.wait(PATIENCE)
         super().seek(sample)
 
@@ -76,10 +77,10 @@ class SlowReader(SoundReader):
 def test_a_seek_in_the_last_moment_is_not_the_end(path: Path) -> None:
     rig = Rig(SlowReader(path))
     rig.player.play()
-    while not rig.player._at_end:
+    while not rig.player.all_written:
         rig.hear(1)
     rig.player.seek(0.2)
-    wait_for(lambda: not rig.player._commands, "the seek's beginning")
+    assert SlowReader.asked.wait(PATIENCE)
     rig.output.move(1e9)
     rig.player.take_analyses()
     assert not rig.player.finished

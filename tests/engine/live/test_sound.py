@@ -1,5 +1,6 @@
 """A sound file as a game uses it: what it says belongs to what is heard at this moment."""
 
+import threading
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +11,6 @@ import soundfile
 
 from phonemeengine.analyser import latest_reading
 from phonemeengine.errors import AudioError
-from phonemeengine.live.player import STEP
 from phonemeengine.live.sound import N_BINS, Sound
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, HOP, SAMPLE_RATE, WINDOW, Channel
@@ -37,14 +37,7 @@ class Game:
 
     def settle(self) -> None:
         """Wait until as much is played as may be."""
-        player, output = self.sound._player, self.outputs[-1]
-        player._wake.set()
-
-        def settled() -> bool:
-            held = not player.playing or player._at_end or output.room < STEP
-            return player._error is not None or (not player._commands and player._target is None and held)
-
-        wait_for(settled, "the analysis thread")
+        wait_for(self.sound.catch_up, "the analysis thread")
 
     def hear(self, n: int) -> None:
         """Have `n` samples be heard, a frame at a time."""
@@ -250,8 +243,9 @@ def test_a_sound_tells_its_preset(path: Path) -> None:
 
 
 def test_closing_lets_file_and_device_go(path: Path) -> None:
+    before = set(threading.enumerate())
     game = Game(path)
     with game.sound as sound:
         sound.play()
     assert game.outputs[0].closed
-    assert not game.sound._player._thread.is_alive()
+    assert set(threading.enumerate()) == before
