@@ -8,11 +8,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from phonemeengine import SoundReader, find_whisper, for_files, load_preset
+from phonemeengine import Phoneme, SoundReader, find_whisper, for_files, load_preset
+from phonemeengine.analyser import analyse_blocks, concatenate_analyses
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.encoder.model_folder import PACKAGES, open_whisper
-from phonemeengine.settings import Ear
+from phonemeengine.settings import SAMPLE_RATE, Ear
 from tests.conftest import CORPUS
 
 INSTALLED = all(map(find_spec, PACKAGES))
@@ -38,6 +39,15 @@ def test_the_model_of_the_two_packages_opens_and_tells_speech_from_silence(model
     # medians, since a few states of each stretch are ten times as large as all others
     between, within = (np.median(np.linalg.norm(d, axis=1)) for d in (spoken - silent, np.diff(silent, axis=0)))
     assert between > within
+
+
+def test_digital_silence_and_music_are_silence(model):
+    times = np.arange(10 * SAMPLE_RATE) / SAMPLE_RATE
+    chord = sum(np.sin(2 * np.pi * f * times) for f in (220, 277.2, 329.6)) * np.exp(-4 * (times % 0.5))
+    preset = for_files(load_preset("learned"))
+    for sound in (0 * times, 0.08 * chord):
+        analysis = concatenate_analyses(list(analyse_blocks([sound.astype(np.float32)], preset)))
+        assert np.mean(analysis.recognised == Phoneme.SILENCE) > 0.95
 
 
 def test_a_preset_is_right_more_often_with_it_than_live(model):

@@ -162,7 +162,7 @@ class EncoderDialog(QDialog):
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
-        if folder := self._files.ask_folder(tr("The folder with model.bin and config.json of Whisper base"), Path()):
+        if folder := self._files.ask_folder(tr("The folder with model.bin of Whisper base"), Path()):
             self._do(tr_noop("Opening the model …"), lambda: choose_whisper(folder))
 
     def forget(self) -> None:
