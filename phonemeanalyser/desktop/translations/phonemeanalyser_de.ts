@@ -5347,8 +5347,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>The folder with model.bin and config.json of Whisper base</source>
-            <translation>Der Ordner mit model.bin und config.json von Whisper base</translation>
+            <source>The folder with model.bin of Whisper base</source>
+            <translation>Der Ordner mit model.bin von Whisper base</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/head/head_view.py" />
