@@ -41,7 +41,7 @@ from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.presets.ears import ear_in_words, for_live_use
+from phonemeengine.presets.ears import ear_in_words, figures_ahead, for_live_use
 from phonemeengine.presets.preset import LIVE_EARS
 from phonemeengine.settings import PARAMETERS, Ear
 from phonemeengine.storage.files import printable
@@ -221,8 +221,7 @@ def _late_in_words(latency: Latency, preset: Preset) -> str:
     """Return how late phonemes were, and how right they are so far ahead, where the model's training measured it."""
     shares = " + ".join(f"{name.replace('_', '-')} {1000 * share:.0f}" for name, share in asdict(latency).items())
     words = f"phonemes were {1000 * latency.total:.0f} ms late on the average ({shares})"
-    known = preset.model.by_look_ahead if preset.model is not None else {}
-    figures = known.get(round(latency.look_ahead / FRAME_PERIOD))
+    figures = figures_ahead(for_live_use(preset), round(latency.look_ahead / FRAME_PERIOD))
     if figures is None:
         return words
     return f"{words}; so far ahead: macro F1 {figures.macro_f1:.2f}, mouth shapes {100 * figures.mouth_shapes:.0f} %"

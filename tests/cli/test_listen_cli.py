@@ -21,7 +21,7 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_live_use
+from phonemeengine.presets.ears import for_live_use, with_small_network
 from phonemeengine.presets.files import DEFAULT_PRESET, factory_preset, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
@@ -227,7 +227,7 @@ def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_l
     model = replace(learned.model, about={"by_look_ahead_ms": {"50": [0.71, 0.742]}})
     settings = replace(learned.settings, look_ahead=0.0, live_look_ahead=0.0).with_number("live_look_ahead", 0.05)
     microphone.give(SPEECH)
-    preset = replace(learned, model=model, settings=settings)
+    preset = with_small_network(replace(learned, model=model, settings=settings))
     listening.listen(preset, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json", open_listener=listener)
     said = capsys.readouterr().err
     assert "ms late on the average (capture " in said
@@ -240,7 +240,7 @@ def test_the_look_ahead_is_the_presets_or_the_users(
     words: list[str], portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str]
 ) -> None:
     portaudio.plug("Yeti", hears=SPEECH)
-    assert main(["listen", "--preset", "learned", "--seconds", "0.5", *words]) == 0
+    assert main(["listen", "--preset", "learned", "--live-model", "live", "--seconds", "0.5", *words]) == 0
     expected = 0.04 if words else factory_preset("learned").settings.live_look_ahead
     assert f" + look-ahead {1000 * expected:.0f} + " in capsys.readouterr().err
 

@@ -77,7 +77,7 @@ class EncoderMix:
 
 
 def build_live_encoder(
-    weights: Weights, mix: EncoderMix | None = None, bits: int = 8, about: Mapping[str, str] | None = None
+    weights: Weights, mix: EncoderMix | None = None, bits: int = 8, about: Mapping[str, Any] | None = None
 ) -> LiveEncoder:
     """Return a real-time model.
 
@@ -86,11 +86,11 @@ def build_live_encoder(
     weights : as of `phonemeengine.encoder.graph.live_graph`.
     mix : how it is joined with the small network; None for the usual shares, without priors.
     bits : 8, or 32 for weights as they are.
-    about : texts by name that stand in the file, for people.
+    about : what it was trained with, as of `phonemeengine.recognition.model.Model`: texts and numbers by name.
     """
     mix = mix or EncoderMix()
     known = {"format": FORMAT, "encoder_share": mix.encoder_share, "weakened": mix.weakened, "priors": mix.priors}
-    told = {**(about or {}), _KEY: json.dumps(known), "licence": LICENCE}
+    told = {_KEY: json.dumps(known | {"about": dict(about or {})}), "licence": LICENCE}
     return LiveEncoder(live_graph(weights, bits, told), "the new model")
 
 
@@ -141,6 +141,7 @@ class OpenEncoder:
     Attributes
     ----------
     mix : how its probabilities are joined with those of the small network.
+    about : what it was trained with.
 
     Raises
     ------
@@ -154,7 +155,7 @@ class OpenEncoder:
             if not has_runtime():
                 raise
             raise ModelError(_DAMAGED) from error
-        self.mix = _mix_of(self._session.get_modelmeta().custom_metadata_map)
+        self.mix, self.about = _told_by(self._session.get_modelmeta().custom_metadata_map)
         inputs = {each.name: each.shape for each in self._session.get_inputs()}
         self.n_layers, self.n_channels = (len(inputs) - 4) // 2, _width_of(inputs)
         rings = [f"new_{name}_{k}" for name in ("keys", "values") for k in range(self.n_layers)]
@@ -261,16 +262,17 @@ def _side_by_side(arrays: Sequence[Float32Array]) -> Float32Array:
     return np.ascontiguousarray(arrays[0])[np.newaxis] if len(arrays) == 1 else np.stack(arrays)
 
 
-def _mix_of(metadata: Mapping[str, str]) -> EncoderMix:
+def _told_by(metadata: Mapping[str, str]) -> tuple[EncoderMix, dict[str, Any]]:
+    """Return how a model is mixed, and what it was trained with."""
     try:
         known = json.loads(metadata[_KEY])
         mix = EncoderMix(float(known["encoder_share"]), float(known["weakened"]), tuple(map(float, known["priors"])))
-        version = int(known["format"])
+        version, about = int(known["format"]), known.get("about")
     except (KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
         raise ModelError(_DAMAGED) from error
     if version > FORMAT:
         raise ModelError("this real-time model is of a newer version; update the program")
-    return mix
+    return mix, about if isinstance(about, dict) else {}
 
 
 def _width_of(inputs: Mapping[str, Any]) -> int:

@@ -14,6 +14,7 @@ from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.encoded import EncodedRecogniser
 from phonemeengine.recognition.learned import LearnedRecogniser
+from phonemeengine.recognition.model import LookAheadFigures, figures_by_look_ahead
 from phonemeengine.recognition.real_time import RealTimeRecogniser, real_time_look_ahead
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.spec import Recogniser, Tuning, recogniser_of, spec_of
@@ -121,17 +122,31 @@ def recogniser_for(preset: Preset) -> Recogniser:
     )
 
 
+def frames_ahead(preset: Preset) -> int:
+    """Return how many frames of 10 ms what recognises with a preset looks ahead; 0 for rules."""
+    look_ahead, model = preset.settings.look_ahead, preset.config.model
+    if preset.ear is Ear.ENCODER:
+        return real_time_look_ahead(look_ahead)
+    return model.frames_ahead(look_ahead) if model is not None and _has_model(preset) else 0
+
+
+def figures_ahead(preset: Preset, n_frames: int) -> LookAheadFigures | None:
+    """Return how right the preset's model is for live sound so many frames ahead; None where that is not known."""
+    if preset.ear is Ear.ENCODER and preset.live_encoder is not None:
+        return figures_by_look_ahead(open_live_encoder(preset.live_encoder).about).get(n_frames)
+    return preset.model.by_look_ahead.get(n_frames) if preset.model is not None else None
+
+
 def ear_in_words(preset: Preset) -> str:
     """Return what a preset hears with, for people, such as ``twin, 0.51 s each way``."""
     model = preset.config.model
     if preset.ear is Ear.WHISPER:
         return "Whisper base and network"
+    seconds = frames_ahead(preset) * FRAME_PERIOD
     if preset.ear is Ear.ENCODER:
-        milliseconds = 1000 * real_time_look_ahead(preset.settings.look_ahead) * FRAME_PERIOD
-        return f"encoder and network, {milliseconds:g} ms ahead"
+        return f"encoder and network, {1000 * seconds:g} ms ahead"
     if model is None or not _has_model(preset):
         return preset.recogniser
-    seconds = model.frames_ahead(preset.settings.look_ahead) * FRAME_PERIOD
     return f"twin, {seconds:g} s each way" if model.centred else f"{preset.recogniser}, {1000 * seconds:g} ms ahead"
 
 

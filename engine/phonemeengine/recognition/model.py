@@ -61,6 +61,15 @@ class LookAheadFigures(NamedTuple):
     mouth_shapes: float
 
 
+def figures_by_look_ahead(about: dict[str, Any]) -> dict[int, LookAheadFigures]:
+    """Return what a model's words tell of how well it recognises, by the frames of 10 ms that it looks ahead."""
+    try:
+        told = about.get("by_look_ahead_ms", {}).items()
+        return {round(float(ms) / 1000 / FRAME_PERIOD): LookAheadFigures(*map(float, f)) for ms, f in told}
+    except (AttributeError, TypeError, ValueError):  # words for people, in which anything may stand
+        return {}
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Model(ShortRepr):
     """What a learned recogniser knows; two models are equal if their arrays are.
@@ -100,11 +109,7 @@ class Model(ShortRepr):
     @cached_property
     def by_look_ahead(self) -> dict[int, LookAheadFigures]:
         """How well it recognises, by the frames of 10 ms that it looks ahead; empty where that was not measured."""
-        try:
-            told = self.about.get("by_look_ahead_ms", {}).items()
-            return {round(float(ms) / 1000 / FRAME_PERIOD): LookAheadFigures(*map(float, f)) for ms, f in told}
-        except (AttributeError, TypeError, ValueError):  # words for people, in which anything may stand
-            return {}
+        return figures_by_look_ahead(self.about)
 
     @cached_property
     def digest(self) -> str:

@@ -10,6 +10,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.presets.files import DEFAULT_PRESET, THESIS_PRESET, factory_preset
 from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import Ear
 from tests.desktop.hands import click, edits, shown
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
@@ -18,10 +19,10 @@ FIGURES = {str(10 * k): [0.6 + 0.02 * k, 0.7 + 0.02 * k] for k in range(6)}
 
 
 def measured(preset: Preset) -> Preset:
-    """The preset, with a model whose training measured the look-ahead."""
+    """The preset, with a small network whose training measured the look-ahead, and which recognises live sound."""
     assert preset.model is not None
     model = replace(preset.model, about=preset.model.about | {"by_look_ahead_ms": FIGURES})
-    return replace(preset, model=model, settings=replace(preset.settings, live_look_ahead=0.02))
+    return replace(preset, model=model, live_model=Ear.LIVE, settings=replace(preset.settings, live_look_ahead=0.02))
 
 
 @pytest.fixture

@@ -14,7 +14,15 @@ from phonemeengine.encoder.mel import SILENT, RunningScale, whisper_log_mels
 from phonemeengine.errors import PresetError
 from phonemeengine.labels.visemes import VisemeSet
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import ear_in_words, for_files, for_live_use, has_ear
+from phonemeengine.presets.ears import (
+    ear_in_words,
+    figures_ahead,
+    for_files,
+    for_live_use,
+    frames_ahead,
+    has_ear,
+    with_small_network,
+)
 from phonemeengine.presets.files import beyond_phoneme_data, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.real_time import real_time_look_ahead
@@ -102,6 +110,16 @@ def test_live_sound_is_recognised_with_it_and_files_are_not():
     assert for_live_use(preset_of(live_model=Ear.LIVE)).ear is Ear.LIVE
     with pytest.raises(PresetError, match="live_model is one of live, encoder, got whisper"):
         preset_of(live_model=Ear.WHISPER)
+
+
+def test_it_tells_how_far_ahead_it_looks_and_how_right_it_is_then():
+    measured = build_live_encoder(WEIGHTS, about={"by_look_ahead_ms": {"20": [0.71, 0.76]}})
+    live = for_live_use(preset_of(live_encoder=measured, live_look_ahead=0.01))
+    assert frames_ahead(live) == 2
+    assert figures_ahead(live, 2) == (0.71, 0.76)
+    assert figures_ahead(live, 4) is None
+    assert figures_ahead(for_live_use(preset_of()), 2) is None
+    assert frames_ahead(with_small_network(preset_of(live_look_ahead=0.03))) == 3
 
 
 def test_sensitivities_act_on_both_together():

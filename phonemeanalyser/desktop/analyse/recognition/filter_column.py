@@ -1,6 +1,7 @@
 """The filters as a column, in the order in which the sound passes them, and how far the recogniser looks ahead."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
@@ -24,6 +25,7 @@ from phonemeanalyser.desktop.widgets.builders import (
 )
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.presets.controls import unused_settings
+from phonemeengine.presets.ears import figures_ahead, for_live_use, frames_ahead
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, PARAMETERS, STAGES, Filter, Parameter, Stage
 
@@ -86,9 +88,11 @@ class LookAheadSlider(QSlider):
     def _tell(self) -> None:
         preset = self._preset.preset
         waits = spec_of(preset.recogniser).looks_ahead
+        settings = preset.settings.with_number(LIVE_LOOK_AHEAD, round(self.value() * FRAME_PERIOD, 2))
+        live = for_live_use(replace(preset, settings=settings))
         frames = self.value() if waits else 0
         if waits and preset.model is not None:
-            frames = preset.model.frames_ahead(frames * FRAME_PERIOD)
+            frames = frames_ahead(live)
         ahead = (
             tr("{ms:.0f} ms ahead").format(ms=FRAME_MS * frames)
             if waits
@@ -99,7 +103,7 @@ class LookAheadSlider(QSlider):
             late = tr("{ms:.0f} ms late here").format(ms=1000 * self._waiting + FRAME_MS * frames)
         lines = [f"{ahead}: {late}"]
         if waits and preset.model is not None:
-            figures = preset.model.by_look_ahead.get(frames)
+            figures = figures_ahead(live, frames)
             lines.append(
                 tr("unheard speakers: macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %").format(
                     macro_f1=figures.macro_f1, percent=100 * figures.mouth_shapes
