@@ -175,7 +175,7 @@ def _load(files: Sequence[Path], layer: int, n_threads: int, free: float) -> Any
             if session.get_modelmeta().custom_metadata_map.get("source") == source:
                 return session
     content = _cut(files, layer, source)
-    with suppress(OSError):  # it only saves a second at the next start
+    with suppress(OSError, ValueError):  # it only saves a second at the next start
         cut.parent.mkdir(parents=True, exist_ok=True)
         with atomic_write(cut) as file:
             file.write(content)
