@@ -79,11 +79,11 @@ class RecogniserChoice(QWidget):
             ),
         )
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        recogniser, live, files = label(tr("Recogniser")), label(tr("Live")), label(tr("Files"))
+        recogniser, live, files = label(tr("Recogniser")), label(tr("Microphone")), label(tr("Files"))
         for words, box in ((recogniser, self.names), (live, self.live_models), (files, self.ears)):
             words.setBuddy(box)
-        boxes = (recogniser, (self.names, 1), live, self.live_models, files, self.ears)
-        row(*boxes, on=self, margins=(8, 4, 8, 2))
+        models = row(live, (self.live_models, 1), files, (self.ears, 1))
+        column(row(recogniser, (self.names, 1)), models, on=self, margins=(8, 4, 8, 2), spacing=4)
         self.names.activated.connect(self._choose)
         self.live_models.activated.connect(self._choose_live_model)
         self.ears.activated.connect(self._choose_ear)
