@@ -2730,11 +2730,6 @@
             <translation>Litauisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>Live</source>
-            <translation>Live</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>live</source>
             <translation>live</translation>
@@ -3073,6 +3068,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Meshes and movestates ({endings})</source>
             <translation>Netze und Movestates ({endings})</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>Microphone</source>
+            <translation>Mikrofon</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
