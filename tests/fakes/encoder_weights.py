@@ -6,8 +6,10 @@ from scipy.special import erf
 N_CLASSES = 26
 
 
-def encoder_weights(n_layers: int = 2, n_channels: int = 128, seed: int = 1) -> dict[str, np.ndarray]:
-    """Draw the weights of a live encoder, named as the graphs want them; positions are for whole stretches."""
+def encoder_weights(
+    n_layers: int = 2, n_channels: int = 128, seed: int = 1, n_positions: int = 1
+) -> dict[str, np.ndarray]:
+    """Draw the weights of an encoder, named as the graphs want them; one position is for live sound."""
     chance = np.random.default_rng(seed)
 
     def draw(*shape: int) -> np.ndarray:
@@ -22,7 +24,7 @@ def encoder_weights(n_layers: int = 2, n_channels: int = 128, seed: int = 1) -> 
 
     weights = {"conv1/weight": draw(n_channels, 80, 3), "conv1/bias": draw(n_channels)}
     weights |= {"conv2/weight": draw(n_channels, n_channels, 3), "conv2/bias": draw(n_channels)}
-    weights["position_encodings/encodings"] = draw(1500, n_channels)
+    weights["position_encodings/encodings"] = draw(n_positions, n_channels)
     for k in range(n_layers):
         name = f"layer_{k}/self_attention"
         weights |= norm(f"{name}/layer_norm") | linear(f"{name}/linear_0", 3 * n_channels, n_channels)
@@ -39,8 +41,7 @@ def reference_states(weights: dict[str, np.ndarray], mel: np.ndarray, ahead: int
     live = ahead is not None
     hidden = _gelu(_convolve(weights, "conv1", mel if live else np.pad(mel, ((0, 0), (1, 1))), 1))
     x = _gelu(_convolve(weights, "conv2", hidden if live else np.pad(hidden, ((0, 0), (1, 1))), 2)).T
-    if not live:
-        x = x + weights["position_encodings/encodings"][: len(x)]
+    x = x + weights["position_encodings/encodings"][: len(x)]
     distance = np.arange(len(x)) - np.arange(len(x))[:, np.newaxis]
     for k in range(sum(name.endswith("ffn/linear_0/bias") for name in weights)):
         last = ahead if live and k == 0 else 0

@@ -90,14 +90,15 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
 
     Parameters
     ----------
-    weights : besides those of the module, ``layer_K/self_attention/relative_bias`` (n_heads, 152): what is added to
-        the score of a key j for the query i, at the column j - i + 150; and ``head/weight`` (2 x n_classes,
-        n_channels) and ``head/bias``.
+    weights : besides those of the module, ``position_encodings/encodings`` (1, n_channels): the same for all
+        positions; ``layer_K/self_attention/relative_bias`` (n_heads, 152): what is added to the score of a key j for
+        the query i, at the column j - i + 150; and ``head/weight`` (2 x n_classes, n_channels) and ``head/bias``.
     bits, metadata : as of `whole_graph`.
     """
     graph = _Graph(bits)
     frames = _convolution(graph, weights, "conv1", _time_first(graph, "mel"), step=1)
     newest = _convolution(graph, weights, "conv2", frames, step=2)
+    newest = graph.node("Add", newest, graph.constant(weights["position_encodings/encodings"]))
     n = graph.length(newest, 1)
     known = graph.node("Concat", "pending", newest, axis=1)
     outputs = {"next_pending": graph.slice(known, n, graph.node("Add", n, graph.integers(1)), 1)}
