@@ -15,7 +15,7 @@ import soundfile
 from phonemeanalyser.cli.main import COMMANDS, main
 from phonemeanalyser.cli.window import DEMO
 from tests.bad_files import HOSTILE
-from tests.tables import LABELS, gapless, rows_of
+from tests.tables import LABELS, gapless, refused, rows_of
 
 PROGRAM = [sys.executable, "-m", "phonemeanalyser"]
 
@@ -71,30 +71,87 @@ def test_a_display_that_does_not_answer_is_named(sound: Path) -> None:
 @pytest.mark.parametrize(
     "words",
     [
-        ["--no-such-option"],
-        ["one.wav", "two.wav"],
-        ["analyse"],
-        ["analyse", "x.wav", "--format", "xml"],
-        ["screenshot", "x.wav"],
-        ["screenshot", "x.wav", "-o", "x.png", "--size", "wide"],
-        ["screenshot", "x.wav", "-o", "x.png", "--size", "10x10"],
-        ["screenshot", "x.wav", "-o", "x.png", "--size", "99999x99999"],
-        ["screenshot", "x.wav", "-o", "x.png", "--theme", "pink"],
-        ["screenshot", "x.wav", "-o", "x.png", "--at", "nan"],
-        ["screenshot", "x.wav", "-o", "x.png", "--at", "inf"],
-        ["screenshot", "x.wav", "-o", "x.png", "--at=-1"],
-        ["screenshot", "x.wav", "-o", "x.png", "--at", "soon"],
+        "--no-such-option",
+        "one.wav two.wav",
+        "analyse",
+        "analyse x.wav --format xml",
+        "screenshot x.wav",
+        "screenshot x.wav -o x.png --size wide",
+        "screenshot x.wav -o x.png --size 10x10",
+        "screenshot x.wav -o x.png --size 99999x99999",
+        "screenshot x.wav -o x.png --theme pink",
+        "screenshot x.wav -o x.png --at nan",
+        "screenshot x.wav -o x.png --at inf",
+        "screenshot x.wav -o x.png --at=-1",
+        "screenshot x.wav -o x.png --at soon",
+        "export",
+        "export a.wav",
+        "export --format anno",
+        "export a.wav --format fbx",
+        "export a.wav --format anno --fps x",
+        "listen a.wav",
+        "listen --format xml",
+        "listen --seconds soon",
+        "listen --seconds nan",
+        "listen --seconds=-1",
+        "listen --channel middle",
+        "listen --channel=-1",
+        "listen --rate fast",
+        "listen --rate=-44100",
+        "listen --rate 5",
+        "listen --device",
+        "listen --look-ahead 0.06",
+        "record",
+        "record a.wav b.wav",
+        "record a.wav --format json",
+        "record a.wav --channel 1.5",
+        "score",
+        "score x --format xml",
+        "score x --by colour",
+        "score x --lag soon",
+        "score x --lag nan",
+        "score x --lag 1001",
+        "score x --noise brown --snr 5",
+        "score x --noise pink",
+        "score x --snr 5",
+        "score x --noise pink --snr inf",
+        "score x --noise pink --snr 99",
+        "score x --noise pink --snr 9 --seed -1",
+        "preview",
+        "preview a.wav",
+        "preview a.wav -o a --size 8x8",
+        "preview a.wav -o a --size big",
     ],
 )
-def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
+def test_wrong_usage_is_explained(words: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as end:
-        main(words)
+        main(words.split())
     assert end.value.code == 2
     said = capsys.readouterr()
     assert said.out == ""
     (sentence,) = said.err.splitlines()
-    assert sentence.startswith("phonemeanalyser")
+    command = words.partition(" ")[0]
+    assert sentence.startswith(f"phonemeanalyser {command}: " if command in COMMANDS else "phonemeanalyser")
     assert sentence.endswith(" --help")
+
+
+PRESETS = ["analyse SOUND", "align SOUND --text hi", "export SOUND --format anno", "preview SOUND -o a"]
+TABLES = [*PRESETS[2:], "speak hi --language de --export a.csv --format livelink-csv"]
+NO_TABLE = "gone: there is no such mouth table; name a file, or one of"
+
+
+@pytest.mark.parametrize(
+    ("command", "sentence"),
+    [
+        *((f"{command} --preset gone.toml", "gone.toml: cannot be read") for command in PRESETS),
+        *((f"{command} --table gone", NO_TABLE) for command in TABLES),
+    ],
+)
+def test_a_preset_or_a_mouth_table_that_is_not_there_is_named(
+    command: str, sentence: str, sound: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    words = [sound if word == "SOUND" else word for word in command.split()]
+    assert refused(capsys, *words).startswith(sentence)
 
 
 @pytest.mark.parametrize("words", [["--help"], ["analyse", "--help"], ["screenshot", "--help"]])

@@ -182,8 +182,6 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
         (("--format", "anno", "--fps", "25"), "anno counts no frames, so it has no frame rate; leave it out"),
         (("--format", "anno", "--minimum", "7"), "minimum must lie in 0..1 s, got 7; choose another"),
         (("--format", "anno", "--anticipation", "1"), "anticipation must lie in 0..0.12 s, got 1; choose another"),
-        (("--format", "anno", "--table", "gone"), "gone: there is no such mouth table; name a file, or one of"),
-        (("--format", "anno", "--preset", "gone.toml"), "gone.toml: cannot be read"),
     ],
 )
 def test_what_cannot_be_done_is_said_in_one_sentence(
@@ -196,18 +194,6 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     assert refused(capsys, "export", sound, *words).startswith(sentence)
-
-
-@pytest.mark.parametrize(
-    "words",
-    [[], ["a.wav"], ["--format", "anno"], ["a.wav", "--format", "fbx"], ["a.wav", "--format", "anno", "--fps", "x"]],
-)
-def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        main(["export", *words])
-    assert end.value.code == 2
-    (sentence,) = capsys.readouterr().err.splitlines()
-    assert sentence.startswith("phonemeanalyser export: ")
 
 
 def test_help_names_every_format_and_what_reads_it(capsys: pytest.CaptureFixture[str]) -> None:

@@ -69,36 +69,6 @@ def listener(openers: Openers, clock: Clock) -> Callable[..., HandDrivenListener
 # -- wrong words ----------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "words",
-    [
-        ["listen", "a.wav"],
-        ["listen", "--format", "xml"],
-        ["listen", "--seconds", "soon"],
-        ["listen", "--seconds", "nan"],
-        ["listen", "--seconds=-1"],
-        ["listen", "--channel", "middle"],
-        ["listen", "--channel=-1"],
-        ["listen", "--rate", "fast"],
-        ["listen", "--rate=-44100"],
-        ["listen", "--rate", "5"],
-        ["listen", "--device"],
-        ["listen", "--look-ahead", "0.06"],
-        ["record"],
-        ["record", "a.wav", "b.wav"],
-        ["record", "a.wav", "--format", "json"],
-        ["record", "a.wav", "--channel", "1.5"],
-    ],
-)
-def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        main(words)
-    assert end.value.code == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert said.err.startswith(f"phonemeanalyser {words[0]}: ")
-
-
 @pytest.mark.parametrize("command", ["listen", "record"])
 def test_help_is_given(command: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit) as end:

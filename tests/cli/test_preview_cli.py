@@ -158,8 +158,6 @@ def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
         (("-o", "full"), "full: this folder is not empty; name another one for the pictures"),
         (("-o", "full/mine/a"), "full/mine/a: cannot be written ("),
         (("-o", "full/mine/a.mp4"), "full/mine/a.mp4: cannot be written ("),
-        (("-o", "a", "--table", "gone"), "gone: there is no such mouth table; name a file, or one of"),
-        (("-o", "a", "--preset", "gone.toml"), "gone.toml: cannot be read"),
         (("-o", "a", "--mesh", "gone.obj"), "gone.obj: cannot be read (No such file or directory); check the file"),
         (("-o", "a", "--movestates", "f.3dm"), "f.3dm: movestates move a mesh of their own; name it with --mesh"),
         (("-o", "a", "--mesh", "cube.obj"), "cube.obj: there are no morph targets in it; name its movestates with"),
@@ -225,17 +223,6 @@ def test_without_the_packages_of_previews_one_sentence_says_which_extra_has_them
     said = refused(capsys, *words, "-o", "a")
     assert said.startswith("previews need packages that cannot be loaded (")
     assert said.endswith("); install them with: pip install 'phonemeanalyser[preview]'")
-
-
-@pytest.mark.parametrize(
-    "words", [[], ["a.wav"], ["a.wav", "-o", "a", "--size", "8x8"], ["a.wav", "-o", "a", "--size", "big"]]
-)
-def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        main(["preview", *words])
-    assert end.value.code == 2
-    (sentence,) = capsys.readouterr().err.splitlines()
-    assert sentence.startswith("phonemeanalyser preview: ")
 
 
 def test_how_closely_the_mouth_follows_is_told_as_to_the_exports(sound: Path, tmp_path: Path):

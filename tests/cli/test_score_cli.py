@@ -269,29 +269,3 @@ def test_names_that_nobody_knows_are_mapped(
 def test_a_preset_that_is_not_there_is_refused(small: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert "gone.toml" in refused(capsys, "score", small, "--preset", "gone.toml")
     assert "gone.toml" in refused(capsys, "score", small, "--against", "gone.toml")
-
-
-@pytest.mark.parametrize(
-    "words",
-    [
-        [],
-        ["x", "--format", "xml"],
-        ["x", "--by", "colour"],
-        ["x", "--lag", "soon"],
-        ["x", "--lag", "nan"],
-        ["x", "--lag", "1001"],
-        ["x", "--noise", "brown", "--snr", "5"],
-        ["x", "--noise", "pink"],
-        ["x", "--snr", "5"],
-        ["x", "--noise", "pink", "--snr", "inf"],
-        ["x", "--noise", "pink", "--snr", "99"],
-        ["x", "--noise", "pink", "--snr", "9", "--seed", "-1"],
-    ],
-)
-def test_wrong_usage_is_explained(words: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as end:
-        main(["score", *words])
-    assert end.value.code == 2
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert said.err.startswith("phonemeanalyser score: ")
