@@ -16,7 +16,16 @@ def system_theme() -> Theme:
 
 
 def apply_theme(app: QApplication, theme: Theme) -> None:
-    """Dress the application and all plots made from now on."""
+    """Dress the application and all plots made from now on; nothing is done where it wears this theme already."""
+    sheet = (
+        f"QToolTip {{ color: {theme.text}; background: {theme.raised}; border: 1px solid {theme.line} }}"
+        f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 4px;"
+        f" border: 1px solid {theme.line}; border-radius: 3px }}"
+        f"QToolButton[checkable=true]:checked {{ color: {theme.on_colour}; background: {theme.accent} }}"
+        f"QToolButton[checkable=true]:hover {{ border-color: {theme.accent} }}"
+    )
+    if app.styleSheet() == sheet:
+        return  # Qt would polish every widget anew, which takes a second
     app.setStyle("Fusion")
     palette = QPalette()
     roles = {
@@ -42,11 +51,5 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
     for role in (QPalette.ColorRole.Text, QPalette.ColorRole.ButtonText, QPalette.ColorRole.WindowText):
         palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(theme.faint))
     app.setPalette(palette)
-    app.setStyleSheet(
-        f"QToolTip {{ color: {theme.text}; background: {theme.raised}; border: 1px solid {theme.line} }}"
-        f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 4px;"
-        f" border: 1px solid {theme.line}; border-radius: 3px }}"
-        f"QToolButton[checkable=true]:checked {{ color: {theme.on_colour}; background: {theme.accent} }}"
-        f"QToolButton[checkable=true]:hover {{ border-color: {theme.accent} }}"
-    )
+    app.setStyleSheet(sheet)
     pg.setConfigOptions(background=theme.base, foreground=theme.text, antialias=False)

@@ -66,12 +66,12 @@ class WhatIsThis(QObject):
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window = window
-        app = QApplication.instance()
-        assert app is not None
-        app.installEventFilter(self)
 
     def begin(self) -> None:
         """Have the next click ask."""
+        app = QApplication.instance()
+        assert app is not None
+        app.installEventFilter(self)  # not before: each event of the program goes through it
         QWhatsThis.enterWhatsThisMode()
 
     def eventFilter(self, asked: QObject, event: QEvent) -> bool:

@@ -53,6 +53,7 @@ SAME = {
     "Detail",
     "Esc",
     "Export",
+    "Live",
     "Median",
     "Mel",
     "Movestates",
