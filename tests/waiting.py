@@ -4,7 +4,7 @@ import asyncio
 import time
 from collections.abc import Callable
 
-PATIENCE = 60.0
+PATIENCE = 300.0
 """Seconds that only a hang takes."""
 LOOK = 0.001
 """Seconds between two looks."""

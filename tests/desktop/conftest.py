@@ -34,7 +34,7 @@ from tests.fakes.microphones import HandDrivenMicrophone
 from tests.fakes.outputs import Outputs
 
 pg.setConfigOptions(mouseRateLimit=-1)  # each move of the mouse counts, however fast they follow
-PATIENCE_MS = 60_000
+PATIENCE_MS = 300_000
 STEP = 700
 AHEAD = STEP + WINDOW // 2 + player.STEP  # half a window and a block beyond what is heard next
 

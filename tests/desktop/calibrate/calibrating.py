@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
 from phonemeengine.calibration.takes.take import Take
@@ -78,7 +79,7 @@ class Calibrator:
         """Wait, with the window alive; the microphone hears the room meanwhile, unless it is to hear nothing."""
 
         def look() -> bool:
-            if not silently:
+            if not silently and self.model.guide.phase is not Phase.LEARNING:
                 self.booth.give(self.mic, in_room(silence(0.02)))
             return bool(true())
 
