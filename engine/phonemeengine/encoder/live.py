@@ -4,6 +4,8 @@ Its file is an ONNX model with what else has to be known in its metadata.
 """
 
 import json
+import threading
+import weakref
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -158,8 +160,10 @@ class OpenEncoder:
         self.mix, self.about = _told_by(self._session.get_modelmeta().custom_metadata_map)
         inputs = {each.name: each.shape for each in self._session.get_inputs()}
         self.n_layers, self.n_channels = (len(inputs) - 4) // 2, _width_of(inputs)
-        rings = [f"new_{name}_{k}" for name in ("keys", "values") for k in range(self.n_layers)]
-        self._outputs = ["logits", "next_pending", *rings]
+        self._rings = [f"{name}_{k}" for name in ("keys", "values") for k in range(self.n_layers)]
+        self._outputs = ["logits", "next_pending", *(f"new_{name}" for name in self._rings)]
+        self._batch: _Batch | None = None
+        self._batching = threading.Lock()
         if inputs != live_inputs(self.n_layers, self.n_channels):
             raise ModelError(_DAMAGED)
         try:
@@ -193,20 +197,59 @@ class OpenEncoder:
 
     def _push(self, streams: Sequence["EncoderStream"], n: int) -> list[Float32Array]:
         """Encode the next n states of each sound."""
-        feed = {
-            "mel": _side_by_side([stream.frames[: N_HALVES * n + CONTEXT].T for stream in streams]),
-            "count": np.array([stream.count for stream in streams]),
-            "ahead": np.array([streams[0].ahead]),
-            "pending": _side_by_side([stream.pending for stream in streams]),
-        }
-        for k in range(self.n_layers):
-            feed[f"keys_{k}"] = _side_by_side([stream.keys[k] for stream in streams])
-            feed[f"values_{k}"] = _side_by_side([stream.values[k] for stream in streams])
-        logits, pending, *rings = self._session.run(self._outputs, feed)
-        answers = [stream.without_early(logits[b]) for b, stream in enumerate(streams)]
-        for b, stream in enumerate(streams):
-            stream.remember(n, pending[b], [ring[b] for ring in rings])
+        if len(streams) == 1:
+            return self._run(streams, n, [0], [ring[np.newaxis] for ring in streams[0].rings])
+        with self._batching:
+            rows = None if self._batch is None else self._batch.rows_of(streams)
+            if self._batch is None or rows is None:
+                old, self._batch, rows = self._batch, _Batch(streams), list(range(len(streams)))
+                if old is not None:
+                    old.dissolve()
+            return self._run(streams, n, rows, self._batch.rings)
+
+    def _run(
+        self, streams: Sequence["EncoderStream"], n: int, rows: Sequence[int], rings: Sequence[Float32Array]
+    ) -> list[Float32Array]:
+        """Encode the next n states of sounds whose rings are those in these rows."""
+        mel = np.zeros((len(rings[0]), N_MELS, N_HALVES * n + CONTEXT), np.float32)
+        count, pending = np.zeros(len(mel), np.int64), np.zeros((len(mel), 1, self.n_channels), np.float32)
+        for row, stream in zip(rows, streams, strict=True):
+            mel[row], count[row] = stream.frames[: mel.shape[2]].T, stream.count
+            pending[row] = stream.pending
+        feed = {"mel": mel, "count": count, "ahead": np.array([streams[0].ahead]), "pending": pending}
+        logits, pending, *new = self._session.run(self._outputs, feed | dict(zip(self._rings, rings, strict=True)))
+        answers = [stream.without_early(logits[row]) for row, stream in zip(rows, streams, strict=True)]
+        for row, stream in zip(rows, streams, strict=True):
+            stream.remember(n, pending[row], [ring[row] for ring in new])
         return answers
+
+
+class _Batch:
+    """Sounds whose rings lie side by side in memory, so that those of many are not copied together each time.
+
+    Parameters
+    ----------
+    streams : the sounds; their rings become parts of these.
+    """
+
+    def __init__(self, streams: Sequence["EncoderStream"]) -> None:
+        self.rings = [np.stack(rings) for rings in zip(*(stream.rings for stream in streams), strict=True)]
+        self._streams = [weakref.ref(stream) for stream in streams]
+        for row, stream in enumerate(streams):
+            stream.rings = [ring[row] for ring in self.rings]
+
+    def rows_of(self, streams: Sequence["EncoderStream"]) -> list[int] | None:
+        """Return where sounds lie; None where one lies elsewhere, or where they are less than half of all."""
+        known = {id(kept()): row for row, kept in enumerate(self._streams)}
+        rows = [known.get(id(stream), -1) for stream in streams]
+        return None if min(rows) < 0 or 2 * len(rows) < len(self._streams) else rows
+
+    def dissolve(self) -> None:
+        """Give those that are still here rings of their own."""
+        for kept in self._streams:
+            stream = kept()
+            if stream is not None and stream.rings[0].base is self.rings[0]:
+                stream.rings = [ring.copy() for ring in stream.rings]
 
 
 class EncoderStream:
@@ -222,7 +265,7 @@ class EncoderStream:
     frames : scaled mel frames that are still needed, shape (n, 80).
     count : states that were encoded.
     pending : what the first layer has to answer yet, shape (1, n_channels).
-    keys, values : of each layer, as the graph wants them.
+    rings : keys of each layer, then values, as the graph wants them.
     """
 
     def __init__(self, model: OpenEncoder, ahead: int) -> None:
@@ -231,8 +274,8 @@ class EncoderStream:
         self.frames = np.full((CONTEXT - 1, N_MELS), SILENT, np.float32)  # before the sound there was silence
         n_heads = model.n_channels // HEAD_SIZE
         self.pending = np.zeros((1, model.n_channels), np.float32)
-        self.keys = [np.zeros((n_heads, HEAD_SIZE, SLOTS), np.float32) for _ in range(model.n_layers)]
-        self.values = [np.zeros((n_heads, SLOTS, HEAD_SIZE), np.float32) for _ in range(model.n_layers)]
+        shapes = (HEAD_SIZE, SLOTS), (SLOTS, HEAD_SIZE)
+        self.rings = [np.zeros((n_heads, *shape), np.float32) for shape in shapes for _ in range(model.n_layers)]
 
     @property
     def n_ready(self) -> int:
@@ -249,17 +292,12 @@ class EncoderStream:
 
     def remember(self, n: int, pending: Float32Array, rings: Sequence[Float32Array]) -> None:
         """Keep what the model gave of n states: the pending one, and the keys and the values of each layer."""
-        kept = min(n, SLOTS)
-        for k, (keys, values) in enumerate(zip(rings[: len(self.keys)], rings[len(self.keys) :], strict=True)):
+        kept, n_layers = min(n, SLOTS), len(rings) // 2
+        for k in range(n_layers):
             places = (self.count - (self.ahead if k else 0) + np.arange(n - kept, n)) % SLOTS
-            self.keys[k][:, :, places] = keys[:, :, n - kept :]
-            self.values[k][:, places] = values[:, n - kept :]
+            self.rings[k][:, :, places] = rings[k][:, :, n - kept :]
+            self.rings[n_layers + k][:, places] = rings[n_layers + k][:, n - kept :]
         self.pending, self.frames, self.count = pending, self.frames[N_HALVES * n :], self.count + n
-
-
-def _side_by_side(arrays: Sequence[Float32Array]) -> Float32Array:
-    """Put arrays of several sounds along a new first axis; a single one is not copied."""
-    return np.ascontiguousarray(arrays[0])[np.newaxis] if len(arrays) == 1 else np.stack(arrays)
 
 
 def _told_by(metadata: Mapping[str, str]) -> tuple[EncoderMix, dict[str, Any]]:
