@@ -1,6 +1,8 @@
 """The makers of training speech from people's recordings: formats of games' files, syllables of Mandarin."""
 
 import io
+import shutil
+import subprocess
 import zipfile
 from itertools import pairwise
 from pathlib import Path
@@ -15,7 +17,7 @@ from tools.voices.aligner import aligned, best_track
 from tools.voices.build import build
 from tools.voices.labels import Segment
 from tools.voices.mandarin_phones import MANDARIN, phones_of
-from tools.voices.packages import RECORDINGS
+from tools.voices.packages import RECORDINGS, missing, unpack
 from tools.voices.rnc import unpacked
 
 RATE = 16000
@@ -219,3 +221,25 @@ def test_people_are_written_whole_and_read_back(tmp_path: Path) -> None:
     rates = {utterance.text: soundfile.info(utterance.path).samplerate for utterance in utterances}
     assert rates["ㄅ"] == RATE  # without labels as it was
     assert rates["ㄙㄚ"] == 44100
+
+
+@pytest.mark.skipif(shutil.which("dpkg-deb") is None, reason="packages of Debian are unpacked on Debian")
+def test_of_a_package_with_a_reserved_speaker_the_other_one_is_unpacked(tmp_path: Path) -> None:
+    whole, folder = tmp_path / "whole", Path(gcin.FOLDER) / "ㄅㄚ"
+    put(
+        whole / "DEBIAN" / "control",
+        b"Package: gcin-voice\nVersion: 1\nArchitecture: all\nMaintainer: a\nDescription: a\n",
+    )
+    for name in (gcin.FILE, "5.ogg"):
+        put(whole / folder / name, b"sound")
+    subprocess.run(["dpkg-deb", "--build", str(whole), str(tmp_path / "gcin.deb")], check=True, capture_output=True)
+    for name, unpacked_files in ((RECORDINGS["gcin"], ["3.ogg"]), ("others", ["3.ogg", "5.ogg"])):
+        unpack(tmp_path / "gcin.deb", tmp_path / name)
+        assert sorted(path.name for path in (tmp_path / name / folder).iterdir()) == unpacked_files
+
+
+def test_a_cache_without_the_recordings_lacks_them(tmp_path: Path) -> None:
+    for name in ("venv/bin/python", *(f"packages/{package}/readme" for package in RECORDINGS.values())):
+        assert missing(tmp_path)
+        put(tmp_path / name, b"")
+    assert missing(tmp_path) == []

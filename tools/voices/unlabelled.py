@@ -15,10 +15,8 @@ from typing import Any
 import av
 import numpy as np
 
+from tools.voices.recordings import PEOPLE, is_speech
 from tools.voices.writing import Speaker, Utterance, UtteranceWriter, replace_speaker
-
-LONGEST, SHORTEST = 30.0, 0.3
-"""Seconds."""
 
 
 def main() -> None:
@@ -33,13 +31,13 @@ def main() -> None:
     for speaker in _speakers_of(arguments.builder, arguments.cache):
         place = f"{speaker.corpus}/{speaker.name}"
         about = Speaker(
-            speaker.corpus, speaker.name, speaker.language, speaker.sex, "human", speaker.licence, speaker.package, ""
+            speaker.corpus, speaker.name, speaker.language, speaker.sex, PEOPLE, speaker.licence, speaker.package, ""
         )
         writer = UtteranceWriter(arguments.out, about, {})
         for item in speaker.items:
             if f"{place}/{speaker.name}_{item.name}" not in known and f"{place}/{item.name}" not in known:
                 sound, rate = _read(Path(item.path))
-                if SHORTEST <= len(sound) / rate <= LONGEST:
+                if is_speech(sound, rate):
                     writer.write(Utterance(sound, rate, [], item.text))
         replace_speaker(arguments.out, about, writer.rows)
         print(f"{place}: {len(writer.rows)} recordings, {writer.seconds / 60:.1f} min", flush=True)
