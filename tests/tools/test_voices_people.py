@@ -13,7 +13,7 @@ import soundfile
 
 from phonemeengine.calibration.scores.corpus import read_corpus
 from tools.voices import drascula, gcin, nexuiz, queen, recordings, sky
-from tools.voices.aligner import aligned, best_track
+from tools.voices.aligner import aligned, best_track, sharpened
 from tools.voices.build import build
 from tools.voices.labels import Segment
 from tools.voices.mandarin_phones import MANDARIN, phones_of
@@ -195,6 +195,12 @@ def test_the_aligner_finds_where_a_hiss_becomes_a_vowel() -> None:
         assert all(before.end == after.start for before, after in pairwise(segments))
 
 
+def test_a_boundary_moves_to_where_the_sound_changes_most() -> None:
+    table = np.zeros((40, 26))
+    table[17:] = 1.0
+    assert sharpened(np.array([0, 12, 30]), table).tolist() == [0, 17, 22]  # at 22 to 38 nothing changes
+
+
 def test_the_best_track_goes_from_the_first_place_to_the_last() -> None:
     scores = np.array([[0, 9, 9], [1, 0, 9], [0, 1, 0], [0, 2, 1], [9, 9, 0]])
     assert best_track(scores).tolist() == [0, 0, 1, 1, 2]
@@ -208,7 +214,7 @@ def test_a_stop_begins_before_its_burst_and_ends_when_the_lips_open() -> None:
     assert gcin.with_closures(vowel) == vowel
 
 
-def test_people_are_written_whole_and_read_back(tmp_path: Path) -> None:
+def test_people_are_written_whole_and_read_back(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     folder = tmp_path / "cache" / "packages" / RECORDINGS["gcin"] / gcin.FOLDER
     for k, name in enumerate(("ㄙㄚ", "ㄙㄚ2", "ㄙㄚ3", "ㄙㄚ4", "ㄅ")):
         put(folder / name / gcin.FILE, sound_file(syllable(k, 0.12, 0.3)))
@@ -221,6 +227,10 @@ def test_people_are_written_whole_and_read_back(tmp_path: Path) -> None:
     rates = {utterance.text: soundfile.info(utterance.path).samplerate for utterance in utterances}
     assert rates["ㄅ"] == RATE  # without labels as it was
     assert rates["ㄙㄚ"] == 44100
+    pytest.importorskip("tools.voices.check").check(tmp_path / "corpus")
+    printed = capsys.readouterr().out.splitlines()[-1].split("\t")
+    assert printed[0] == "gcin/3"
+    assert abs(int(printed[-1])) <= 10  # ms by which the labels are off
 
 
 @pytest.mark.skipif(shutil.which("dpkg-deb") is None, reason="packages of Debian are unpacked on Debian")

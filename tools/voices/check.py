@@ -31,9 +31,10 @@ class Labelled(NamedTuple):
 
 
 def check(folder: Path) -> None:
-    """Print the figures of every voice of the corpus."""
+    """Print the figures of every voice of the corpus whose recordings have labels."""
     print("speaker\tmin\tsilence_db\tsz_hz\tsch_hz\t" + "\t".join(f"{vowel}_hz" for vowel in VOWELS) + "\tshift_ms")
-    for (corpus, speaker), rows in groupby(read_manifest(folder), key=lambda row: row[:2]):
+    labelled = (row for row in read_manifest(folder) if row[6])
+    for (corpus, speaker), rows in groupby(labelled, key=lambda row: row[:2]):
         taken = list(rows)
         minutes = sum(float(row[7]) for row in taken) / 60
         figures = figures_of([_read(folder, row) for row in taken[:UTTERANCES]])
