@@ -5,23 +5,28 @@ They are too many for the memory of a small machine, and several trainings share
 
 import json
 import os
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import ExitStack
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
-from typing import Any
 
 import numpy as np
+import torch
 from numpy.typing import NDArray
+from torch import Tensor
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import N_HEARD, TrainingExample, example_of, sound_of
+from phonemeengine.calibration.training_examples import N_HEARD, TrainingExample, example_of, sound_of, windows_of
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.encoder.mel import whisper_log_mels
+from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.errors import CorpusError, EngineError
 from phonemeengine.execution import end_with_parent
 from phonemeengine.labels.label import Label
+from phonemeengine.labels.visemes import Viseme
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, reason_of
 from phonemetraining.augmentation import Augmentation, augment, draw_augmentation
 
@@ -66,35 +71,32 @@ def load_soft_labels(path: Path) -> dict[str, NDArray[np.float16]]:
 
 ARRAYS: dict[str, tuple[type[np.generic], tuple[int, ...]]] = {
     "log_powers": (np.float16, (N_BANDS,)),
+    "mels": (np.float16, (N_MELS,)),
     "phonemes": (np.uint8, ()),
     "visemes": (np.uint8, ()),
     "certainties": (np.float16, ()),
     "heard": (np.float16, (N_HEARD,)),
 }
-"""The arrays of an example, each in a file of its own: kind, and shape of a frame."""
+"""The arrays of an example, each in a file of its own: kind, and shape of a frame. The bands of the small network
+and those of Whisper come from the same windows."""
 INDEX = "index.json"
-Variations = tuple[tuple[TrainingExample, ...], ...]
 
 
-@dataclass(frozen=True)
-class SpeakerExamples:
-    """All examples of one speaker.
+@dataclass(frozen=True, eq=False)
+class RecordingExample(TrainingExample):
+    """One variation of one recording, for all networks.
 
     Attributes
     ----------
-    name : who, as corpus/speaker.
-    recordings : for each recording its variations; the first one is the recording as it is.
-    weight : how often it is gone through in an epoch; below 1, only that share of it.
+    mels : float16, shape (n_frames, 80): base-10 logarithms of the powers in Whisper's bands.
     """
 
-    name: str
-    recordings: Variations
-    weight: float = 1.0
+    mels: NDArray[np.float16]
 
 
 @dataclass(frozen=True)
 class _Entry:
-    """Where the variations of a recording lie."""
+    """Where the variations of a recording lie: in order of the index, so many frames each."""
 
     voice: str
     lengths: tuple[int, ...]
@@ -114,40 +116,139 @@ def write_examples(
     ------
     EngineError : a sound cannot be read.
     """
+    made = examples_of(utterances, n_variations, seed, soft_labels)
+
+    def counted() -> Iterator[tuple[str, Sequence[RecordingExample]]]:
+        for utterance, examples in zip(utterances, made, strict=True):
+            yield utterance.voice, examples
+            progress(1)
+
+    store(folder, counted())
+
+
+def store(folder: Path, recordings: Iterable[tuple[str, Sequence[RecordingExample]]]) -> None:
+    """Write the variations of recordings, each with the name of its speaker, into a folder, last of all its index."""
     entries = []
     with ExitStack() as stack:
         files = {name: stack.enter_context((folder / name).open("wb")) for name in ARRAYS}
-        made = examples_of(utterances, n_variations, seed, soft_labels)
-        for utterance, examples in zip(utterances, made, strict=True):
+        for voice, examples in recordings:
             for example in examples:
                 for name, file in files.items():
                     file.write(getattr(example, name).tobytes())
-            entries.append(_Entry(utterance.voice, tuple(len(example) for example in examples)))
-            progress(1)
+            entries.append(_Entry(voice, tuple(len(example) for example in examples)))
     with atomic_write(folder / INDEX) as index:
         index.write(json.dumps([asdict(entry) for entry in entries]).encode())
 
 
-def read_examples(folder: Path, weights: dict[str, float]) -> list[SpeakerExamples]:
-    """Read the voices from a folder; their arrays stay on the disk. `weights` tells the weight of each by name."""
-    arrays: dict[str, NDArray[Any]] = {
-        name: np.memmap(folder / name, kind, "r").reshape(-1, *shape) for name, (kind, shape) in ARRAYS.items()
-    }
-    recordings: dict[str, list[tuple[TrainingExample, ...]]] = {}
-    first = 0
-    for entry in json.loads((folder / INDEX).read_text()):
-        examples = []
-        for n in entry["lengths"]:
-            part = slice(first, first + n)
-            examples.append(TrainingExample(**{name: array[part] for name, array in arrays.items()}))
-            first += n
-        recordings.setdefault(entry["voice"], []).append(tuple(examples))
-    return [SpeakerExamples(name, tuple(sounds), weights.get(name, 1.0)) for name, sounds in recordings.items()]
+STRETCHED, RATES = 0.5, (0.85, 1.18)
+"""Share of the stretches that are slowed down or sped up by leaving out or repeating frames, and by how much."""
+
+
+class Examples:
+    """The examples in a folder, of some speakers.
+
+    Parameters
+    ----------
+    folder : as `write_examples` filled it.
+    weights : how often the speech of each speaker is gone through in an epoch; below 1, only that share of it.
+    left_out : speakers who do not take part.
+    device : where the arrays lie; on ``cpu`` they stay on the disk.
+    """
+
+    def __init__(
+        self, folder: Path, weights: Mapping[str, float], left_out: Collection[str] = (), device: str = "cpu"
+    ) -> None:
+        self.device = device
+        # "c": PyTorch wants arrays that can be written to; nothing is
+        self._arrays = {
+            name: torch.from_numpy(np.memmap(folder / name, kind, "c").reshape(-1, *shape)).to(device)
+            for name, (kind, shape) in ARRAYS.items()
+        }
+        self._weights = weights
+        self._recordings: dict[str, list[list[tuple[int, int]]]] = {}
+        end = 0
+        for entry in json.loads((folder / INDEX).read_text(encoding="utf-8")):
+            ends = end + np.cumsum([0, *entry["lengths"]])
+            end = int(ends[-1])
+            if entry["voice"] not in left_out:
+                spans = list(zip(ends[:-1].tolist(), ends[1:].tolist(), strict=True))
+                self._recordings.setdefault(entry["voice"], []).append(spans)
+
+    def epoch(self, n_frames: int, generator: np.random.Generator) -> Int64Array:
+        """Return the frames of stretches that go through everything once, shape (n_stretches, n_frames).
+
+        Each is of joined recordings of one speaker; all speakers are mixed.
+        """
+        found = []
+        for voice, recordings in self._recordings.items():
+            weight = self._weights.get(voice, 1.0)
+            for _ in range(int(weight) + (generator.random() < weight % 1)):
+                drawn = [recordings[k] for k in generator.permutation(len(recordings))]
+                spans = [spans[generator.integers(len(spans))] for spans in drawn]
+                frames = np.concatenate([np.arange(*span) for span in spans])
+                found += list(_stretches(frames, n_frames, generator))
+        if not found:
+            return np.zeros((0, n_frames), np.int64)
+        return generator.permutation(np.stack(found))
+
+    def batch(self, frames: Int64Array, *names: str) -> dict[str, Tensor]:
+        """Return arrays of some frames, shape (*frames.shape, ...)."""
+        places = torch.from_numpy(frames).to(self.device)
+        return {name: self._arrays[name][places] for name in names}
+
+    def importance(self) -> tuple[Tensor, Tensor]:
+        """Return how much a frame of each phoneme, and of each viseme, counts: rare ones more."""
+        spans = [spans[0] for recordings in self._recordings.values() for spans in recordings]
+        frames = torch.cat([torch.arange(*span) for span in spans]).to(self.device)
+        phonemes, visemes = (
+            torch.bincount(self._arrays[name][frames].long(), minlength=256)[: len(classes)].float() + 1
+            for name, classes in (("phonemes", Phoneme), ("visemes", Viseme))
+        )
+        weights = _rarities(phonemes)
+        weights[Phoneme.UNIDENTIFIED] *= 0.8  # what lies between the phonemes counts a little less
+        return weights, _rarities(visemes)
+
+    def anchors(self, n: int, n_frames: int, seed: int) -> Float32Array:
+        """Draw stretches of the speech as it is, shape (n, n_frames, 40): of voices that count more, more often."""
+        generator = np.random.default_rng(seed)
+        long = [[s[0] for s in r if s[0][1] - s[0][0] >= n_frames] for r in self._recordings.values()]
+        weights = np.array(
+            [self._weights.get(v, 1.0) * bool(some) for v, some in zip(self._recordings, long, strict=True)]
+        )
+        if not weights.any():
+            return np.zeros((0, n_frames, N_BANDS), np.float32)
+        found = []
+        for k in generator.choice(len(long), n, p=weights / weights.sum()):
+            first, end = long[k][generator.integers(len(long[k]))]
+            begin = int(generator.integers(first, end - n_frames + 1))
+            found.append(self._arrays["log_powers"][begin : begin + n_frames].float().cpu().numpy())
+        return np.stack(found)
+
+
+RARE = 0.35
+"""How much more the frames of a rare sound count: the power of its share; 1 would make all sounds count alike."""
+
+
+def _rarities(counts: Tensor) -> Tensor:
+    weights = (counts / counts.sum()) ** -RARE
+    return weights / weights.mean()
+
+
+def _stretches(frames: Int64Array, n_frames: int, generator: np.random.Generator) -> Iterator[Int64Array]:
+    """Cut joined recordings into stretches of some frames, some of them slower or faster."""
+    place = int(generator.integers(0, n_frames // 2))
+    while True:
+        rate = generator.uniform(*RATES) if generator.random() < STRETCHED else 1.0
+        chosen = place + (np.arange(n_frames) * rate).astype(np.int64)
+        if chosen[-1] >= len(frames):
+            return
+        yield frames[chosen]
+        place = int(chosen[-1]) + 1
 
 
 def examples_of(
     utterances: Sequence[LabelledUtterance], n_variations: int, seed: int, soft_labels: SoftLabels | None = None
-) -> Iterator[tuple[TrainingExample, ...]]:
+) -> Iterator[tuple[RecordingExample, ...]]:
     """Make the examples of all utterances: each as it is, and `n_variations` others; in as many processes as cores.
 
     Raises
@@ -166,7 +267,7 @@ def examples_of(
 
 def _examples(
     task: tuple[LabelledUtterance, int, int, NDArray[np.float16] | None],
-) -> tuple[TrainingExample, ...] | EngineError:
+) -> tuple[RecordingExample, ...] | EngineError:
     """Make the examples of one utterance; an error travels back as a value, since it must survive the way."""
     utterance, n_variations, seed, heard = task
     generator = np.random.default_rng([seed, *utterance.path.name.encode()])
@@ -184,11 +285,15 @@ def _augmented_example(
     variation: Augmentation,
     generator: np.random.Generator,
     heard: NDArray[np.float16] | None,
-) -> TrainingExample:
+) -> RecordingExample:
     moved = tuple(
         replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
     )
     if heard is not None:
         frames = (np.arange(int(len(heard) / variation.rate)) + 0.5) * variation.rate
         heard = heard[np.minimum(frames.astype(int), len(heard) - 1)]
-    return example_of(augment(samples, variation, generator), moved, round(variation.warp, 2), heard)
+    varied, warp = augment(samples, variation, generator), round(variation.warp, 2)
+    example = example_of(varied, moved, warp, heard)
+    mels = [whisper_log_mels(block, warp).astype(np.float16) for block in windows_of(varied)]
+    known = {field.name: getattr(example, field.name) for field in fields(example)}
+    return RecordingExample(**known, mels=np.concatenate([np.zeros((0, N_MELS), np.float16), *mels])[: len(example)])

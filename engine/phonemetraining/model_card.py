@@ -8,11 +8,12 @@ import numpy as np
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.dsp.log_mel import N_BANDS
 from phonemeengine.encoder.head import CONTEXT
-from phonemeengine.encoder.whisper import WHISPER_LICENCE
+from phonemeengine.encoder.whisper import LAYER, WHISPER_LICENCE
+from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Ear
-from phonemetraining.pipeline import LabelSource, TrainedModel, TrainingResult, Validation
+from phonemetraining.networks import BACK
+from phonemetraining.pipeline import HESITATION, RESERVED, WARPS, LabelSource, TrainingResult, Validation
 from phonemetraining.teacher import COMPONENTS, GROUPS, HIDDEN
-from phonemetraining.training import HESITATION, WARPS
 from phonemetraining.validation import LEAST_READ, MOST_JUDGED, MOST_READ, SAMPLED, SETTINGS
 
 KINDS = {"human": "people", "synthetic-formant": "formant synthesis"}
@@ -30,8 +31,8 @@ HEADINGS = {
 
 
 def model_card(name: str, result: TrainingResult, n_variations: int) -> str:
-    """Write the card of a model and its twin for files, as Markdown."""
-    minutes, config = sum(source.minutes for source in result.sources), result.live.config
+    """Return the card of the models, as Markdown."""
+    minutes, config = sum(source.minutes for source in result.sources), result.config
     parts = [
         f"# {name}\n",
         f"Two convolutional networks over time, on the logarithms of the power in {N_BANDS} mel bands up to 8 kHz, "
@@ -39,7 +40,8 @@ def model_card(name: str, result: TrainingResult, n_variations: int) -> str:
         f"listen with {len(WARPS)} vocal tracts (frequencies warped by {', '.join(f'{warp:g}' for warp in WARPS)}) "
         "and trust those with which they are sure.\n",
         f"- For live sound: {_architecture(result.live)}; looks back, and 0 to 50 ms ahead by choice.\n"
-        f"- For files: {_architecture(result.files)}; hears as far ahead as back.\n",
+        f"- For files: {_architecture(result.files)}; looks as far ahead as back.\n",
+        _encoder(result),
         "## Training\n",
         f"Seed {config.seed}, {config.n_epochs} epochs, batches of {config.batch_size} stretches of "
         f"{config.n_frames / 100:g} s, learning rate {config.rate:g}, dropout {config.dropout:g}. Each recording as "
@@ -58,22 +60,24 @@ def model_card(name: str, result: TrainingResult, n_variations: int) -> str:
     return "\n".join(parts)
 
 
-def validations_of(result: TrainingResult) -> dict[Ear, Validation]:
-    """Return how well each ear did, of those that there are."""
-    found = {
-        Ear.LIVE: result.live.validation,
-        Ear.TWIN: result.files.validation,
-        Ear.WHISPER: result.with_encoder,
-    }
-    return {ear: validation for ear, validation in found.items() if validation.together}
+def _encoder(result: TrainingResult) -> str:
+    if result.encoder is None:
+        return ""
+    config = result.config
+    return (
+        f"The real-time model is the lower {config.n_layers} layers of the encoder of {WHISPER_LICENCE}, trained "
+        f"further: {config.n_encoder_epochs} epochs, batches of {config.encoder_batch} stretches of "
+        f"{config.n_encoder_frames / 100:g} s, learning rate {config.encoder_rate:g}. It looks {BACK / 50:g} s back "
+        "and 20 or 40 ms ahead, and is mixed with the small network. It taught the small networks too.\n"
+    )
 
 
-def _architecture(trained: TrainedModel) -> str:
-    model, config = trained.model, trained.config
+def _architecture(model: Model) -> str:
     arrays = [a for layer in model.layers for a in (layer.weights, layer.bias)]
     arrays += [a for head in (*model.heads, *model.viseme_heads) for a in (head.weights, head.bias)]
     return (
-        f"{config.width} channels, dilations {', '.join(map(str, (1, *config.dilations)))}, "
+        f"{len(model.layers[0].bias)} channels, dilations "
+        f"{', '.join(str(layer.dilation) for layer in model.layers)}, "
         f"{sum(array.size for array in arrays):,} numbers, kept as float16"
     )
 
@@ -82,10 +86,10 @@ def _teacher(result: TrainingResult) -> str:
     if result.head is None:
         return ""
     return (
-        f"The teacher is the encoder of {WHISPER_LICENCE}, with a head of one hidden layer ({HIDDEN} units) on "
-        f"{len(CONTEXT)} of its frames, projected onto {COMPONENTS} components. Each recording was heard by a "
-        f"head that was trained without its group of speakers ({GROUPS} groups); labels and what that head "
-        "heard count alike.\n"
+        f"The teacher is layer {LAYER}, counted from 0, of the encoder of {WHISPER_LICENCE}, with a head of one "
+        f"hidden layer ({HIDDEN} units) on {len(CONTEXT)} of its states, projected onto {COMPONENTS} components. "
+        f"Each recording was recognised by a head that was trained without its group of speakers ({GROUPS} groups); "
+        "labels and what that head says count alike.\n"
     )
 
 
@@ -99,53 +103,49 @@ def _moved_labels(result: TrainingResult) -> str:
         lengths = [f"{value:.0f} ms" for value in (np.median(far), np.quantile(far, 0.9), 1000 * done.moves.mean())]
         rows.append([str(k), f"{len(far):,}", *lengths, *figures, "kept" if done.gains else "not kept"])
     lead = (
-        "The phone times of people were moved to where the teacher and a small network that had not heard them hear "
-        "the sounds change. Macro F1 is that of people who were left out of small networks which learned from the "
-        "labels before and after, on frames of which both say the same.\n\n"
+        "The phone times of people were moved to where a head that did not learn from them hears the sounds change. "
+        "Macro F1 is that of people, by heads that learned from the labels of others before and after, on frames of "
+        "which both say the same.\n\n"
     )
     return lead + _table(rows)
 
 
 def _validation(result: TrainingResult) -> str:
-    if not result.live.validation.together:
+    if not result.validations:
         return "Not measured in this training.\n"
     kinds = {source.name: source.kind for source in result.sources}
     rows = [["", "minutes", *HEADINGS.values()]]
-    for ear, found in validations_of(result).items():
+    for ear, found in result.validations.items():
         rows += [[f"**{ear}, {group}**", *_figures(scores)] for group, scores in found.together.items()]
-    rows += [
-        [f"{name} ({kinds.get(name, '')})", *_figures(scores)]
-        for name, scores in result.live.validation.held_out.items()
-    ]
-    who = "Each speaker"
-    if result.n_validated < result.n_folds:
-        who = f"Each speaker of {result.n_validated} of {result.n_folds} groups, into which all were dealt evenly,"
+    best = result.validations.get(Ear.ENCODER, result.validations[Ear.LIVE])
+    rows += [[f"{name} ({kinds.get(name, '')})", *_figures(scores)] for name, scores in best.by_speaker.items()]
     lead = (
-        f"{who} was left out of one training, and recognised by it, as the preset does: live sound looking "
-        f"{SETTINGS.look_ahead * 1000:.0f} ms ahead, each phoneme held {SETTINGS.minimum_hold * 1000:.0f} ms. The "
-        "definitions are those of `phonemeanalyser score`. The teacher's heads had not heard them either. Single "
-        "speakers are heard by the model for live sound.\n\n"
+        f"{len(result.groups.everybody)} speakers were left out of a first training of all networks, and of the "
+        "teacher's heads, and recognised by it as the preset does: live sound looking "
+        f"{SETTINGS.look_ahead * 1000:.0f} ms ahead (the real-time model 40 ms), each phoneme held "
+        f"{SETTINGS.minimum_hold * 1000:.0f} ms. Settings were chosen by {len(result.groups.validation)} of them; "
+        f"the {len(result.groups.reserved)} who are {RESERVED} took part in no choice. The definitions are those of "
+        "`phonemeanalyser score`. Single speakers are recognised by the real-time model, or by the live network "
+        "where there is none.\n\n"
     )
-    further = (_by_look_ahead(result.live), _one_voice(result.live), _confidence(result.live.validation))
+    further = (_by_look_ahead(result), _one_voice(result), _confidence(result.validations[Ear.LIVE]))
     return lead + _table(rows) + "".join(further)
 
 
-def _by_look_ahead(trained: TrainedModel) -> str:
-    if not trained.by_look_ahead:
-        return ""
+def _by_look_ahead(result: TrainingResult) -> str:
     rows = [["look-ahead", HEADINGS["macro_f1"], HEADINGS["viseme_accuracy"]]]
     rows += [
         [f"{1000 * seconds:.0f} ms", *(f"{figure:.3f}" for figure in pair)]
-        for seconds, pair in trained.by_look_ahead.items()
+        for seconds, pair in result.by_look_ahead.items()
     ]
-    return f"\nBy the look-ahead, on every {SAMPLED}th of the recordings:\n\n{_table(rows)}"
+    return f"\nThe live network by its look-ahead, on every {SAMPLED}th of the recordings:\n\n{_table(rows)}"
 
 
-def _one_voice(trained: TrainedModel) -> str:
-    if not trained.adapted:
+def _one_voice(result: TrainingResult) -> str:
+    if not result.adapted:
         return ""
     rows = [["", "minutes", *HEADINGS.values()]]
-    for group, gained in trained.adapted.items():
+    for group, gained in result.adapted.items():
         rows += [[f"{group}, {when}", *_figures(s)] for when, s in zip(("before", "after"), gained, strict=True)]
     return (
         f"\nBefore and after {LEAST_READ:g} to {MOST_READ:g} s of the speaker were learned, one recording or the "

@@ -1,28 +1,51 @@
-"""From folders of labelled speech, whose manifests tell where it comes from, to a model and what its card tells."""
+"""From folders of labelled speech, whose manifests tell where it comes from, to models and what their card tells."""
 
 import csv
-from collections.abc import Callable, Collection, Iterable, Sequence
+import json
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
+from typing import Any
 
+import numpy as np
+
+from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_corpus
 from phonemeengine.calibration.scores.evaluation import Predictions, confidence_of
 from phonemeengine.calibration.scores.scoring import Answers, Scores, scores_of
-from phonemeengine.encoder.head import EncoderHead
+from phonemeengine.encoder.head import EncoderHead, load_head, save_head
+from phonemeengine.encoder.live import EncoderMix, LiveEncoder, build_live_encoder
+from phonemeengine.encoder.weights import read_weights
+from phonemeengine.encoder.whisper import MODEL_FILE
 from phonemeengine.errors import CorpusError
-from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
-from phonemeengine.recognition.model import Model
-from phonemeengine.settings import Channel
-from phonemetraining.examples import INDEX, SoftLabels, key_of, write_examples
-from phonemetraining.realignment import Round, realign_people
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.confidence import ConfidenceCurve
+from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemeengine.settings import Channel, Ear
+from phonemeengine.storage.files import atomic_write
+from phonemetraining.config import TrainingConfig
+from phonemetraining.examples import (
+    HEAD,
+    INDEX,
+    SOFT_LABELS,
+    Examples,
+    key_of,
+    load_soft_labels,
+    save_soft_labels,
+    write_examples,
+)
+from phonemetraining.groups import Groups
+from phonemetraining.networks import TrainableEncoder
+from phonemetraining.realignment import Round
 from phonemetraining.teacher import encode_all, teach
-from phonemetraining.training import BOTH_WAYS, TrainingConfig, TrainingPart, train_parts
+from phonemetraining.training import device_of_choice, train_encoder, train_small
 from phonemetraining.validation import (
-    HeldOutGroup,
-    figures_by_look_ahead,
-    folds_of,
-    hear_held_out,
+    adapted_to_each,
+    preset_of,
+    recognise_all,
+    recognise_by_look_ahead,
+    with_head,
 )
 
 UNKNOWN = "not told"
@@ -85,44 +108,24 @@ OnProgress = Callable[[str, float], object]
 """Is told what goes on, and how much of it is done, 0..1."""
 
 
-PEOPLE = "people"
+PEOPLE, RESERVED = "people", "reserved"
 
 
 @dataclass(frozen=True)
 class Validation:
-    """How well speakers were recognised that were not heard in the training.
+    """How well speakers were recognised who were left out of the training.
 
     Attributes
     ----------
-    held_out : by speaker, the figures of a model that was trained without it; empty without a validation.
-    together : the same for ``all`` speakers, and for ``people`` alone where there are some.
-    confidence : how sure the answers are.
+    by_speaker : the figures of each.
+    together : those of ``all`` speakers of the validation, of ``people`` alone, and of those who are ``reserved``, as
+        far as there are any.
+    confidence : how often answers with some score were right, of the validation.
     """
 
-    held_out: dict[str, Scores] = field(default_factory=dict)
-    together: dict[str, Scores] = field(default_factory=dict)
-    confidence: ConfidenceCurve = UNFITTED
-
-
-@dataclass(frozen=True)
-class TrainedModel:
-    """A model, and how well others of its kind did on speakers whom they had not heard.
-
-    Attributes
-    ----------
-    model : trained on all speakers.
-    config : how.
-    validation : how well others of its kind did.
-    by_look_ahead : macro F1 and the share of right mouth shapes by look-ahead, seconds, of some of their recordings.
-    adapted : for ``all`` speakers and ``people``, the figures on some of their recordings before and after a few
-        seconds of their voice were learned.
-    """
-
-    model: Model
-    config: TrainingConfig
-    validation: Validation
-    by_look_ahead: dict[float, tuple[float, float]] = field(default_factory=dict)
-    adapted: dict[str, tuple[Scores, Scores]] = field(default_factory=dict)
+    by_speaker: dict[str, Scores]
+    together: dict[str, Scores]
+    confidence: ConfidenceCurve
 
 
 @dataclass(frozen=True)
@@ -132,50 +135,58 @@ class TrainingResult:
     Attributes
     ----------
     sources : the speakers.
-    live : the model that follows a microphone.
-    files : its twin for files, which hears as far ahead as back.
+    groups : those who were left out of a first training of all networks, by which these are judged.
+    config : how the network for live sound was trained.
+    live, files : the small networks, for live sound and for files, trained on all speakers.
+    encoder : the real-time model, trained on all speakers; None without a teacher.
+    head : on the teacher, trained on all speakers; None without a teacher.
     rounds : in which the labels of people were moved.
-    head : on the teacher's encoder, trained on all speakers; None without a teacher.
-    with_encoder : how well the model for files and the encoder do together.
-    n_folds, n_validated : groups of speakers, and how many of these were left out of a training.
+    validations : how well the networks that did not learn from the groups did, by what recognises.
+    by_look_ahead : macro F1 and the share of right mouth shapes of the live network by its look-ahead, seconds, on
+        some recordings of the validation.
+    adapted : for ``all`` speakers and ``people``, the figures of the live network on some of their recordings before
+        and after a few seconds of their voice were learned.
     """
 
     sources: tuple[LabelSource, ...]
-    live: TrainedModel
-    files: TrainedModel
-    rounds: tuple[Round, ...] = ()
+    groups: Groups
+    config: TrainingConfig
+    live: Model
+    files: Model
+    encoder: LiveEncoder | None = None
     head: EncoderHead | None = None
-    with_encoder: Validation = field(default_factory=Validation)
-    n_folds: int = 0
-    n_validated: int = 0
+    rounds: tuple[Round, ...] = ()
+    validations: dict[Ear, Validation] = field(default_factory=dict)
+    by_look_ahead: dict[float, tuple[float, float]] = field(default_factory=dict)
+    adapted: dict[str, tuple[Scores, Scores]] = field(default_factory=dict)
 
 
 def train_and_validate(
     corpora: Sequence[Path],
     config: TrainingConfig,
     n_variations: int,
-    n_folds: int,
-    on_progress: OnProgress,
     work: Path,
+    on_progress: OnProgress,
     *,
-    n_validated: int | None = None,
+    groups: Path | None = None,
+    validates: bool = True,
     channel: Channel = Channel.MIX,
     whisper: Path | None = None,
 ) -> TrainingResult:
-    """Train the model for live sound and its twin for files, and validate both on speakers left out.
+    """Train all networks, and judge others of their kind by speakers from whom those did not learn.
 
     Parameters
     ----------
     corpora : folders in the corpus format.
-    config : how to train the one for live sound.
+    config : how to train.
     n_variations : of each recording, besides the recording itself.
-    n_folds : groups of speakers, each of which is left out once; 0 for no validation.
-    n_validated : how many of these groups are left out, the first ones, which saves the time of the others; None
-        for all.
+    work : a folder for what is done so far: states, soft labels, examples and models. A training that was interrupted
+        goes on from there, on this machine or on another to which the folder is copied.
     on_progress : is told of the progress.
-    work : a folder for what is done so far; a training that was interrupted goes on from there.
-    channel : what is heard of sounds that have several.
-    whisper : the folder of the teacher's encoder; None for no teacher.
+    groups : see `Groups.of`.
+    validates : whether networks are judged, which takes as long again.
+    channel : what is used of sounds that have several.
+    whisper : the folder of Whisper's model; None for no teacher and no real-time model.
 
     Raises
     ------
@@ -186,29 +197,225 @@ def train_and_validate(
     utterances = _recordings_of(corpora, channel, unlabelled=whisper is not None)
     sources = tuple(sources_of(corpora))
     _check_enough(sources, config)
-    configs = (config, replace(config, centred=True, dilations=BOTH_WAYS))
-    _begin(work, repr((configs, n_variations, n_folds, n_validated, channel, sources, whisper is not None)))
-    speakers = _Speakers.of(sources, n_folds)
-    taught = _teach(utterances, speakers, config, work, whisper, on_progress)
-    _measure(taught, n_variations, config.seed, work, on_progress)
-    # Held-out speakers are scored by the labels as they came, not by those that this training moved.
-    scored = [utterance for utterance in utterances if utterance.labels]
-    validated = speakers.groups[:n_validated]
-    parts = [
-        TrainingPart(f"{name}-{k}", kind, tuple(u for u in scored if u.voice in group))
-        for k, group in enumerate((set[str](), *validated))
-        for name, kind in zip(("live", "files"), configs, strict=True)
-    ]
-    hear = partial(hear_held_out, teacher=None if taught.head is None else work)
-    found = train_parts(parts, work, speakers.weights, hear, partial(on_progress, "training"))
-    by_kind = [[group for _, group in found[k :: len(configs)]] for k in range(len(configs))]
-    live, files = (
-        _trained(model, kind, done, speakers.people)
-        for (model, _), kind, done in zip(found, configs, by_kind, strict=False)
+    _begin(work, repr((config, n_variations, groups, validates, channel, sources, whisper is not None)))
+    weights = {source.name: source.weight for source in sources}
+    people = frozenset(source.name for source in sources if source.kind == HUMAN)
+    left_out = Groups.of(list(weights), groups) if validates else Groups()
+    if not (work / INDEX).is_file():
+        _prepare(utterances, weights, people, left_out, n_variations, config.seed, work, whisper, on_progress)
+    encoder_weights = (
+        None if whisper is None else read_weights((whisper / MODEL_FILE).read_bytes(), config.n_layers - 1)
     )
-    with_encoder = [heard.with_encoder for group in by_kind[-1] for heard in group.heard]
-    together = _validated([predictions for predictions in with_encoder if predictions is not None], speakers.people)
-    return TrainingResult(sources, live, files, taught.rounds, taught.head, together, n_folds, len(validated))
+    names = [ALL, *([LEFT_OUT] if validates else [])]
+    for k, name in enumerate(names):
+        told = partial(_tell, on_progress, k, len(names))
+        train_networks(
+            work, weights, left_out.everybody if name == LEFT_OUT else (), config, encoder_weights, name, told
+        )
+    head = load_head(work / HEAD) if whisper is not None else None
+    result = TrainingResult(
+        sources,
+        left_out,
+        config,
+        load_model(work / f"live-{ALL}.npz"),
+        load_model(work / f"files-{ALL}.npz"),
+        encoder=None if head is None else real_time_model(load_weights(work / f"encoder-{ALL}.npz"), head),
+        head=head,
+        rounds=load_rounds(work / ROUNDS),
+    )
+    # Scored by the labels as they came, not by those that this training moved.
+    scored = [u for u in utterances if u.labels and u.voice in left_out.everybody]
+    return replace(result, **_judged(scored, left_out, people, work, head, on_progress)) if validates else result
+
+
+def _tell(on_progress: OnProgress, k: int, n: int, share: float) -> None:
+    on_progress("training", (k + share) / n)
+
+
+ROUNDS = "rounds.json"
+
+
+def load_rounds(path: Path) -> tuple[Round, ...]:
+    """Read in which rounds labels were moved; none where there is no file."""
+    if not path.is_file():
+        return ()
+    return tuple(Round(np.array(r["moves"]), tuple(r["macro_f1"])) for r in json.loads(path.read_text("utf-8")))
+
+
+def _prepare(
+    utterances: Sequence[LabelledUtterance],
+    weights: dict[str, float],
+    people: frozenset[str],
+    groups: Groups,
+    n_variations: int,
+    seed: int,
+    work: Path,
+    whisper: Path | None,
+    on_progress: OnProgress,
+) -> None:
+    """Have the teacher recognise all recordings, move the labels of people, and write the examples."""
+    soft_labels = None
+    if whisper is not None:
+        encoded = encode_all(utterances, work / "encoder", whisper, partial(on_progress, "encoding"))
+        taught = teach(utterances, encoded, weights, people, groups.everybody, seed, partial(on_progress, "teaching"))
+        utterances, soft_labels = taught.utterances, taught.soft_labels
+        save_soft_labels(soft_labels, work / SOFT_LABELS)
+        save_head(taught.head, work / HEAD)
+        told = [{"moves": r.moves.tolist(), "macro_f1": r.macro_f1} for r in taught.rounds]
+        (work / ROUNDS).write_text(json.dumps(told), "utf-8")
+    n_done = 0
+
+    def count(n: int) -> None:
+        nonlocal n_done
+        n_done += n
+        on_progress("measuring", n_done / len(utterances))
+
+    write_examples(work, utterances, n_variations, seed, soft_labels, count)
+
+
+def real_time_model(weights: Mapping[str, Float32Array], head: EncoderHead) -> LiveEncoder:
+    """Return the real-time model with the weights of a causal encoder, and the priors of the teacher's head."""
+    return build_live_encoder(weights, EncoderMix(ENCODER_SHARE, WEAKENED, tuple(map(float, head.priors))))
+
+
+ENCODER_SHARE, WEAKENED = 0.6, 0.0
+"""Of the encoder in the mean of the logarithms of both probabilities, and by how much frequent classes count less."""
+
+
+def _judged(
+    scored: Sequence[LabelledUtterance],
+    groups: Groups,
+    people: frozenset[str],
+    work: Path,
+    head: EncoderHead | None,
+    on_progress: OnProgress,
+) -> dict[str, Any]:
+    """Return what a result tells of networks that did not learn from the speakers of these recordings."""
+    live, files = (load_model(work / f"{kind}-{LEFT_OUT}.npz") for kind in ("live", "files"))
+    small, offline = preset_of(live), preset_of(files)
+    told = partial(on_progress, "judging")
+    found = {Ear.LIVE: recognise_all(scored, live, told), Ear.TWIN: recognise_all(scored, files, told)}
+    if head is not None:
+        encoder = real_time_model(load_weights(work / f"encoder-{LEFT_OUT}.npz"), head)
+        found[Ear.ENCODER] = recognise_all(scored, live, told, encoder)
+        soft_labels = load_soft_labels(work / SOFT_LABELS)
+        found[Ear.WHISPER] = [with_head(u, offline, soft_labels[key_of(u)], head.priors) for u in scored]
+    chosen = [u for u in scored if u.voice in groups.validation]
+    adapted = list(adapted_to_each(small, chosen))
+    gains = {"all": adapted, PEOPLE: [a for a in adapted if a.voice in people]}
+    return {
+        "validations": {ear: _validated(predictions, groups, people) for ear, predictions in found.items()},
+        "by_look_ahead": recognise_by_look_ahead(chosen, small),
+        "adapted": {
+            name: (scores_of(a.before for a in some), scores_of(a.after for a in some))
+            for name, some in gains.items()
+            if some
+        },
+    }
+
+
+def _validated(predictions: Sequence[Predictions], groups: Groups, people: frozenset[str]) -> Validation:
+    by_name: dict[str, list[Answers]] = {}
+    for prediction in predictions:
+        by_name.setdefault(prediction.utterance.voice, []).append(prediction.answers)
+    chosen = {
+        "all": groups.validation,
+        PEOPLE: groups.validation & people,
+        RESERVED: groups.reserved,
+        f"{RESERVED} {PEOPLE}": groups.reserved & people,
+    }
+    answers = {name: [a for voice in sorted(some) for a in by_name.get(voice, ())] for name, some in chosen.items()}
+    return Validation(
+        {name: scores_of(found) for name, found in by_name.items()},
+        {name: scores_of(found) for name, found in answers.items() if found},
+        confidence_of(p for p in predictions if p.utterance.voice in groups.validation),
+    )
+
+
+ALL, LEFT_OUT = "all", "left-out"
+"""Names of the trainings: on all speakers, and on all but the groups."""
+
+
+def train_networks(
+    work: Path,
+    weights: Mapping[str, float],
+    left_out: Collection[str],
+    config: TrainingConfig,
+    whisper: Mapping[str, Float32Array] | None,
+    name: str,
+    on_progress: Callable[[float], object],
+) -> None:
+    """Train the encoder, which teaches the small network, that one, and the network for files.
+
+    Their files are written into the folder; those that are there are not trained again.
+
+    Parameters
+    ----------
+    work : the folder with the examples.
+    weights : how often the speech of each speaker is gone through.
+    left_out : speakers who do not take part.
+    config : how; of the network for live sound.
+    whisper : the weights of Whisper's encoder by their names; None for no encoder and no teacher.
+    name : `ALL` or `LEFT_OUT`.
+    on_progress : is told of the share that is done.
+    """
+    examples = Examples(work, weights, left_out, device_of_choice())
+    encoder = None
+    if whisper is not None:
+        encoder = _encoder(work, examples, config, whisper, name, lambda share: on_progress(0.6 * share))
+    for k, (kind, how) in enumerate({"live": config, "files": config.for_files()}.items()):
+        path = work / f"{kind}-{name}.npz"
+        if path.is_file():
+            continue
+
+        def told(share: float, k: int = k) -> None:
+            on_progress(0.6 + 0.2 * (k + share))
+
+        network = train_small(examples, how, encoder, path.with_suffix(".state"), told)
+        model = _hesitant(network.cpu().finished())
+        save_model(replace(model, warps=WARPS, anchors=examples.anchors(N_ANCHORS, N_FRAMES, config.seed)), path)
+        path.with_suffix(".state").unlink(missing_ok=True)
+
+
+def _encoder(
+    work: Path,
+    examples: Examples,
+    config: TrainingConfig,
+    whisper: Mapping[str, Float32Array],
+    name: str,
+    on_progress: Callable[[float], object],
+) -> TrainableEncoder:
+    """Return the causal encoder that its file holds, or train it and write that."""
+    path = work / f"encoder-{name}.npz"
+    if not path.is_file():
+        trained = train_encoder(examples, config, whisper, path.with_suffix(".state"), on_progress)
+        with atomic_write(path) as file:
+            np.savez(file, allow_pickle=False, **{k: v.astype(np.float16) for k, v in trained.finished().items()})
+        path.with_suffix(".state").unlink(missing_ok=True)
+    encoder = TrainableEncoder(whisper, config.n_layers)
+    encoder.become_causal(load_weights(path))
+    return encoder.to(examples.device).eval()
+
+
+def load_weights(path: Path) -> dict[str, Float32Array]:
+    """Read the weights of an encoder from an ``.npz`` that this training wrote."""
+    with np.load(path, allow_pickle=False) as file:
+        return {name: file[name].astype(np.float32) for name in file.files}
+
+
+HESITATION = 0.2
+"""How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames
+are many and of all sorts, and a mouth that stands still where somebody speaks is noticed."""
+WARPS = (0.8, 1.0, 1.2)
+"""Vocal tracts that a model listens with, see `phonemeengine.recognition.learned`; adult voices span about that."""
+N_ANCHORS, N_FRAMES = 32, 150
+"""Anchors, and frames of each."""
+
+
+def _hesitant(model: Model) -> Model:
+    less = np.zeros(len(Phoneme), np.float32)
+    less[Phoneme.UNIDENTIFIED] = HESITATION
+    return replace(model, heads=tuple(replace(head, bias=head.bias - less) for head in model.heads))
 
 
 def _check_enough(sources: Iterable[LabelSource], config: TrainingConfig) -> None:
@@ -216,66 +423,6 @@ def _check_enough(sources: Iterable[LabelSource], config: TrainingConfig) -> Non
         raise CorpusError(
             "there is too little speech to train with; give at least ten minutes of it, of many speakers"
         )
-
-
-@dataclass(frozen=True)
-class _Speakers:
-    """How often each speaker is gone through, which of them are people, and the groups of the validation."""
-
-    weights: dict[str, float]
-    people: set[str]
-    groups: list[set[str]]
-
-    @classmethod
-    def of(cls, sources: Iterable[LabelSource], n_folds: int) -> "_Speakers":
-        weights = {source.name: source.weight for source in sources}
-        people = {source.name for source in sources if source.kind == HUMAN}
-        return cls(weights, people, folds_of(list(weights), n_folds))
-
-
-@dataclass(frozen=True)
-class _Taught:
-    """The recordings with the labels that are learned from, and what the teacher says of them, if there is one."""
-
-    utterances: Sequence[LabelledUtterance]
-    soft_labels: SoftLabels | None = None
-    head: EncoderHead | None = None
-    rounds: tuple[Round, ...] = ()
-
-
-def _teach(
-    utterances: Sequence[LabelledUtterance],
-    speakers: _Speakers,
-    config: TrainingConfig,
-    work: Path,
-    whisper: Path | None,
-    on_progress: OnProgress,
-) -> _Taught:
-    """Have the teacher hear all recordings, and move the labels of people to where its heads agree with them."""
-    if whisper is None:
-        return _Taught(utterances)
-    weights, groups, people = speakers.weights, speakers.groups, speakers.people
-    encoded = encode_all(utterances, work / "encoder", whisper, partial(on_progress, "encoding"))
-    soft_labels, head = teach(utterances, encoded, weights, config.seed, work, partial(on_progress, "teaching"))
-    if not (soft_labels and groups and people):
-        return _Taught(utterances, soft_labels, head)
-    aligning = partial(on_progress, "aligning")
-    moved, rounds = realign_people(utterances, people, weights, groups, soft_labels, config, work, aligning)
-    return _Taught(moved, soft_labels, head, tuple(rounds))
-
-
-def _measure(taught: _Taught, n_variations: int, seed: int, work: Path, on_progress: OnProgress) -> None:
-    """Write the examples of all recordings and their variations, unless an interrupted training did."""
-    if (work / INDEX).is_file():
-        return
-    n_done = 0
-
-    def count(n: int) -> None:
-        nonlocal n_done
-        n_done += n
-        on_progress("measuring", n_done / len(taught.utterances))
-
-    write_examples(work, taught.utterances, n_variations, seed, taught.soft_labels, count)
 
 
 def _recordings_of(corpora: Sequence[Path], channel: Channel, *, unlabelled: bool) -> list[LabelledUtterance]:
@@ -294,34 +441,3 @@ def _begin(work: Path, plan: str) -> None:
     if told.is_file() and told.read_text(encoding="utf-8") != plan:
         raise CorpusError(f"{work}: another training was begun here; remove the folder, or name another output")
     told.write_text(plan, encoding="utf-8")
-
-
-def _trained(
-    model: Model, config: TrainingConfig, groups: Sequence[HeldOutGroup], people: Collection[str]
-) -> TrainedModel:
-    heard = [h for group in groups for h in group.heard]
-    adapted = [a for group in groups for a in group.adapted]
-    chosen = {"all": adapted, PEOPLE: [a for a in adapted if a.voice in people]}
-    gains = {
-        name: (scores_of(a.before for a in some), scores_of(a.after for a in some))
-        for name, some in chosen.items()
-        if some
-    }
-    validation = _validated([h.predictions for h in heard], people)
-    return TrainedModel(model, config, validation, figures_by_look_ahead(heard), gains)
-
-
-def _validated(predictions: list[Predictions], people: Collection[str]) -> Validation:
-    by_name: dict[str, list[Answers]] = {}
-    for prediction in predictions:
-        by_name.setdefault(prediction.utterance.voice, []).append(prediction.answers)
-    together = {"all": list(by_name), PEOPLE: [name for name in by_name if name in people]}
-    return Validation(
-        {name: scores_of(answers) for name, answers in by_name.items()},
-        {
-            group: scores_of(answers for name in names for answers in by_name[name])
-            for group, names in together.items()
-            if names
-        },
-        confidence_of(predictions),
-    )

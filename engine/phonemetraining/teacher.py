@@ -1,59 +1,62 @@
-"""The teacher: heads on a speech encoder that has heard everybody, and what they say of all recordings.
+"""The teacher: heads on a lower layer of a speech encoder that has heard everybody, and what they say of recordings.
 
-Each recording is heard by a head that was trained without its speaker, so that it says what it hears and not what it
-was told.
+Each recording is recognised by a head that was trained without its speaker, so that it says what it hears and not
+what it was told. What the heads say also moves the boundaries in the labels of people, which an aligner found; heads
+that learn from the moved labels tell whether that helps.
 """
 
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from functools import partial
 from multiprocessing import get_context
 from os import cpu_count
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+import torch
 from numpy.typing import NDArray
+from torch import nn
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.fine_tuning import Optimiser
+from phonemeengine.calibration.fine_tuning import VISEME_SHARE, share_of_rate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.training_examples import certainties_of
-from phonemeengine.encoder.head import CONTEXT, HALVES, N_OUTPUTS, EncoderHead, load_head, save_head, softmax
+from phonemeengine.encoder.head import CONTEXT, HALVES, EncoderHead
 from phonemeengine.encoder.whisper import MODEL_FILE, SpeechEncoder, WhisperEncoder
 from phonemeengine.execution import end_with_parent
+from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write
-from phonemetraining.examples import (
-    HEAD,
-    SOFT_LABELS,
-    key_of,
-    load_soft_labels,
-    save_soft_labels,
-)
-from phonemetraining.trainable_network import targets_of
-from phonemetraining.validation import folds_of
+from phonemetraining.examples import SoftLabels, key_of
+from phonemetraining.groups import folds_of
+from phonemetraining.networks import N_PHONEMES, HeadNetwork
+from phonemetraining.realignment import Round, macro_f1_of_both, moves_of, realigned_by
+from phonemetraining.training import device_of_choice, reduced_precision, targets_of
 
 COMPONENTS, HIDDEN = 200, 384
-EPOCHS, BATCH, RATE, DROPOUT = 4, 2048, 2e-3, 0.2
+EPOCHS, BATCH, RATE, DROPOUT = 6, 2048, 2e-3, 0.2
 GROUPS = 4
 """Of speakers, each left out of one head."""
 SAMPLED = 20
 """States of each recording from which the principal components are taken."""
 LEAST_PRIOR = 1e-3
 """Added to the share of each class."""
-Encoded = dict[str, Path]
+ROUNDS = 2
+"""Most rounds in which labels are moved."""
+Encoded = Mapping[str, Path]
 """By the key of the recording, the file with its states."""
 OnShare = Callable[[float], object]
 
 
 def encode_all(utterances: Sequence[LabelledUtterance], folder: Path, whisper: Path, on_progress: OnShare) -> Encoded:
-    """Let the encoder hear all recordings; what lies in the folder already is not heard again.
+    """Encode all recordings; those whose states lie in the folder already are not encoded again.
 
     Parameters
     ----------
     utterances : the recordings.
-    folder : for the states, a file each.
+    folder : for the states, a file each: float16, shape (n_states, 512), one each 20 ms.
     whisper : the folder of the encoder's model.
     on_progress : is told of the share that is done.
 
@@ -77,7 +80,7 @@ _encoder: SpeechEncoder
 
 
 def _open_encoder(whisper: Path) -> None:
-    global _encoder  # noqa: PLW0603 - a process opens it once, at its beginning
+    global _encoder  # noqa: PLW0603 - a process opens it once, as it begins
     end_with_parent()
     _encoder = WhisperEncoder(whisper / MODEL_FILE, n_threads=1)
 
@@ -90,32 +93,12 @@ def _encode(utterance: LabelledUtterance, path: Path) -> None:
         np.save(file, states)
 
 
-@dataclass(frozen=True)
-class Lesson:
-    """What heads are trained on.
-
-    Attributes
-    ----------
-    components : of the states of all recordings, float16, the first and the last row of each some times more.
-    places : rows of the states that are labelled, shape (n,).
-    phonemes, visemes, certainties : of both halves of these, shape (n, 2).
-    voices : whose they are, shape (n,): numbers of the speakers.
-    names : of the speakers.
-    weights : how much each speaker counts, shape (n_speakers,).
-    """
-
-    components: NDArray[np.float16]
-    places: Int64Array
-    phonemes: NDArray[np.uint8]
-    visemes: NDArray[np.uint8]
-    certainties: Float32Array
-    voices: Int64Array
-    names: tuple[str, ...]
-    weights: Float32Array
+Projection = tuple[Float32Array, Float32Array]
+"""The mean of the states, shape (512,), and their principal components, scaled to a spread of 1, shape (512, 200)."""
 
 
-def projection_of(encoded: Encoded, seed: int) -> tuple[Float32Array, Float32Array]:
-    """Return the mean of the states, shape (512,), and their principal components, scaled, shape (512, 200)."""
+def projection_of(encoded: Encoded, seed: int) -> Projection:
+    """Return the mean and the principal components of some states of all recordings."""
     generator = np.random.default_rng(seed)
     drawn = []
     for path in encoded.values():
@@ -130,147 +113,186 @@ def projection_of(encoded: Encoded, seed: int) -> tuple[Float32Array, Float32Arr
     return mean, np.asarray(scaled, np.float32)
 
 
-def lesson_of(
-    utterances: Sequence[LabelledUtterance],
-    encoded: Encoded,
-    weights: dict[str, float],
-    projection: tuple[Float32Array, Float32Array],
-) -> Lesson:
-    """Put together what heads are trained on: the labelled recordings."""
-    names = tuple(sorted(weights))
-    numbers = {name: k for k, name in enumerate(names)}
-    reach = max(CONTEXT)
-    parts: list[tuple[NDArray[np.generic], ...]] = []
-    components, end = [], reach
-    for utterance in utterances:
-        if not utterance.labels:
-            continue
-        states = np.load(encoded[key_of(utterance)])
-        frames = frame_labels_of(utterance.labels)
-        n = min(len(states), len(frames.phonemes) // HALVES)
-        if n == 0:
-            continue
-        found = ((states.astype(np.float32) - projection[0]) @ projection[1]).astype(np.float16)
-        components.append(np.pad(found, ((reach, reach), (0, 0)), mode="edge"))
-        told = (frames.phonemes, frames.visemes, certainties_of(utterance.labels, HALVES * n))
-        halves = [column[: HALVES * n].reshape(n, HALVES) for column in told]
-        parts.append((end + np.arange(n), *halves, np.full(n, numbers[utterance.voice])))
-        end += len(found) + 2 * reach
-    places, phonemes, visemes, certainties, voices = (np.concatenate(column) for column in zip(*parts, strict=True))
-    counts = np.array([weights[name] for name in names], np.float32)
-    return Lesson(
-        np.concatenate(components),
-        places.astype(np.int64),
-        phonemes.astype(np.uint8),
-        visemes.astype(np.uint8),
-        certainties.astype(np.float32),
-        voices.astype(np.int64),
-        names,
-        counts,
-    )
+@dataclass(frozen=True)
+class _Labelled:
+    """What heads are trained on: the labelled states of all recordings.
+
+    `components` are those of the states, the first and the last row of each recording some times more; `places` rows
+    of them that are labelled, shape (n,); `phonemes`, `visemes` and `certainties` of both halves of these, shape
+    (n, 2); `speakers` their numbers, shape (n,); `names` those of the speakers, and `weights` how much each counts.
+    """
+
+    components: torch.Tensor
+    places: Int64Array
+    phonemes: NDArray[np.uint8]
+    visemes: NDArray[np.uint8]
+    certainties: Float32Array
+    speakers: Int64Array
+    names: tuple[str, ...]
+    weights: Float32Array
+
+    @classmethod
+    def of(
+        cls,
+        utterances: Sequence[LabelledUtterance],
+        encoded: Encoded,
+        weights: Mapping[str, float],
+        projection: Projection,
+    ) -> "_Labelled":
+        names = tuple(sorted(weights))
+        numbers = {name: k for k, name in enumerate(names)}
+        reach = max(CONTEXT)
+        parts: list[tuple[NDArray[Any], ...]] = []
+        components, end = [], reach
+        for utterance in utterances:
+            states = np.load(encoded[key_of(utterance)])
+            frames = frame_labels_of(utterance.labels)
+            n = min(len(states), len(frames.phonemes) // HALVES)
+            if n == 0:
+                continue
+            found = ((states.astype(np.float32) - projection[0]) @ projection[1]).astype(np.float16)
+            components.append(np.pad(found, ((reach, reach), (0, 0)), mode="edge"))
+            told = (frames.phonemes, frames.visemes, certainties_of(utterance.labels, HALVES * n))
+            halves = [column[: HALVES * n].reshape(n, HALVES) for column in told]
+            parts.append((end + np.arange(n), *halves, np.full(n, numbers[utterance.voice])))
+            end += len(found) + 2 * reach
+        places, phonemes, visemes, certainties, speakers = (np.concatenate(c) for c in zip(*parts, strict=True))
+        counts = np.array([weights[name] for name in names], np.float32)
+        joined = torch.from_numpy(np.concatenate(components)).to(device_of_choice())
+        return cls(joined, places, phonemes, visemes, certainties, speakers, names, counts)
 
 
-def train_head(
-    lesson: Lesson,
-    left_out: Collection[str],
-    projection: tuple[Float32Array, Float32Array],
-    seed: int,
-    on_progress: OnShare = lambda _share: None,
+def _train_head(
+    labelled: _Labelled, left_out: Collection[str], projection: Projection, seed: int, on_progress: OnShare
 ) -> EncoderHead:
     """Train a head on all speakers but some."""
-    generator = np.random.default_rng(seed)
-    strange = np.array([name in left_out for name in lesson.names])
-    chosen = np.flatnonzero(~strange[lesson.voices])
-    n_in = len(CONTEXT) * COMPONENTS
-    values = [
-        generator.normal(0, np.sqrt(2 / n_in), (n_in, HIDDEN)).astype(np.float32),
-        np.zeros(HIDDEN, np.float32),
-        generator.normal(0, np.sqrt(1 / HIDDEN), (HIDDEN, HALVES * N_OUTPUTS)).astype(np.float32),
-        np.zeros(HALVES * N_OUTPUTS, np.float32),
-    ]
+    torch.manual_seed(seed)
+    generator, device = np.random.default_rng(seed), labelled.components.device
+    strange = np.array([name in left_out for name in labelled.names])
+    chosen = np.flatnonzero(~strange[labelled.speakers])
+    network = HeadNetwork(len(CONTEXT) * COMPONENTS, HIDDEN, DROPOUT).to(device)
     n_batches = max(1, len(chosen) // BATCH)
     n_steps = EPOCHS * n_batches
-    optimiser = Optimiser(values, n_steps, RATE)
+    optimiser = torch.optim.AdamW(network.parameters(), RATE, weight_decay=0.01)
+    schedule = torch.optim.lr_scheduler.LambdaLR(optimiser, lambda step: share_of_rate((step + 1) / n_steps))
     context = np.array(CONTEXT)
+    kinds = (
+        (labelled.phonemes, slice(0, N_PHONEMES), 1.0),
+        (labelled.visemes, slice(N_PHONEMES, None), VISEME_SHARE),
+    )
     for step in range(n_steps):
         if step % n_batches == 0:
             order = generator.permutation(chosen)
         batch = order[step % n_batches * BATCH :][:BATCH]
-        inputs = lesson.components[lesson.places[batch, np.newaxis] + context].reshape(len(batch), -1)
-        optimiser.step(_gradients(values, inputs.astype(np.float32), lesson, batch, generator))
+        rows = torch.from_numpy(labelled.places[batch, np.newaxis] + context).to(device)
+        with reduced_precision(device.type):
+            logits = network(labelled.components[rows].flatten(1).float())
+        counts = labelled.certainties[batch] * labelled.weights[labelled.speakers[batch], np.newaxis]
+        loss = logits.new_zeros((), dtype=torch.float32)
+        for codes, part, share in kinds:
+            scores = logits[..., part].float()
+            wanted, counted = targets_of(
+                torch.from_numpy(codes[batch]).to(device),
+                torch.zeros_like(scores),
+                torch.ones(scores.shape[-1], device=device),
+                torch.from_numpy(counts).to(device),
+            )
+            errors = -(wanted * scores.log_softmax(dim=-1)).sum(dim=-1)
+            loss = loss + share * (counted * errors).sum() / counted.sum().clamp(min=1e-9)
+        optimiser.zero_grad()
+        loss.backward()
+        nn.utils.clip_grad_norm_(network.parameters(), 1.0)
+        optimiser.step()
+        schedule.step()
         on_progress((step + 1) / n_steps)
-    return EncoderHead(*(*projection, *values, _priors_of(lesson, chosen)))
+    hidden, hidden_bias, weights, bias = network.finished()
+    return EncoderHead(*projection, hidden, hidden_bias, weights, bias, _priors_of(labelled, chosen))
 
 
-def _priors_of(lesson: Lesson, chosen: Int64Array) -> Float32Array:
+def _priors_of(labelled: _Labelled, chosen: Int64Array) -> Float32Array:
     """Return the shares of the phonemes, and of the visemes, in what is learned from, shape (26,)."""
-    counts = lesson.certainties[chosen] * lesson.weights[lesson.voices[chosen], np.newaxis]
+    counts = labelled.certainties[chosen] * labelled.weights[labelled.speakers[chosen], np.newaxis]
     shares = []
-    for codes, n_classes in ((lesson.phonemes, len(Phoneme)), (lesson.visemes, N_OUTPUTS - len(Phoneme))):
+    for codes, n_classes in ((labelled.phonemes, len(Phoneme)), (labelled.visemes, len(Viseme))):
         found = np.bincount(codes[chosen].ravel(), counts.ravel(), 256)[:n_classes] + LEAST_PRIOR * counts.sum()
         shares.append(found / found.sum())
     return np.concatenate(shares).astype(np.float32)
 
 
-def _gradients(
-    values: list[Float32Array],
-    inputs: Float32Array,
-    lesson: Lesson,
-    batch: Int64Array,
-    generator: np.random.Generator,
-) -> list[Float32Array]:
-    hidden_weights, hidden_bias, weights, bias = values
-    kept = (generator.random((len(batch), HIDDEN), np.float32) >= DROPOUT) / np.float32(1 - DROPOUT)
-    hidden = np.maximum(inputs @ hidden_weights + hidden_bias, 0) * kept
-    sums = (hidden @ weights + bias).reshape(len(batch), HALVES, N_OUTPUTS)
-    counts = lesson.certainties[batch] * lesson.weights[lesson.voices[batch], np.newaxis]
-    errors = np.empty_like(sums)
-    n, first = len(Phoneme), 0
-    for codes, n_classes in ((lesson.phonemes, n), (lesson.visemes, N_OUTPUTS - n)):
-        part = slice(first, first + n_classes)
-        nothing = np.zeros((len(batch), HALVES, n_classes), np.float32)
-        wanted, counted = targets_of(codes[batch], nothing, np.ones(n_classes, np.float32), counts)
-        share = counted[..., np.newaxis] / max(float(counted.sum()), 1e-9)
-        errors[..., part] = share * (softmax(sums[..., part]) - wanted)
-        first += n_classes
-    back = errors.reshape(len(batch), -1)
-    inner = (back @ weights.T) * kept * (hidden > 0)
-    return [inputs.T @ inner, inner.sum(axis=0), hidden.T @ back, back.sum(axis=0)]
+@dataclass(frozen=True)
+class Taught:
+    """What the teacher says.
+
+    Attributes
+    ----------
+    utterances : the recordings, people's with moved labels where that helps.
+    soft_labels : by heads that did not learn from the speaker.
+    head : that learned from all speakers.
+    rounds : in which labels were moved.
+    """
+
+    utterances: tuple[LabelledUtterance, ...]
+    soft_labels: SoftLabels
+    head: EncoderHead
+    rounds: tuple[Round, ...]
 
 
 def teach(
     utterances: Sequence[LabelledUtterance],
     encoded: Encoded,
-    weights: dict[str, float],
+    weights: Mapping[str, float],
+    people: AbstractSet[str],
+    left_out: AbstractSet[str],
     seed: int,
-    folder: Path,
     on_progress: OnShare,
-) -> tuple[dict[str, NDArray[np.float16]], EncoderHead]:
-    """Return what heads hear in all recordings that did not hear their speakers before, and a head that heard all.
+) -> Taught:
+    """Train heads, have them recognise the recordings of speakers that they did not learn from, and move labels.
 
     Parameters
     ----------
     utterances : all recordings, labelled or not.
     encoded : the files with their states.
     weights : how much each speaker counts, by name.
+    people : speakers whose labels may be moved.
+    left_out : speakers from whom no head learns but the last, which learns from all.
     seed : of all chance.
-    folder : for the results; what lies there already is taken.
     on_progress : is told of the share that is done.
     """
-    heard, head_file = folder / SOFT_LABELS, folder / HEAD
-    if not (heard.is_file() and head_file.is_file()):
-        projection = projection_of(encoded, seed)
-        lesson = lesson_of(utterances, encoded, weights, projection)
-        groups = folds_of(list(weights), GROUPS)
-        soft_labels: dict[str, NDArray[np.float16]] = {}
-        for k, group in enumerate((*groups, set[str]())):
-            head = train_head(lesson, group, projection, seed, partial(_tell, on_progress, k))
-            for key in (key_of(u) for u in utterances if u.voice in group):
-                soft_labels[key] = head.probabilities(np.load(encoded[key])).astype(np.float16)
-        save_soft_labels(soft_labels, heard)
-        save_head(head, head_file)
-    return load_soft_labels(heard), load_head(head_file)
+    projection = projection_of(encoded, seed)
+    groups = folds_of(list(weights), GROUPS)
+    n_heads = (ROUNDS + 1) * GROUPS + 1
+    n_done = 0
 
+    def head_of(labelled: _Labelled, strange: AbstractSet[str]) -> EncoderHead:
+        nonlocal n_done
+        found = _train_head(
+            labelled, strange, projection, seed, lambda share: on_progress((n_done + share) / n_heads)
+        )
+        n_done += 1
+        return found
 
-def _tell(on_progress: OnShare, k: int, share: float) -> None:
-    on_progress((k + share) / (GROUPS + 1))
+    def listen(said: Sequence[LabelledUtterance]) -> SoftLabels:
+        labelled = _Labelled.of([u for u in said if u.labels], encoded, weights, projection)
+        found: dict[str, NDArray[np.float16]] = {}
+        for group in groups:
+            head = head_of(labelled, group | left_out)
+            for key in (key_of(u) for u in said if u.voice in group):
+                found[key] = head.probabilities(np.load(encoded[key])).astype(np.float16)
+        return found
+
+    kept, rounds = tuple(utterances), list[Round]()
+    soft_labels = listen(kept)
+    for _ in range(ROUNDS if people else 0):
+        moved = tuple(realigned_by(u, soft_labels[key_of(u)]) if u.voice in people else u for u in kept)
+        after = listen(moved)
+        judged = [(a, b, key_of(a)) for a, b in zip(kept, moved, strict=True) if a.labels and a.voice in people]
+        figures = tuple(
+            macro_f1_of_both((a, b, heard[key]) for a, b, key in judged) for heard in (soft_labels, after)
+        )
+        moves = [moves_of(a.labels, b.labels) for a, b, _ in judged]
+        rounds.append(Round(np.concatenate(moves), (figures[0], figures[1])))
+        if not rounds[-1].gains:
+            break
+        kept, soft_labels = moved, after
+    head = head_of(_Labelled.of([u for u in kept if u.labels], encoded, weights, projection), frozenset())
+    return Taught(kept, soft_labels, head, tuple(rounds))

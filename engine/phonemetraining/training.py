@@ -1,294 +1,371 @@
-"""The training of the learned recogniser: examples in, a model out; interrupted, it goes on where it was."""
+"""The training of the networks, in PyTorch: examples in, a network out; interrupted, it goes on where it was.
 
-import json
-import multiprocessing
-import os
-from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, wait
-from dataclasses import dataclass, replace
+A GPU is used where there is one. Products are of 16-bit numbers (bfloat16) where that is faster: several times on
+processors with instructions for them, and slower on others.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import lru_cache
+from io import BytesIO
 from pathlib import Path
-from typing import Any, TypeVar
+from timeit import repeat
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+import torch
+from torch import Tensor, nn
+from torch.nn import functional
+from torch.optim.swa_utils import AveragedModel
 
-from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
-from phonemeengine.calibration.fine_tuning import Optimiser
-from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.execution import end_with_parent, single_threaded
-from phonemeengine.labels.visemes import Viseme
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import Model, load_model, save_model
+from phonemeengine.arrays import Float32Array, Int64Array
+from phonemeengine.calibration.fine_tuning import VISEME_SHARE, share_of_rate
 from phonemeengine.storage.files import atomic_write
-from phonemetraining.augmentation import augment_spectra
-from phonemetraining.examples import ARRAYS, SpeakerExamples, read_examples
-from phonemetraining.trainable_network import TrainableNetwork, targets_of
-from phonemetraining.validation import anchors_of
+from phonemetraining.config import TrainingConfig
+from phonemetraining.examples import Examples
+from phonemetraining.networks import (
+    HALVES,
+    LEAST_PEAK,
+    N_PHONEMES,
+    SmallNetwork,
+    TrainableEncoder,
+    with_running_floor,
+)
+from phonemetraining.spectra import SMALL_BANDS, WHISPER_BANDS, disturbed, warped
 
-
-class Checkpoint:
-    """A file with the state of a training.
-
-    Parameters
-    ----------
-    path : where it lies; it need not be there yet.
-    """
-
-    def __init__(self, path: Path) -> None:
-        self._path = path
-
-    def keep(self, state: Sequence[Float32Array], generator: np.random.Generator, step: int) -> None:
-        """Write the state; the older one stays until the new one is complete."""
-        about = json.dumps({"step": step, "generator": generator.bit_generator.state}).encode()
-        with atomic_write(self._path) as file:
-            np.savez(file, allow_pickle=False, about=np.frombuffer(about, np.uint8), **_named(state))
-
-    def restore(self, state: Sequence[Float32Array], generator: np.random.Generator) -> int:
-        """Read the state into the arrays and the generator, if there is one; returns the number of steps done."""
-        if not self._path.is_file():
-            return 0
-        with np.load(self._path, allow_pickle=False) as file:
-            for name, array in _named(state).items():
-                array[...] = file[name]
-            about = json.loads(file["about"].tobytes())
-        generator.bit_generator.state = about["generator"]
-        return int(about["step"])
-
-
-def _named(state: Sequence[Float32Array]) -> dict[str, Float32Array]:
-    return {f"array_{k}": array for k, array in enumerate(state)}
-
-
-RARE = 0.35
-"""How much more the frames of a rare sound count: the power of its share; 1 would make all sounds count alike."""
-BOTH_WAYS = (1, 2, 4, 8, 16, 16, 1, 2)
-"""Dilations of the network that hears 0.5 s each way."""
-
-
+SMOOTHING = 0.05
+"""Share of the certainty that is spread over all classes: labels lie a little beside the truth."""
+TEACHER_SHARE = 0.5
+"""How much the teacher counts beside a label (G. Hinton, O. Vinyals and J. Dean, "Distilling the Knowledge in a
+Neural Network", arXiv:1503.02531, at the temperature 1); where there is no label, it alone counts."""
+STATES_SHARE = 0.5
+"""How much the error of the encoder's states counts, which the small network tells too while it is trained."""
 AVERAGED = 300
-"""Steps over which the average reaches back, about."""
+"""Steps over which the average of the weights reaches back, about."""
+CLIP = 1.0
+FASTER = 7.5
+"""How much higher the rate of Muon is than that of AdamW, for steps of the same mean square."""
+DECAY = 0.01
 
 
-@dataclass(frozen=True)
-class TrainingConfig:
-    """How a network is trained.
+def device_of_choice() -> str:
+    """Return where PyTorch works: ``cuda`` where there is a GPU, else ``cpu``."""
+    return "cuda" if torch.cuda.is_available() else "cpu"
+
+
+def reduced_precision(device: str) -> torch.autocast:
+    """Return the context in which products are of 16-bit numbers, where these are the faster ones."""
+    return torch.autocast(device, dtype=torch.bfloat16, enabled=device != "cpu" or bfloat16_pays())
+
+
+@lru_cache(maxsize=1)
+def bfloat16_pays() -> bool:
+    """Return whether the processor multiplies matrices of 16-bit numbers faster, as measured once."""
+    numbers = torch.randn(512, 512)
+    halved = numbers.bfloat16()
+    return min(repeat(lambda: halved @ halved, number=4)) < min(repeat(lambda: numbers @ numbers, number=4))
+
+
+def targets_of(codes: Tensor, heard: Tensor, importance: Tensor, certainties: Tensor) -> tuple[Tensor, Tensor]:
+    """Return what is to be answered of one kind of classes, and how much each frame counts.
+
+    Parameters
+    ----------
+    codes : of the labels, shape (..., n_frames); n_classes or above where the label says nothing of this kind.
+    heard : the teacher's probabilities, shape (..., n_frames, n_classes); zeros where it says nothing.
+    importance : how much a frame of each class counts, shape (n_classes,).
+    certainties : how much each label counts, 0..1, shape (..., n_frames).
+    """
+    n = len(importance)
+    told = certainties * (codes < n)
+    spoken = heard.sum(dim=-1)
+    taught = spoken * torch.where(told > 0, TEACHER_SHARE, 1.0)
+    labelled = told * (1 - TEACHER_SHARE * spoken)
+    known = codes.clamp(max=n - 1).long()
+    smoothed = (1 - SMOOTHING) * functional.one_hot(known, n) + SMOOTHING / n
+    wanted = labelled[..., None] * smoothed + taught[..., None] * heard
+    weights = wanted.sum(dim=-1)
+    meant = torch.where(told > 0, known, heard.argmax(dim=-1))
+    return wanted / weights.clamp(min=1e-9)[..., None], weights * importance[meant]
+
+
+class Lesson(nn.Module):
+    """What a network answers in a batch, and how wrong that is.
+
+    Parameters
+    ----------
+    network : what learns.
+    examples : what it learns from.
+    """
+
+    names: tuple[str, ...] = ("phonemes", "visemes", "certainties", "heard")
+
+    def __init__(self, network: nn.Module, examples: Examples) -> None:
+        super().__init__()
+        self.network = network
+        self._importance = examples.importance()
+
+    def cross_entropy(self, logits: Tensor, batch: dict[str, Tensor], shares: Sequence[float] = (1.0,)) -> Tensor:
+        """Return the error of the answers in a batch.
+
+        Parameters
+        ----------
+        logits : shape (n_batch, n_frames, n_heads, 26); head k answers at frame t for frame t - k.
+        batch : what should be answered.
+        shares : how much each head counts.
+        """
+        heard, certainties = batch["heard"].float(), batch["certainties"].float()
+        total, n = logits.new_zeros((), dtype=torch.float32), logits.shape[1]
+        kinds = (("phonemes", slice(0, N_PHONEMES), 1.0), ("visemes", slice(N_PHONEMES, None), VISEME_SHARE))
+        for (name, part, weight), importance in zip(kinds, self._importance, strict=True):
+            wanted, counts = targets_of(batch[name], heard[..., part], importance, certainties)
+            wanted = wanted * (weight * counts / counts.sum().clamp(min=1e-9))[..., None]
+            logs = logits[..., part].float().log_softmax(dim=-1)
+            for k, share in enumerate(shares):
+                total = total - share * (wanted[:, : n - k] * logs[:, k:, k]).sum()
+        return total
+
+    def optimisers(self) -> list[torch.optim.Optimizer]:
+        """Return what improves the network; their rates are the highest ones."""
+        raise NotImplementedError
+
+
+class EncoderLesson(Lesson):
+    """The causal encoder, in each batch with one of its two look-aheads."""
+
+    names = (*Lesson.names, "mels")
+
+    def __init__(self, network: TrainableEncoder, examples: Examples, config: TrainingConfig) -> None:
+        super().__init__(network, examples)
+        self.network: TrainableEncoder = network
+        self._config = config
+
+    def forward(self, batch: dict[str, Tensor]) -> Tensor:
+        """Return how wrong the answers in a batch are."""
+        mels = disturbed(warped(batch["mels"].float(), WHISPER_BANDS), WHISPER_BANDS)
+        n_ahead = int(torch.randint(2, ()))
+        logits = self.network(self.network.states(with_running_floor(mels, _peaks_before(mels)), n_ahead))
+        return self.cross_entropy(logits[:, :, None], batch)
+
+    def optimisers(self) -> list[torch.optim.Optimizer]:
+        """Return what improves the network: the head learns faster than what Whisper knows."""
+        new = {*self.network.head.parameters(), *self.network.norm.parameters()}
+        old = [parameter for parameter in self.network.parameters() if parameter not in new]
+        groups = [{"params": old, "lr": self._config.encoder_rate}, {"params": [*new], "lr": self._config.head_rate}]
+        return [torch.optim.AdamW(groups, weight_decay=DECAY)]
+
+
+def _peaks_before(mels: Tensor) -> Tensor:
+    """Draw the loudest band that was heard before each stretch, anything from nothing to what is loudest in it."""
+    loudest = mels.amax(dim=(1, 2))[:, None]
+    return LEAST_PEAK + (loudest - LEAST_PEAK) * torch.rand_like(loudest)
+
+
+class SmallLesson(Lesson):
+    """A small network, which an encoder may teach besides: its probabilities and its states.
+
+    Parameters
+    ----------
+    teacher : a causal encoder that learned from the same speakers; None for none.
+    """
+
+    def __init__(
+        self, network: SmallNetwork, examples: Examples, config: TrainingConfig, teacher: TrainableEncoder | None
+    ) -> None:
+        super().__init__(network, examples)
+        self.network: SmallNetwork = network
+        self._config, self._teacher = config, [] if teacher is None else [teacher.eval()]  # a list: it does not learn
+        self.names = (*Lesson.names, "log_powers", *(("mels",) if teacher else ()))
+        self.to_states = nn.Linear(config.width, self._teacher[0].norm.normalized_shape[0]) if teacher else None
+
+    def forward(self, batch: dict[str, Tensor]) -> Tensor:
+        """Return how wrong the answers in a batch are."""
+        network, batch = self.network, dict(batch)
+        hidden = network.hidden(disturbed(warped(batch["log_powers"].float(), SMALL_BANDS), SMALL_BANDS))
+        loss = hidden.new_zeros(())
+        if self.to_states is not None:
+            with torch.no_grad():  # the teacher gets the sound without what is added to it for the student
+                mels = batch["mels"].float()
+                states = self._teacher[0].norm(
+                    self._teacher[0].states(with_running_floor(mels, mels.amax(dim=(1, 2))[:, None]))
+                )
+                shares = self._teacher[0].head(states).unflatten(2, (HALVES, -1)).flatten(1, 2).float()
+            phonemes, visemes = shares[..., :N_PHONEMES].softmax(-1), shares[..., N_PHONEMES:].softmax(-1)
+            batch["heard"] = (batch["heard"].float() + torch.cat((phonemes, visemes), dim=-1)) / 2
+            # state i looks as far as frame 2 i + 4: a causal network can tell it when it has seen frame 2 i + 5
+            delay = 0 if network.centred else len(network.shares) - 1
+            told = self.to_states(hidden[:, delay::HALVES])
+            states = states[:, : told.shape[1]].float()
+            loss = loss + STATES_SHARE * functional.mse_loss(told.float(), states) / states.var().clamp(min=1e-6)
+        return loss + self.cross_entropy(network(hidden), batch, network.shares)
+
+    def optimisers(self) -> list[torch.optim.Optimizer]:
+        """Return what improves the network.
+
+        Matrices between hidden layers go along their momentum made orthogonal (K. Jordan et al., "Muon: An optimizer
+        for hidden layers in neural networks", 2024), all else as AdamW has it (I. Loshchilov and F. Hutter,
+        arXiv:1711.05101).
+        """
+        rate, matrices = self._config.rate, self.network.matrices
+        chosen = {id(matrix) for matrix in matrices}
+        others = [parameter for parameter in self.parameters() if id(parameter) not in chosen]
+        muon = torch.optim.Muon(matrices, FASTER * rate, weight_decay=DECAY, adjust_lr_fn="match_rms_adamw")
+        return [muon, torch.optim.AdamW(others, rate, weight_decay=DECAY)]
+
+
+@torch.no_grad()
+def _averaged(means: Sequence[Tensor], values: Sequence[Tensor], n: Tensor | int) -> None:
+    """Let averages follow values (B. Polyak and A. Juditsky, SIAM J. Control Optim. 30(4), 1992)."""
+    share = max(1 / AVERAGED, 10 / (int(n) + 10))
+    for mean, value in zip(means, values, strict=True):
+        if mean.is_floating_point():
+            mean.lerp_(value.to(mean.dtype), share)
+        else:  # the number of batches that a normalisation saw
+            mean.copy_(value)
+
+
+@dataclass
+class Training:
+    """A training that goes on step by step.
 
     Attributes
     ----------
-    width, dilations, dropout : of the network.
-    centred : whether it hears as far ahead as back.
-    n_epochs : times that everything is gone through.
-    batch_size, n_frames : size of a batch: so many stretches of so many frames.
-    rate : the highest learning rate.
+    lesson : what learns, and from what.
+    examples : all of them.
+    n_epochs, batch_size, n_frames : how often it goes through them, in what batches.
     seed : of all chance.
-    """
-
-    width: int = 112
-    dilations: tuple[int, ...] = (1, 2, 4, 8, 16, 1, 2, 4)
-    dropout: float = 0.1
-    centred: bool = False
-    n_epochs: int = 10
-    batch_size: int = 8
-    n_frames: int = 400
-    rate: float = 4e-3
-    seed: int = 1
-
-
-class ExponentialAverage:
-    """A slow average of arrays (B. Polyak and A. Juditsky, SIAM J. Control Optim. 30(4), 1992)."""
-
-    def __init__(self, values: list[Float32Array]) -> None:
-        self._values = values
-        self.means = [v.copy() for v in values]
-        self.n_done = 0
-
-    def update(self) -> None:
-        """Take in what the arrays are now."""
-        self.n_done += 1
-        share = np.float32(max(1 / AVERAGED, 10 / (self.n_done + 10)))
-        for mean, value in zip(self.means, self._values, strict=True):
-            np.add(mean, share * (value - mean), out=mean)
-
-    def apply(self) -> None:
-        """Write the averages into the arrays."""
-        for mean, value in zip(self.means, self._values, strict=True):
-            value[...] = mean
-
-
-def train(
-    voices: Sequence[SpeakerExamples],
-    config: TrainingConfig,
-    progress: Callable[[int, int, float], object] = lambda *_: None,
-    checkpoint: Checkpoint | None = None,
-) -> Model:
-    """Train a model.
-
-    Parameters
-    ----------
-    voices : what to learn from.
-    config : how.
-    progress : is told the step, the number of steps and the loss.
-    checkpoint : keeps the state after each epoch; a training that was interrupted goes on from there, and ends
-        with the same model.
-    """
-    generator = np.random.default_rng(config.seed)
-    network = TrainableNetwork(config.width, config.dilations, config.dropout, generator, centred=config.centred)
-    importance, viseme_importance = _importance(voices)
-    n_steps = config.n_epochs * sum(1 for _ in _batches(voices, config, np.random.default_rng(config.seed)))
-    optimiser = Optimiser(network.values, n_steps, config.rate, network.hidden)
-    average = ExponentialAverage([*network.values, *network.statistics])
-    state = [*network.values, *network.statistics, *optimiser.moments, *average.means]
-    step = 0 if checkpoint is None else checkpoint.restore(state, generator)
-    optimiser.n_done = average.n_done = step
-    while step < n_steps:
-        for log_powers, codes, visemes, certainties, heard in _batches(voices, config, generator):
-            augmented = augment_spectra(np.power(np.float32(10), log_powers.astype(np.float32)), generator)
-            counts, soft = certainties.astype(np.float32), heard.astype(np.float32)
-            phoneme_targets = targets_of(codes, soft[..., : len(Phoneme)], importance, counts)
-            viseme_targets = targets_of(visemes, soft[..., len(Phoneme) :], viseme_importance, counts)
-            loss = network.learn(augmented, phoneme_targets, viseme_targets)
-            optimiser.step(network.gradients)
-            average.update()
-            step += 1
-            progress(min(step, n_steps), n_steps, loss)
-            if step == n_steps:
-                break
-        if checkpoint is not None:
-            checkpoint.keep(state, generator, step)
-    average.apply()
-    return network.finished()
-
-
-Batch = tuple[NDArray[np.float16], UInt8Array, UInt8Array, NDArray[np.float16], NDArray[np.float16]]
-
-
-def _batches(
-    voices: Sequence[SpeakerExamples], config: TrainingConfig, generator: np.random.Generator
-) -> Iterator[Batch]:
-    """Go through everything once: stretches of joined recordings of one voice, all voices mixed."""
-    segments = [s for voice in voices for s in _segments(voice, config.n_frames, generator)]
-    order = generator.permutation(len(segments))
-    for k in range(0, len(segments) - config.batch_size + 1, config.batch_size):
-        chosen = [segments[i] for i in order[k : k + config.batch_size]]
-        yield tuple(np.stack(part) for part in zip(*chosen, strict=True))  # type: ignore[misc]
-
-
-def _segments(voice: SpeakerExamples, n_frames: int, generator: np.random.Generator) -> Iterator[Batch]:
-    n_times = int(voice.weight) + (generator.random() < voice.weight % 1)
-    for _ in range(n_times):
-        order = generator.permutation(len(voice.recordings))
-        drawn = [voice.recordings[i][generator.integers(len(voice.recordings[i]))] for i in order]
-        arrays = [np.concatenate([getattr(example, name) for example in drawn]) for name in ARRAYS]
-        first = int(generator.integers(0, n_frames // 2))
-        for k in range(first, len(arrays[0]) - n_frames + 1, n_frames):
-            yield tuple(array[k : k + n_frames] for array in arrays)  # type: ignore[misc]
-
-
-def _importance(voices: Sequence[SpeakerExamples]) -> tuple[Float32Array, Float32Array]:
-    """Return how much a frame of each phoneme, and of each viseme, counts."""
-    counts, visemes = np.ones(len(Phoneme)), np.ones(len(Viseme))
-    for voice in voices:
-        for recording in voice.recordings:
-            counts += np.bincount(recording[0].phonemes, minlength=len(Phoneme))[: len(Phoneme)]
-            visemes += np.bincount(recording[0].visemes, minlength=len(Viseme))[: len(Viseme)]
-    weights = _rarities(counts)
-    weights[Phoneme.UNIDENTIFIED] *= 0.8  # what lies between the phonemes counts a little less
-    return weights, _rarities(visemes)
-
-
-def _rarities(counts: Float64Array) -> Float32Array:
-    weights = (counts / counts.sum()) ** -RARE
-    return np.asarray(weights / weights.mean(), np.float32)
-
-
-# Several trainings at a time, one a core, each without some speakers, who are then recognised.
-
-HESITATION = 0.2
-"""How much more an unidentified sound must be the likeliest, in units of the logarithm of its probability: its frames
-are many and of all sorts, and a mouth that stands still where somebody speaks is noticed."""
-WARPS = (0.8, 1.0, 1.2)
-"""Vocal tracts that a model listens with, see `phonemeengine.recognition.learned`; adult voices span about that."""
-
-Answer = TypeVar("Answer")
-
-
-@dataclass(frozen=True)
-class TrainingPart:
-    """One training.
-
-    Attributes
-    ----------
-    name : of its files: the model, and the state of a training that goes on.
-    config : how.
-    left_out : recordings of those speakers who do not take part.
-    """
-
-    name: str
-    config: TrainingConfig
-    left_out: tuple[LabelledUtterance, ...] = ()
-
-
-def train_parts(
-    parts: Sequence[TrainingPart],
-    examples: Path,
-    weights: dict[str, float],
-    answers_of: Callable[[Model, Sequence[LabelledUtterance]], Answer],
-    on_progress: Callable[[float], object],
-) -> list[tuple[Model, Answer]]:
-    """Return the model of each training and its answers in what was left out; as many at a time as there are cores.
-
-    Parameters
-    ----------
-    parts : the trainings.
-    examples : the folder with all examples; the models are written there too, and those that are there are taken.
-    weights : of the speakers by their names.
-    answers_of : lets a model recognise recordings, in a process of its own.
+    checkpoint : the file that keeps its state after each epoch; None for none.
     on_progress : is told of the share that is done.
     """
-    spawned = multiprocessing.get_context("spawn")
-    done = spawned.Array("d", len(parts))
-    with single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _share, (done,)) as pool:
-        jobs = [pool.submit(_train_without, k, part, examples, weights, answers_of) for k, part in enumerate(parts)]
-        while wait(jobs, timeout=0.5).not_done:
-            on_progress(sum(done[:]) / len(jobs))
-        return [job.result() for job in jobs]
+
+    lesson: Lesson
+    examples: Examples
+    n_epochs: int
+    batch_size: int
+    n_frames: int
+    seed: int
+    checkpoint: Path | None = None
+    on_progress: Callable[[float], object] = field(default=lambda _share: None)
+
+    def run(self) -> None:
+        """Train; in the end the network has the average of its weights over the last steps."""
+        device = self.examples.device
+        lesson = self.lesson.to(device).train()
+        generator = np.random.default_rng(self.seed)
+        per_epoch = max(
+            1, len(self.examples.epoch(self.n_frames, np.random.default_rng(self.seed))) // self.batch_size
+        )
+        n_steps = self.n_epochs * per_epoch
+        optimisers = lesson.optimisers()
+        schedules = [
+            torch.optim.lr_scheduler.LambdaLR(o, lambda step: share_of_rate((step + 1) / n_steps)) for o in optimisers
+        ]
+        average = AveragedModel(lesson.network, torch.device(device), multi_avg_fn=_averaged, use_buffers=True)
+        parts: dict[int, Any] = dict(enumerate((lesson, average, *optimisers, *schedules)))
+        epoch = self._restored(parts, generator)
+        for done in range(epoch, self.n_epochs):
+            stretches = self.examples.epoch(self.n_frames, generator)
+            for k in range(per_epoch):
+                self._step(stretches[k * self.batch_size :][: self.batch_size], optimisers)
+                for schedule in schedules:
+                    schedule.step()
+                average.update_parameters(lesson.network)
+                self.on_progress((done + (k + 1) / per_epoch) / self.n_epochs)
+            self._keep(parts, generator, done + 1)
+        lesson.network.load_state_dict(average.module.state_dict())
+        lesson.eval()
+
+    def _step(self, frames: Int64Array, optimisers: Sequence[torch.optim.Optimizer]) -> None:
+        if not len(frames):
+            return
+        batch = self.examples.batch(frames, *self.lesson.names)
+        with reduced_precision(self.examples.device):
+            loss = self.lesson(batch)
+        for optimiser in optimisers:
+            optimiser.zero_grad()
+        loss.backward()
+        nn.utils.clip_grad_norm_(self.lesson.parameters(), CLIP)
+        for optimiser in optimisers:
+            optimiser.step()
+
+    def _keep(self, parts: dict[int, Any], generator: np.random.Generator, n_done: int) -> None:
+        if self.checkpoint is None:
+            return
+        state: dict[str, Any] = {"parts": {k: part.state_dict() for k, part in parts.items()}}
+        state |= {"n_done": n_done, "chance": torch.get_rng_state(), "generator": generator.bit_generator.state}
+        if self.examples.device != "cpu":
+            state["device_chance"] = torch.cuda.get_rng_state()
+        buffer = BytesIO()
+        torch.save(state, buffer)
+        with atomic_write(self.checkpoint) as file:
+            file.write(buffer.getvalue())
+
+    def _restored(self, parts: dict[int, Any], generator: np.random.Generator) -> int:
+        """Take up an interrupted training, and return the epochs that it did."""
+        if self.checkpoint is None or not self.checkpoint.is_file():
+            return 0
+        state = torch.load(self.checkpoint, map_location=self.examples.device, weights_only=True)
+        for name, part in parts.items():
+            part.load_state_dict(state["parts"][name])
+        generator.bit_generator.state = state["generator"]
+        torch.set_rng_state(state["chance"].cpu())
+        if "device_chance" in state:
+            torch.cuda.set_rng_state(state["device_chance"].cpu())
+        return int(state["n_done"])
 
 
-_done: Any = None
-"""How far each training is, 0..1, shared by the processes."""
+def train_small(
+    examples: Examples,
+    config: TrainingConfig,
+    teacher: TrainableEncoder | None = None,
+    checkpoint: Path | None = None,
+    on_progress: Callable[[float], object] = lambda _share: None,
+) -> SmallNetwork:
+    """Return a small network that learned from examples, and from an encoder if there is one."""
+    torch.manual_seed(config.seed)
+    network = SmallNetwork(config.width, config.dilations, config.dropout, centred=config.centred)
+    lesson = SmallLesson(network, examples, config, teacher)
+    Training(
+        lesson, examples, config.n_epochs, config.batch_size, config.n_frames, config.seed, checkpoint, on_progress
+    ).run()
+    return network
 
 
-def _share(done: Any) -> None:
-    global _done  # noqa: PLW0603 - a process is told once, at its beginning
-    end_with_parent()
-    _done = done
+SAMPLE = 8
+"""Stretches of the speech from which the biases of relative positions are taken."""
 
 
-def _train_without(
-    number: int,
-    part: TrainingPart,
-    examples: Path,
-    weights: dict[str, float],
-    answers_of: Callable[[Model, Sequence[LabelledUtterance]], Answer],
-) -> tuple[Model, Answer]:
-    """Train on all voices but those left out, and let the model recognise these."""
-    path, state = examples / f"{part.name}.npz", examples / f"{part.name}-state.npz"
-    if not path.is_file():
-        strange = {utterance.voice for utterance in part.left_out}
-        voices = [v for v in read_examples(examples, weights) if v.name not in strange]
+def train_encoder(
+    examples: Examples,
+    config: TrainingConfig,
+    whisper: Mapping[str, Float32Array],
+    checkpoint: Path | None = None,
+    on_progress: Callable[[float], object] = lambda _share: None,
+) -> TrainableEncoder:
+    """Return the lower layers of Whisper's encoder, made causal, once they learned from examples.
 
-        def count(step: int, n_steps: int, _loss: float) -> None:
-            _done[number] = step / n_steps
-
-        model = _hesitant(train(voices, part.config, count, Checkpoint(state)))
-        save_model(replace(model, warps=WARPS, anchors=anchors_of(voices, part.config.seed)), path)
-        state.unlink(missing_ok=True)
-    _done[number] = 1.0
-    model = load_model(path)
-    return model, answers_of(model, part.left_out)
-
-
-def _hesitant(model: Model) -> Model:
-    less = np.zeros(len(Phoneme), np.float32)
-    less[Phoneme.UNIDENTIFIED] = HESITATION
-    return replace(model, heads=tuple(replace(head, bias=head.bias - less) for head in model.heads))
+    Parameters
+    ----------
+    examples : the speech.
+    config : how.
+    whisper : the encoder's weights by their names.
+    checkpoint : see `Training`.
+    on_progress : is told of the share that is done.
+    """
+    torch.manual_seed(config.seed)
+    network = TrainableEncoder(whisper, config.n_layers, config.dropout).to(examples.device)
+    sample = examples.epoch(config.n_encoder_frames, np.random.default_rng(config.seed))[:SAMPLE]
+    mels = examples.batch(sample, "mels")["mels"].float()
+    network.eval().make_causal(with_running_floor(mels, mels.amax(dim=(1, 2))[:, None]))
+    lesson = EncoderLesson(network, examples, config)
+    Training(
+        lesson,
+        examples,
+        config.n_encoder_epochs,
+        config.encoder_batch,
+        config.n_encoder_frames,
+        config.seed,
+        checkpoint,
+        on_progress,
+    ).run()
+    return network

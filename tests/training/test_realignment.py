@@ -19,7 +19,7 @@ def heard(*said: tuple[Phoneme, float]) -> np.ndarray:
         row[phoneme] = 0.9
         rows += [row] * round(seconds / 0.01)
     found = np.array(rows)
-    return evidence_of(found.astype(np.float16), found[:, : len(Phoneme)])
+    return evidence_of(found.astype(np.float16))
 
 
 def labels(*said: tuple[str, Phoneme, float]) -> tuple[Label, ...]:

@@ -65,7 +65,7 @@ def example_of(
 ) -> TrainingExample:
     """Measure a sound (float32, shape (n,), 44.1 kHz) that is labelled, or of which a teacher tells what it heard."""
     bank = _bank(warp)
-    parts = [np.log10(mel_powers(block, bank) + np.float32(FLOOR)) for block in _windows_of(samples)]
+    parts = [np.log10(mel_powers(block, bank) + np.float32(FLOOR)) for block in windows_of(samples)]
     powers = np.concatenate(parts) if parts else np.zeros((0, bank.shape[1]), np.float32)
     n = len(powers) if heard is not None else 0
     unsaid = np.full(n, NOT_SAID, np.uint8)
@@ -100,7 +100,8 @@ def certainties_of(labels: tuple[Label, ...], n: int) -> NDArray[np.float16]:
     return certainties
 
 
-def _windows_of(samples: Float32Array) -> Iterator[Float32Array]:
+def windows_of(samples: Float32Array) -> Iterator[Float32Array]:
+    """Cut a sound into windows, some at a time, shape (n, 2048)."""
     framer = Framer()
     for windows in (framer.cut_frames(samples), framer.finish()):
         for k in range(0, len(windows), TOGETHER):
