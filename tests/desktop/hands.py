@@ -9,7 +9,7 @@ import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QColor, QImage
+from PySide6.QtGui import QColor, QImage, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -162,6 +162,20 @@ def back_in(window: MainWindow, qtbot: QtBot) -> None:
     """Give the keyboard back to the window after a dialog."""
     window.activateWindow()
     qtbot.waitUntil(window.isActiveWindow)
+
+
+NOTHING_HELD = Qt.KeyboardModifier.NoModifier
+
+
+def turn_wheel(
+    widget: QWidget, notches: int, at: QPointF | None = None, held: Qt.KeyboardModifier = NOTHING_HELD
+) -> bool:
+    """Turn the wheel over a place, the middle unless told otherwise; return whether the widget took it for itself."""
+    place = QPointF(widget.rect().center()) if at is None else at
+    turn, released, phase = QPoint(0, 120 * notches), Qt.MouseButton.NoButton, Qt.ScrollPhase.NoScrollPhase
+    event = QWheelEvent(place, widget.mapToGlobal(place), QPoint(), turn, released, held, phase, False)
+    QApplication.sendEvent(widget, event)
+    return event.isAccepted()
 
 
 def settle() -> None:

@@ -10,6 +10,7 @@ import soundfile
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.recording import Recording
 from phonemeengine.live.recorder import Recorder
+from phonemeengine.settings import HOP
 
 
 def samples_of_16_bits(first: int, n: int, n_channels: int = 1) -> np.ndarray:
@@ -17,6 +18,11 @@ def samples_of_16_bits(first: int, n: int, n_channels: int = 1) -> np.ndarray:
     places = np.arange(first * n_channels, (first + n) * n_channels, dtype=np.uint64)
     whole = (places * np.uint64(6364136223846793005) >> np.uint64(40)) & np.uint64(0xFFFF)
     return ((whole.astype(np.float64) - 32768) / 32768).astype(np.float32).reshape(n, n_channels)
+
+
+def hops_of_16_bits(first: int, n: int) -> np.ndarray:
+    """The same for some hops, in one channel."""
+    return samples_of_16_bits(first * HOP, n * HOP)
 
 
 def samples_in(path: Path) -> np.ndarray:

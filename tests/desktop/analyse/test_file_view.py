@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QColor, QWheelEvent
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE_HEIGHT, LEFT
 from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
@@ -20,9 +19,7 @@ from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
-from tests.desktop.hands import CARDS, click, press, shown
-
-NOTCH = 120
+from tests.desktop.hands import CARDS, click, press, shown, turn_wheel
 
 
 @pytest.fixture
@@ -35,18 +32,7 @@ def panel(desktop, qtbot):
 
 
 def turn(view: FileView, x: float, notches: int, modifiers=Qt.KeyboardModifier.NoModifier) -> None:
-    place = QPointF(x, 20)
-    event = QWheelEvent(
-        place,
-        view.mapToGlobal(place),
-        QPoint(),
-        QPoint(0, NOTCH * notches),
-        Qt.MouseButton.NoButton,
-        modifiers,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(view, event)
+    turn_wheel(view, notches, QPointF(x, 20), modifiers)
 
 
 def drag(view: FileView, begin: float, end: float, modifiers=Qt.KeyboardModifier.NoModifier) -> None:

@@ -14,7 +14,8 @@ from phonemeengine.settings import HOP
 from tests.desktop.studio import DESK, HEADSET, Studio
 from tests.fakes.microphones import HandDrivenMicrophone, offline
 from tests.fakes.players import PRESET, SPEECH, joined
-from tests.fakes.recorders import samples_in, samples_of_16_bits
+from tests.fakes.recorders import hops_of_16_bits as known
+from tests.fakes.recorders import samples_in
 from tests.sounds import noise
 
 HEARD = SPEECH[: len(SPEECH) // HOP * HOP]
@@ -30,18 +31,6 @@ recording.write(np.full((44_100, 1), 0.25, np.float32))
 wait_for(lambda: recording.seconds >= 0.9)
 os._exit(9)
 """
-
-
-@pytest.fixture
-def studio(open_studio: Callable[..., Studio], mic: HandDrivenMicrophone) -> Studio:
-    studio = open_studio(mic)
-    studio.model.listen(PRESET)
-    return studio
-
-
-def known(first: int, n_hops: int) -> np.ndarray:
-    """Samples of 16 bits, n_hops hops of them."""
-    return samples_of_16_bits(first * HOP, n_hops * HOP)
 
 
 # -- listening ----------------------------------------------------------------------------------------

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QSettings, Qt
-from PySide6.QtGui import QImage, QWheelEvent
+from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDockWidget, QSlider
+from PySide6.QtWidgets import QDockWidget, QSlider
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
@@ -22,7 +22,7 @@ from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
-from tests.desktop.hands import LEFT, FileAnswers, click, press, settle, shown, wav
+from tests.desktop.hands import LEFT, FileAnswers, click, press, settle, shown, turn_wheel, wav
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.desk import drawn
 from tests.sounds import vowel
@@ -164,18 +164,7 @@ def _moved(head, to, mouse, modifier):
 def test_the_wheel_and_plus_and_minus_come_nearer_and_go_away(window):
     head = window.talk.head
     far = head.camera.distance
-    place = QPointF(head.width() / 2, head.height() / 2)
-    turned = QWheelEvent(
-        place,
-        head.mapToGlobal(place),
-        QPoint(),
-        QPoint(0, 120),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(head, turned)
+    turn_wheel(head, 1)
     near = head.camera.distance
     assert near < far
     press(window, Qt.Key.Key_Plus)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QFontMetrics, QWheelEvent
+from PySide6.QtGui import QColor, QFontMetrics
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, 
 from phonemeanalyser.desktop.widgets.timeline import GAP, HEADING, HEIGHT, LEFT, Chapter, Timeline, TimelineView
 from phonemeengine.dsp.waveform_peaks import Peaks
 from phonemeengine.settings import FRAME_PERIOD
+from tests.desktop.hands import turn_wheel
 
 BUTTON = Qt.MouseButton.LeftButton
 RED, BLUE, BASE = "#c04040", "#4040c0", LIGHT.base
@@ -170,17 +171,7 @@ def test_the_wheel_zooms_at_the_pointer_a_drag_scrolls_and_all_is_seen_in_any_wi
     view.show_time(0.5)
     place = QPointF(LEFT + 200, 40)
     under = view.lanes.axis.time_at(place.x())
-    turned = QWheelEvent(
-        place,
-        view.mapToGlobal(place),
-        QPoint(),
-        QPoint(0, 120),
-        Qt.MouseButton.NoButton,
-        Qt.KeyboardModifier.NoModifier,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(view, turned)
+    turn_wheel(view, 1, place)
     assert view.lanes.scale == pytest.approx(12.0)
     assert view.lanes.axis.time_at(place.x()) == pytest.approx(under, abs=FRAME_PERIOD)
     first = view.lanes.first
