@@ -1,6 +1,6 @@
 """The model card: what a model was trained on, how, and how well it does on strangers."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import fields
 
 import numpy as np
@@ -165,12 +165,13 @@ def _figures(scores: Scores) -> list[str]:
     return [f"{values['minutes']:.1f}", *(f"{values[name]:.3f}" for name in HEADINGS)]
 
 
-def _by_kind(sources: Iterable[LabelSource]) -> list[list[str]]:
+def _by_kind(sources: Sequence[LabelSource]) -> list[list[str]]:
     rows = [["kind of speech", "speakers", "minutes", "counts"]]
-    for kind in sorted({source.kind for source in sources}):
-        same = [source for source in sources if source.kind == kind]
+    for kind, has_labels in sorted({(source.kind, source.n_labelled > 0) for source in sources}):
+        same = [source for source in sources if (source.kind, source.n_labelled > 0) == (kind, has_labels)]
         minutes = f"{sum(source.minutes for source in same):.0f}"
-        rows.append([KINDS.get(kind, kind), str(len(same)), minutes, f"{same[0].weight:g} x"])
+        words = KINDS.get(kind, kind) + ("" if has_labels else ", without labels")
+        rows.append([words, str(len(same)), minutes, f"{same[0].weight:g} x"])
     return rows
 
 

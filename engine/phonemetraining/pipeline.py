@@ -51,9 +51,9 @@ from phonemetraining.validation import (
 UNKNOWN = "not told"
 
 HUMAN = "human"
-WEIGHTS = {HUMAN: 3.0}
-"""How often the speech of a kind is gone through: recordings of people are rare and matter most. All other kinds
-count once."""
+PEOPLE_WEIGHT, UNLABELLED_WEIGHT = 3.0, 0.5
+"""How often the speech of people is gone through in an epoch: with labels it is rare and matters most, without it is
+taught by soft labels alone. All other kinds count once."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +65,7 @@ class LabelSource:
     name : corpus/speaker.
     language, kind, licence, package : as the manifest says.
     minutes : of speech.
-    n_recordings : how many.
+    n_recordings, n_labelled : how many, and how many of them have labels.
     """
 
     name: str
@@ -75,11 +75,14 @@ class LabelSource:
     package: str
     minutes: float
     n_recordings: int
+    n_labelled: int
 
     @property
     def weight(self) -> float:
         """How often its speech is gone through in an epoch."""
-        return WEIGHTS.get(self.kind, 1.0)
+        if not self.n_labelled:
+            return UNLABELLED_WEIGHT
+        return PEOPLE_WEIGHT if self.kind == HUMAN else 1.0
 
 
 def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
@@ -99,6 +102,7 @@ def sources_of(corpora: Iterable[Path]) -> list[LabelSource]:
             package=entries[0].get("source_package") or UNKNOWN,
             minutes=sum(float(row.get("duration_s") or 0) for row in entries) / 60,
             n_recordings=len(entries),
+            n_labelled=sum(bool(row.get("labels")) for row in entries),
         )
         for name, entries in sorted((name, list(recordings.values())) for name, recordings in rows.items())
     ]

@@ -275,7 +275,10 @@ def teach(
         labelled = _Labelled.of([u for u in said if u.labels], encoded, weights, projection)
         found: dict[str, NDArray[np.float16]] = {}
         for group in groups:
-            head = head_of(labelled, group | left_out)
+            strange = group | left_out
+            if strange >= weights.keys():  # somebody has to be learned from
+                strange = group
+            head = head_of(labelled, strange)
             for key in (key_of(u) for u in said if u.voice in group):
                 found[key] = head.probabilities(np.load(encoded[key])).astype(np.float16)
         return found
