@@ -162,7 +162,7 @@ class OpenEncoder:
         self.n_layers, self.n_channels = (len(inputs) - 4) // 2, _width_of(inputs)
         self._rings = [f"{name}_{k}" for name in ("keys", "values") for k in range(self.n_layers)]
         self._outputs = ["logits", "next_pending", *(f"new_{name}" for name in self._rings)]
-        self._batch: _SideBySide | None = None
+        self._batch: _JoinedRings | None = None
         self._batching = threading.Lock()
         if inputs != live_inputs(self.n_layers, self.n_channels):
             raise ModelError(_DAMAGED)
@@ -202,7 +202,7 @@ class OpenEncoder:
         with self._batching:
             rows = None if self._batch is None else self._batch.rows_of(streams)
             if self._batch is None or rows is None:
-                old, self._batch, rows = self._batch, _SideBySide(streams), list(range(len(streams)))
+                old, self._batch, rows = self._batch, _JoinedRings(streams), list(range(len(streams)))
                 if old is not None:
                     old.dissolve()
             return self._run(streams, n, rows, self._batch.rings)
@@ -224,7 +224,7 @@ class OpenEncoder:
         return answers
 
 
-class _SideBySide:
+class _JoinedRings:
     """Sounds whose rings lie side by side in memory, so that those of many are not copied together each time.
 
     Parameters
