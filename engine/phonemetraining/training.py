@@ -42,6 +42,8 @@ STATES_SHARE = 0.5
 """How much the error of the encoder's states counts, which the small network tells too while it is trained."""
 AVERAGED = 300
 """Steps over which the average of the weights reaches back, about."""
+KEPT_EVERY = 100
+"""Steps after which the state of a training is kept."""
 CLIP = 1.0
 FASTER = 7.5
 """How much higher the rate of Muon is than that of AdamW, for steps of the same mean square."""
@@ -234,7 +236,7 @@ class Training:
     examples : all of them.
     n_epochs, batch_size, n_frames : how often it goes through them, in what batches.
     seed : of all chance.
-    checkpoint : the file that keeps its state after each epoch; None for none.
+    checkpoint : the file that keeps its state, every 100 steps and after each epoch; None for none.
     on_progress : is told of the share that is done.
     """
 
@@ -262,16 +264,21 @@ class Training:
         ]
         average = AveragedModel(lesson.network, torch.device(device), multi_avg_fn=_averaged, use_buffers=True)
         parts: dict[int, Any] = dict(enumerate((lesson, average, *optimisers, *schedules)))
-        epoch = self._restored(parts, generator)
-        for done in range(epoch, self.n_epochs):
+        done = self._restored(parts, generator)
+        while done < n_steps:
+            before = generator.bit_generator.state  # of which the same stretches follow
             stretches = self.examples.epoch(self.n_frames, generator)
-            for k in range(per_epoch):
+            for k in range(done % per_epoch, per_epoch):
                 self._step(stretches[k * self.batch_size :][: self.batch_size], optimisers)
                 for schedule in schedules:
                     schedule.step()
                 average.update_parameters(lesson.network)
-                self.on_progress((done + (k + 1) / per_epoch) / self.n_epochs)
-            self._keep(parts, generator, done + 1)
+                done += 1
+                self.on_progress(done / n_steps)
+                if done % per_epoch == 0:
+                    before = generator.bit_generator.state
+                if done % KEPT_EVERY == 0 or done % per_epoch == 0:
+                    self._keep(parts, before, done)
         lesson.network.load_state_dict(average.module.state_dict())
         lesson.eval()
 
@@ -288,11 +295,11 @@ class Training:
         for optimiser in optimisers:
             optimiser.step()
 
-    def _keep(self, parts: dict[int, Any], generator: np.random.Generator, n_done: int) -> None:
+    def _keep(self, parts: dict[int, Any], generator: Mapping[str, Any], n_done: int) -> None:
         if self.checkpoint is None:
             return
         state: dict[str, Any] = {"parts": {k: part.state_dict() for k, part in parts.items()}}
-        state |= {"n_done": n_done, "chance": torch.get_rng_state(), "generator": generator.bit_generator.state}
+        state |= {"n_done": n_done, "chance": torch.get_rng_state(), "generator": generator}
         if self.examples.device != "cpu":
             state["device_chance"] = torch.cuda.get_rng_state()
         buffer = BytesIO()
@@ -301,7 +308,7 @@ class Training:
             file.write(buffer.getvalue())
 
     def _restored(self, parts: dict[int, Any], generator: np.random.Generator) -> int:
-        """Take up an interrupted training, and return the epochs that it did."""
+        """Take up an interrupted training, and return the number of its steps."""
         if self.checkpoint is None or not self.checkpoint.is_file():
             return 0
         state = torch.load(self.checkpoint, map_location=self.examples.device, weights_only=True)
