@@ -14,7 +14,7 @@ LONG_AGO, LATER = 1_000_000_000, 1_100_000_000
 WHAT_READ_IT = (
     "tests/examples/test_examples.py::test_every_sound_of_a_folder_gets_the_cues_that_rhubarb_would_write",
     "tests/engine/batch/test_fingerprint.py::test_another_process_makes_the_same",
-    "tests/server/test_files.py::test_a_file_is_what_the_command_line_writes[rhubarb-json]",
+    "tests/server/test_files.py::test_a_file_is_what_the_command_line_writes_with_the_same_options[rhubarb-json-fields0]",
     "tests/desktop/test_window_pages.py::test_the_first_picture_does_not_wait_for_the_calibration",
     "tests/desktop/test_crash.py",
 )

@@ -119,7 +119,6 @@ from .performance.track import face_table as face_table
 from .performance.units import UnitKind as UnitKind
 from .phonemes import Phoneme as Phoneme
 from .presets.ears import for_files as for_files
-from .presets.ears import for_live_use as for_live_use
 from .presets.files import load_preset as load_preset
 from .presets.files import save_preset as save_preset
 from .presets.preset import Preset as Preset

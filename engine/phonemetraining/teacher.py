@@ -41,6 +41,8 @@ GROUPS = 4
 """Of speakers, each left out of one head."""
 SAMPLED = 20
 """States of each recording from which the principal components are taken."""
+LARGEST = 6e4
+"""Components are cut off here, which float16 still holds: a few states of a stretch are very large."""
 LEAST_PRIOR = 1e-3
 """Added to the share of each class."""
 ROUNDS = 2
@@ -150,7 +152,8 @@ class _Labelled:
             n = min(len(states), len(frames.phonemes) // HALVES)
             if n == 0:
                 continue
-            found = ((states.astype(np.float32) - projection[0]) @ projection[1]).astype(np.float16)
+            found = (states.astype(np.float32) - projection[0]) @ projection[1]
+            found = np.clip(found, -LARGEST, LARGEST).astype(np.float16)
             components.append(np.pad(found, ((reach, reach), (0, 0)), mode="edge"))
             told = (frames.phonemes, frames.visemes, certainties_of(utterance.labels, HALVES * n))
             halves = [column[: HALVES * n].reshape(n, HALVES) for column in told]
