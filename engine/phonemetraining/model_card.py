@@ -7,11 +7,11 @@ import numpy as np
 
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.encoder.graph import BACK
 from phonemeengine.encoder.head import CONTEXT
 from phonemeengine.encoder.whisper import LAYER, WHISPER_LICENCE
 from phonemeengine.recognition.model import Model
 from phonemeengine.settings import Ear
-from phonemetraining.networks import BACK
 from phonemetraining.pipeline import HESITATION, RESERVED, WARPS, LabelSource, TrainingResult, Validation
 from phonemetraining.teacher import COMPONENTS, GROUPS, HIDDEN
 from phonemetraining.validation import LEAST_READ, MOST_JUDGED, MOST_READ, SAMPLED, SETTINGS

@@ -11,7 +11,11 @@ from torch.nn import functional
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.fine_tuning import HEAD_SHARES
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.encoder.graph import BACK
+from phonemeengine.encoder.head import HALVES
+from phonemeengine.encoder.mel import LEAST_PEAK, PEAK_FALL
 from phonemeengine.encoder.weights import N_MELS, N_STATES
+from phonemeengine.encoder.whisper import DYNAMIC_RANGE
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.model import Model, OutputHead
@@ -125,14 +129,6 @@ def _array(values: Tensor) -> Float32Array:
 # The lower layers of Whisper's encoder (A. Radford et al., arXiv:2212.04356), and their causal form.
 
 N_HEADS = 8
-HALVES = 2
-"""Frames of 10 ms in a state of the encoder."""
-BACK = 150
-"""States that the causal form looks back, 3 s."""
-RANGE = 8.0
-"""Base-10 logarithm of the power below the peak at which the mel bands are cut off, as Whisper was trained."""
-PEAK_FALL, LEAST_PEAK = 0.002, -2.0
-"""How much the peak falls in a frame of 10 ms, and its least value, of a power's base-10 logarithm."""
 
 
 class AttentionLayer(nn.Module):
@@ -315,7 +311,7 @@ def with_running_floor(logarithms: Tensor, start: Tensor) -> Tensor:
     rise = PEAK_FALL * torch.arange(1, logarithms.shape[1] + 1, device=logarithms.device)
     loudest = torch.cat((start, logarithms.amax(dim=2) + rise), dim=1).cummax(dim=1).values[:, 1:]
     peaks = (loudest - rise).clamp(min=LEAST_PEAK)
-    return (torch.maximum(logarithms, peaks[:, :, None] - RANGE) + 4) / 4
+    return (torch.maximum(logarithms, peaks[:, :, None] - DYNAMIC_RANGE) + 4) / 4
 
 
 class HeadNetwork(nn.Module):

@@ -279,11 +279,7 @@ def _prepare(
 
 def real_time_model(weights: Mapping[str, Float32Array], head: EncoderHead) -> LiveEncoder:
     """Return the real-time model with the weights of a causal encoder, and the priors of the teacher's head."""
-    return build_live_encoder(weights, EncoderMix(ENCODER_SHARE, WEAKENED, tuple(map(float, head.priors))))
-
-
-ENCODER_SHARE, WEAKENED = 0.6, 0.0
-"""Of the encoder in the mean of the logarithms of both probabilities, and by how much frequent classes count less."""
+    return build_live_encoder(weights, EncoderMix(priors=tuple(map(float, head.priors))))
 
 
 def _judged(

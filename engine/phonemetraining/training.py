@@ -20,12 +20,12 @@ from torch.optim.swa_utils import AveragedModel
 
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.fine_tuning import VISEME_SHARE, share_of_rate
+from phonemeengine.encoder.head import HALVES
+from phonemeengine.encoder.mel import LEAST_PEAK
 from phonemeengine.storage.files import atomic_write
 from phonemetraining.config import TrainingConfig
 from phonemetraining.examples import Examples
 from phonemetraining.networks import (
-    HALVES,
-    LEAST_PEAK,
     N_PHONEMES,
     SmallNetwork,
     TrainableEncoder,
