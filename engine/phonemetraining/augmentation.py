@@ -87,7 +87,7 @@ def draw_room(generator: np.random.Generator) -> Room:
 
 
 def impulse_response(room: Room, generator: np.random.Generator) -> Float32Array:
-    """Return what the microphone hears of a click at the mouth, shape (n_samples,).
+    """Return what the microphone records of a click at the mouth, shape (n_samples,).
 
     It begins with the direct sound, which has the height 1: neither times nor levels of the speech change.
     """
@@ -231,7 +231,7 @@ class Augmentation:
 
     Attributes
     ----------
-    rate : so many times faster and higher, formants too.
+    rate : factor by which it is faster and higher, formants too.
     warp : of the mel bank, see `phonemeengine.dsp.log_mel.warped_mel_bank`.
     reverberates : whether it is said in a room.
     background : whether there are other sounds.

@@ -3,7 +3,7 @@
 from dataclasses import dataclass, replace
 
 BOTH_WAYS = (1, 2, 4, 8, 16, 16, 1, 2)
-"""Dilations of the network that looks 0.5 s each way."""
+"""Dilations of the network with 0.5 s of context on both sides."""
 
 
 @dataclass(frozen=True)
@@ -15,7 +15,7 @@ class TrainingConfig:
     width, dilations, dropout : of the small network.
     centred : whether it looks as far ahead as back.
     n_epochs : times that it goes through everything.
-    batch_size, n_frames : size of its batches: so many stretches of so many frames.
+    batch_size, n_frames : size of its batches: excerpts, and the frames of each.
     rate : its highest learning rate.
     n_layers : of the encoder.
     n_encoder_epochs, encoder_batch, n_encoder_frames : the same for the encoder.

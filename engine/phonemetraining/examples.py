@@ -18,9 +18,14 @@ from torch import Tensor
 
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import N_HEARD, TrainingExample, example_of, sound_of, windows_of
+from phonemeengine.calibration.training_examples import (
+    N_HEARD,
+    TrainingExample,
+    example_of,
+    sound_of,
+    whisper_mels_of,
+)
 from phonemeengine.dsp.log_mel import N_BANDS
-from phonemeengine.encoder.mel import whisper_log_mels
 from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.errors import CorpusError, EngineError
 from phonemeengine.execution import end_with_parent
@@ -30,10 +35,10 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, reason_of
 from phonemetraining.augmentation import Augmentation, augment, draw_augmentation
 
-# Soft labels: what a teacher that knows many more voices heard in recordings, kept on disk.
+# Soft labels: the probabilities of a teacher that knows many more voices, kept on disk.
 
 SOFT_LABELS, HEAD = "heard.npz", "head.npz"
-"""Files of what the teacher heard, and of a head that heard all."""
+"""Files of the teacher's probabilities, and of those by a head that learned from all."""
 
 SoftLabels = Mapping[str, NDArray[np.float16]]
 """By the key of the recording: shape (n_frames, 26), frames of 10 ms."""
@@ -96,7 +101,7 @@ class RecordingExample(TrainingExample):
 
 @dataclass(frozen=True)
 class _Entry:
-    """Where the variations of a recording lie: in order of the index, so many frames each."""
+    """Where the variations of a recording lie: in order of the index, and how many frames each has."""
 
     voice: str
     lengths: tuple[int, ...]
@@ -110,7 +115,7 @@ def write_examples(
     soft_labels: SoftLabels | None = None,
     progress: Callable[[int], object] = lambda _n: None,
 ) -> None:
-    """Make all examples and write them into a folder, last of all its index; `progress` is told of each recording.
+    """Make all examples and write them into a folder, last of all its index; `progress` is called for each recording.
 
     Raises
     ------
@@ -141,7 +146,7 @@ def store(folder: Path, recordings: Iterable[tuple[str, Sequence[RecordingExampl
 
 
 STRETCHED, RATES = 0.5, (0.85, 1.18)
-"""Share of the stretches that are slowed down or sped up by leaving out or repeating frames, and by how much."""
+"""Share of the excerpts that are slowed down or sped up by leaving out or repeating frames, and by how much."""
 
 
 class Examples:
@@ -175,7 +180,7 @@ class Examples:
                 self._recordings.setdefault(entry["voice"], []).append(spans)
 
     def epoch(self, n_frames: int, generator: np.random.Generator) -> Int64Array:
-        """Return the frames of stretches that go through everything once, shape (n_stretches, n_frames).
+        """Return the frames of excerpts that go through everything once, shape (n_excerpts, n_frames).
 
         Each is of joined recordings of one speaker; all speakers are mixed.
         """
@@ -208,20 +213,31 @@ class Examples:
         weights[Phoneme.UNIDENTIFIED] *= 0.8  # what lies between the phonemes counts a little less
         return weights, _rarities(visemes)
 
-    def anchors(self, n: int, n_frames: int, seed: int) -> Float32Array:
-        """Draw stretches of the speech as it is, shape (n, n_frames, 40): of voices that count more, more often."""
+    def anchors(self, name: str, n: int, n_frames: int, seed: int) -> Float32Array:
+        """Draw excerpts of an array of the speech as it is, of voices that count more, more often.
+
+        Parameters
+        ----------
+        name : of the array, ``log_powers`` or ``mels``.
+        n, n_frames : how many, and frames of each.
+        seed : of chance.
+
+        Returns
+        -------
+        float32, shape (n, n_frames, n_bands).
+        """
         generator = np.random.default_rng(seed)
         long = [[s[0] for s in r if s[0][1] - s[0][0] >= n_frames] for r in self._recordings.values()]
         weights = np.array(
             [self._weights.get(v, 1.0) * bool(some) for v, some in zip(self._recordings, long, strict=True)]
         )
         if not weights.any():
-            return np.zeros((0, n_frames, N_BANDS), np.float32)
+            return np.zeros((0, n_frames, self._arrays[name].shape[1]), np.float32)
         found = []
         for k in generator.choice(len(long), n, p=weights / weights.sum()):
             first, end = long[k][generator.integers(len(long[k]))]
             begin = int(generator.integers(first, end - n_frames + 1))
-            found.append(self._arrays["log_powers"][begin : begin + n_frames].float().cpu().numpy())
+            found.append(self._arrays[name][begin : begin + n_frames].float().cpu().numpy())
         return np.stack(found)
 
 
@@ -235,7 +251,7 @@ def _rarities(counts: Tensor) -> Tensor:
 
 
 def _stretches(frames: Int64Array, n_frames: int, generator: np.random.Generator) -> Iterator[Int64Array]:
-    """Cut joined recordings into stretches of some frames, some of them slower or faster."""
+    """Cut joined recordings into excerpts of some frames, some of them slower or faster."""
     place = int(generator.integers(0, n_frames // 2))
     while True:
         rate = generator.uniform(*RATES) if generator.random() < STRETCHED else 1.0
@@ -294,6 +310,5 @@ def _augmented_example(
         heard = heard[np.minimum(frames.astype(int), len(heard) - 1)]
     varied, warp = augment(samples, variation, generator), round(variation.warp, 2)
     example = example_of(varied, moved, warp, heard)
-    mels = [whisper_log_mels(block, warp).astype(np.float16) for block in windows_of(varied)]
     known = {field.name: getattr(example, field.name) for field in fields(example)}
-    return RecordingExample(**known, mels=np.concatenate([np.zeros((0, N_MELS), np.float16), *mels])[: len(example)])
+    return RecordingExample(**known, mels=whisper_mels_of(varied, warp)[: len(example)].astype(np.float16))

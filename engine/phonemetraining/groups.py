@@ -12,7 +12,7 @@ SHIPPED = Path(__file__).with_name("groups.toml")
 """The groups of the speakers whom the shipped models were trained on."""
 LARGEST_FILE = 1 << 20
 _DEALT = 3
-"""Where no group is known, one speaker of so many is left out."""
+"""Where no group is known, one of this many speakers is left out."""
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from phonemeengine.encoder.graph import BACK
 from phonemeengine.encoder.head import CONTEXT
 from phonemeengine.encoder.whisper import LAYER, WHISPER_LICENCE
 from phonemeengine.recognition.model import Model
-from phonemeengine.settings import Ear
+from phonemeengine.settings import ModelKind
 from phonemetraining.pipeline import HESITATION, RESERVED, WARPS, LabelSource, TrainingResult, Validation
 from phonemetraining.teacher import COMPONENTS, GROUPS, HIDDEN
 from phonemetraining.validation import LEAST_READ, MOST_JUDGED, MOST_READ, SAMPLED, SETTINGS
@@ -23,8 +23,8 @@ HEADINGS = {
     "viseme_accuracy": "mouth shapes right",
     "fine_viseme_accuracy": "right of fifteen visemes",
     "vowel_accuracy": "clear vowels right",
-    "silence_recall": "silence found",
-    "false_silence": "speech called silence",
+    "silence_recall": "silence recall",
+    "false_silence": "false silence",
     "changes_per_s": "changes a second",
     "label_changes_per_s": "changes of the labels",
 }
@@ -103,9 +103,9 @@ def _moved_labels(result: TrainingResult) -> str:
         lengths = [f"{value:.0f} ms" for value in (np.median(far), np.quantile(far, 0.9), 1000 * done.moves.mean())]
         rows.append([str(k), f"{len(far):,}", *lengths, *figures, "kept" if done.gains else "not kept"])
     lead = (
-        "The phone times of people were moved to where a head that did not learn from them hears the sounds change. "
-        "Macro F1 is that of people, by heads that learned from the labels of others before and after, on frames of "
-        "which both say the same.\n\n"
+        "The phone times of people were moved to where a head that did not learn from them finds that the sounds "
+        "change. Macro F1 is that of people, by heads that learned from the labels of others before and after, on "
+        "frames of which both say the same.\n\n"
     )
     return lead + _table(rows)
 
@@ -115,9 +115,9 @@ def _validation(result: TrainingResult) -> str:
         return "Not measured in this training.\n"
     kinds = {source.name: source.kind for source in result.sources}
     rows = [["", "minutes", *HEADINGS.values()]]
-    for ear, found in result.validations.items():
-        rows += [[f"**{ear}, {group}**", *_figures(scores)] for group, scores in found.together.items()]
-    best = result.validations.get(Ear.ENCODER, result.validations[Ear.LIVE])
+    for kind, found in result.validations.items():
+        rows += [[f"**{kind}, {group}**", *_figures(scores)] for group, scores in found.together.items()]
+    best = result.validations.get(ModelKind.ENCODER, result.validations[ModelKind.REAL_TIME])
     rows += [[f"{name} ({kinds.get(name, '')})", *_figures(scores)] for name, scores in best.by_speaker.items()]
     lead = (
         f"{len(result.groups.everybody)} speakers were left out of a first training of all networks, and of the "
@@ -128,25 +128,28 @@ def _validation(result: TrainingResult) -> str:
         "`phonemeanalyser score`. Single speakers are recognised by the real-time model, or by the live network "
         "where there is none.\n\n"
     )
-    further = (_by_look_ahead(result), _one_voice(result), _confidence(result.validations[Ear.LIVE]))
+    further = (_by_look_ahead(result), _one_voice(result), _confidence(result.validations[ModelKind.REAL_TIME]))
     return lead + _table(rows) + "".join(further)
 
 
 def _by_look_ahead(result: TrainingResult) -> str:
-    rows = [["look-ahead", HEADINGS["macro_f1"], HEADINGS["viseme_accuracy"]]]
+    rows = [["", "look-ahead", HEADINGS["macro_f1"], HEADINGS["viseme_accuracy"]]]
     rows += [
-        [f"{1000 * seconds:.0f} ms", *(f"{figure:.3f}" for figure in pair)]
-        for seconds, pair in result.by_look_ahead.items()
+        [kind, f"{1000 * seconds:.0f} ms", *(f"{figure:.3f}" for figure in pair)]
+        for kind, found in result.by_look_ahead.items()
+        for seconds, pair in found.items()
     ]
-    return f"\nThe live network by its look-ahead, on every {SAMPLED}th of the recordings:\n\n{_table(rows)}"
+    return f"\nBy the look-ahead, on every {SAMPLED}th of the recordings:\n\n{_table(rows)}"
 
 
 def _one_voice(result: TrainingResult) -> str:
-    if not result.adapted:
-        return ""
     rows = [["", "minutes", *HEADINGS.values()]]
-    for group, gained in result.adapted.items():
-        rows += [[f"{group}, {when}", *_figures(s)] for when, s in zip(("before", "after"), gained, strict=True)]
+    for kind, groups in result.adapted.items():
+        for group, gained in groups.items():
+            both = zip(("before", "after"), gained, strict=True)
+            rows += [[f"{kind}, {group}, {when}", *_figures(scores)] for when, scores in both]
+    if len(rows) == 1:
+        return ""
     return (
         f"\nBefore and after {LEAST_READ:g} to {MOST_READ:g} s of the speaker were learned, one recording or the "
         "first ones that are as long together, as the guided calibration does; on at most "

@@ -1,4 +1,4 @@
-"""Times people's phones anew: their boundaries move to where the teacher hears the sounds change.
+"""Times people's phones anew: their boundaries move to where the teacher recognises the change.
 
 The phones of people's recordings were timed by an aligner that knew little of their voices. What is said, and in
 which order, stays; each boundary moves by at most `FARTHEST`, to the likeliest places of all together (dynamic
@@ -20,6 +20,7 @@ from phonemeengine.labels.label import Label
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
+from phonemetraining.examples import SoftLabels, key_of
 
 STEP = 0.005
 """Seconds between the places that a boundary may have."""
@@ -48,7 +49,7 @@ def evidence_of(heard: NDArray[np.floating]) -> Float64Array:
 
 
 def realigned(labels: Sequence[Label], evidence: Float64Array) -> tuple[Label, ...]:
-    """Return the labels with moved boundaries; between sounds that nobody could tell apart they stay.
+    """Return the labels with moved boundaries; between sounds that cannot be distinguished they stay.
 
     Parameters
     ----------
@@ -87,7 +88,7 @@ def realigned(labels: Sequence[Label], evidence: Float64Array) -> tuple[Label, .
 
 @dataclass(frozen=True)
 class _LabelledSound:
-    """What is heard of a phone: columns of the evidence."""
+    """The evidence of a phone: columns of the teacher's probabilities."""
 
     phoneme: int
     viseme: int | None
@@ -144,7 +145,7 @@ class Round:
 
 
 def realigned_by(utterance: LabelledUtterance, heard: NDArray[np.floating]) -> LabelledUtterance:
-    """Return a recording whose boundaries lie where the teacher hears the sounds change."""
+    """Return a recording whose boundaries lie where the teacher recognises the change."""
     return replace(utterance, labels=realigned(utterance.labels, evidence_of(heard))) if len(heard) else utterance
 
 
@@ -160,3 +161,18 @@ def macro_f1_of_both(
         named = heard[:n, : len(Phoneme)].argmax(axis=1).astype(np.uint8)
         confusion += confusion_of(old[:n][same], named[same])
     return float(macro_f1_of(confusion, SCORED_PHONEMES))
+
+
+def round_of(
+    versions: Sequence[tuple[LabelledUtterance, LabelledUtterance]], before: SoftLabels, after: SoftLabels
+) -> Round:
+    """Return what a round did.
+
+    Parameters
+    ----------
+    versions : people's recordings, each with the labels before and after it.
+    before, after : what heads say that learned from the labels before and after it.
+    """
+    figures = [macro_f1_of_both((a, b, heard[key_of(a)]) for a, b in versions) for heard in (before, after)]
+    moves = [moves_of(a.labels, b.labels) for a, b in versions]
+    return Round(np.concatenate(moves), (figures[0], figures[1]))

@@ -149,11 +149,11 @@ def _powers(decibels: Tensor) -> Tensor:
 
 
 WARPED, WARPS = 0.5, (0.86, 1.17)
-"""Share of the stretches whose frequencies are scaled, as by a shorter or longer vocal tract, and by how much."""
+"""Share of the excerpts whose frequencies are scaled, as by a shorter or longer vocal tract, and by how much."""
 
 
 def warped(logarithms: Tensor, bands: Bands) -> Tensor:
-    """Scale the frequencies of some stretches of a batch, as other vocal tracts would (VTLP, N. Jaitly and G. Hinton,
+    """Scale the frequencies of some excerpts of a batch, as other vocal tracts would (VTLP, N. Jaitly and G. Hinton,
     ICML workshop 2013); same shape."""
     n, n_frames, n_bands = logarithms.shape
     chance, factor = torch.rand(2, n, 1, device=logarithms.device)

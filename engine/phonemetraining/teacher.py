@@ -1,7 +1,7 @@
-"""The teacher: heads on a lower layer of a speech encoder that has heard everybody, and what they say of recordings.
+"""The teacher: heads on a lower layer of a speech encoder, and what they recognise in recordings.
 
-Each recording is recognised by a head that was trained without its speaker, so that it says what it hears and not
-what it was told. What the heads say also moves the boundaries in the labels of people, which an aligner found; heads
+Each recording is recognised by a head that was trained without its speaker, so that no head repeats what it learned
+by heart. What the heads recognise also moves the boundaries in the labels of people, which an aligner found; heads
 that learn from the moved labels tell whether that helps.
 """
 
@@ -20,9 +20,9 @@ from numpy.typing import NDArray
 from torch import nn
 
 from phonemeengine.arrays import Float32Array, Int64Array
-from phonemeengine.calibration.fine_tuning import VISEME_SHARE, share_of_rate
+from phonemeengine.calibration.fine_tuning import share_of_rate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
-from phonemeengine.calibration.training_examples import certainties_of
+from phonemeengine.calibration.training_examples import N_HEARD, certainties_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, EncoderHead
 from phonemeengine.encoder.whisper import MODEL_FILE, SpeechEncoder, WhisperEncoder
 from phonemeengine.execution import end_with_parent
@@ -31,9 +31,9 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write
 from phonemetraining.examples import SoftLabels, key_of
 from phonemetraining.groups import folds_of
-from phonemetraining.networks import N_PHONEMES, HeadNetwork
-from phonemetraining.realignment import Round, macro_f1_of_both, moves_of, realigned_by
-from phonemetraining.training import device_of_choice, reduced_precision, targets_of
+from phonemetraining.networks import HeadNetwork
+from phonemetraining.realignment import Round, realigned_by, round_of
+from phonemetraining.training import cross_entropy, device_of_choice, reduced_precision
 
 COMPONENTS, HIDDEN = 200, 384
 EPOCHS, BATCH, RATE, DROPOUT = 6, 2048, 2e-3, 0.2
@@ -42,7 +42,7 @@ GROUPS = 4
 SAMPLED = 20
 """States of each recording from which the principal components are taken."""
 LARGEST = 6e4
-"""Components are cut off here, which float16 still holds: a few states of a stretch are very large."""
+"""Components are cut off here, which float16 still holds: a few states of an excerpt are very large."""
 LEAST_PRIOR = 1e-3
 """Added to the share of each class."""
 ROUNDS = 2
@@ -60,7 +60,7 @@ def encode_all(utterances: Sequence[LabelledUtterance], folder: Path, whisper: P
     utterances : the recordings.
     folder : for the states, a file each: float16, shape (n_states, 512), one each 20 ms.
     whisper : the folder of the encoder's model.
-    on_progress : is told of the share that is done.
+    on_progress : called with the share that is done.
 
     Raises
     ------
@@ -164,6 +164,30 @@ class _Labelled:
         joined = torch.from_numpy(np.concatenate(components)).to(device_of_choice())
         return cls(joined, places, phonemes, visemes, certainties, speakers, names, counts)
 
+    def all_but(self, names: Collection[str]) -> Int64Array:
+        """Return the numbers of the states of all other speakers."""
+        strange = np.array([name in names for name in self.names])
+        return np.flatnonzero(~strange[self.speakers])
+
+    def around(self, states: Int64Array) -> torch.Tensor:
+        """Return the components of some states and their context, shape (n, 13 x 200)."""
+        rows = torch.from_numpy(self.places[states, np.newaxis] + np.array(CONTEXT)).to(self.components.device)
+        return self.components[rows].flatten(1).float()
+
+    def counts(self, states: Int64Array) -> Float32Array:
+        """Return how much both halves of some states count, shape (n, 2)."""
+        return self.certainties[states] * self.weights[self.speakers[states], np.newaxis]
+
+    def answers(self, states: Int64Array) -> dict[str, torch.Tensor]:
+        """Return what should be answered to some states, for `cross_entropy`."""
+        arrays: dict[str, NDArray[Any]] = {
+            "phonemes": self.phonemes[states],
+            "visemes": self.visemes[states],
+            "certainties": self.counts(states),
+            "heard": np.zeros((len(states), HALVES, N_HEARD), np.float32),
+        }
+        return {name: torch.from_numpy(array).to(self.components.device) for name, array in arrays.items()}
+
 
 def _train_head(
     labelled: _Labelled, left_out: Collection[str], projection: Projection, seed: int, on_progress: OnShare
@@ -171,39 +195,22 @@ def _train_head(
     """Train a head on all speakers but some."""
     torch.manual_seed(seed)
     generator, device = np.random.default_rng(seed), labelled.components.device
-    strange = np.array([name in left_out for name in labelled.names])
-    chosen = np.flatnonzero(~strange[labelled.speakers])
+    chosen = labelled.all_but(left_out)
     network = HeadNetwork(len(CONTEXT) * COMPONENTS, HIDDEN, DROPOUT).to(device)
+    importance = [torch.ones(len(classes), device=device) for classes in (Phoneme, Viseme)]
     n_batches = max(1, len(chosen) // BATCH)
     n_steps = EPOCHS * n_batches
     optimiser = torch.optim.AdamW(network.parameters(), RATE, weight_decay=0.01)
     schedule = torch.optim.lr_scheduler.LambdaLR(optimiser, lambda step: share_of_rate((step + 1) / n_steps))
-    context = np.array(CONTEXT)
-    kinds = (
-        (labelled.phonemes, slice(0, N_PHONEMES), 1.0),
-        (labelled.visemes, slice(N_PHONEMES, None), VISEME_SHARE),
-    )
     for step in range(n_steps):
         if step % n_batches == 0:
             order = generator.permutation(chosen)
         batch = order[step % n_batches * BATCH :][:BATCH]
-        rows = torch.from_numpy(labelled.places[batch, np.newaxis] + context).to(device)
         with reduced_precision(device.type):
-            logits = network(labelled.components[rows].flatten(1).float())
-        counts = labelled.certainties[batch] * labelled.weights[labelled.speakers[batch], np.newaxis]
-        loss = logits.new_zeros((), dtype=torch.float32)
-        for codes, part, share in kinds:
-            scores = logits[..., part].float()
-            wanted, counted = targets_of(
-                torch.from_numpy(codes[batch]).to(device),
-                torch.zeros_like(scores),
-                torch.ones(scores.shape[-1], device=device),
-                torch.from_numpy(counts).to(device),
-            )
-            errors = -(wanted * scores.log_softmax(dim=-1)).sum(dim=-1)
-            loss = loss + share * (counted * errors).sum() / counted.sum().clamp(min=1e-9)
+            logits = network(labelled.around(batch))
+        loss = cross_entropy(logits[:, :, None], labelled.answers(batch), importance)
         optimiser.zero_grad()
-        loss.backward()
+        torch.autograd.backward(loss)
         nn.utils.clip_grad_norm_(network.parameters(), 1.0)
         optimiser.step()
         schedule.step()
@@ -214,7 +221,7 @@ def _train_head(
 
 def _priors_of(labelled: _Labelled, chosen: Int64Array) -> Float32Array:
     """Return the shares of the phonemes, and of the visemes, in what is learned from, shape (26,)."""
-    counts = labelled.certainties[chosen] * labelled.weights[labelled.speakers[chosen], np.newaxis]
+    counts = labelled.counts(chosen)
     shares = []
     for codes, n_classes in ((labelled.phonemes, len(Phoneme)), (labelled.visemes, len(Viseme))):
         found = np.bincount(codes[chosen].ravel(), counts.ravel(), 256)[:n_classes] + LEAST_PRIOR * counts.sum()
@@ -259,46 +266,65 @@ def teach(
     people : speakers whose labels may be moved.
     left_out : speakers from whom no head learns but the last, which learns from all.
     seed : of all chance.
-    on_progress : is told of the share that is done.
+    on_progress : called with the share that is done.
     """
-    projection = projection_of(encoded, seed)
-    groups = folds_of(list(weights), GROUPS)
-    n_heads = (ROUNDS + 1) * GROUPS + 1
-    n_done = 0
-
-    def head_of(labelled: _Labelled, strange: AbstractSet[str]) -> EncoderHead:
-        nonlocal n_done
-        found = _train_head(
-            labelled, strange, projection, seed, lambda share: on_progress((n_done + share) / n_heads)
-        )
-        n_done += 1
-        return found
-
-    def listen(said: Sequence[LabelledUtterance]) -> SoftLabels:
-        labelled = _Labelled.of([u for u in said if u.labels], encoded, weights, projection)
-        found: dict[str, NDArray[np.float16]] = {}
-        for group in groups:
-            strange = group | left_out
-            if strange >= weights.keys():  # somebody has to be learned from
-                strange = group
-            head = head_of(labelled, strange)
-            for key in (key_of(u) for u in said if u.voice in group):
-                found[key] = head.probabilities(np.load(encoded[key])).astype(np.float16)
-        return found
-
+    heads = _HeadTraining(encoded, weights, left_out, seed, on_progress)
     kept, rounds = tuple(utterances), list[Round]()
-    soft_labels = listen(kept)
+    soft_labels = heads.soft_labels(kept)
     for _ in range(ROUNDS if people else 0):
         moved = tuple(realigned_by(u, soft_labels[key_of(u)]) if u.voice in people else u for u in kept)
-        after = listen(moved)
-        judged = [(a, b, key_of(a)) for a, b in zip(kept, moved, strict=True) if a.labels and a.voice in people]
-        figures = tuple(
-            macro_f1_of_both((a, b, heard[key]) for a, b, key in judged) for heard in (soft_labels, after)
-        )
-        moves = [moves_of(a.labels, b.labels) for a, b, _ in judged]
-        rounds.append(Round(np.concatenate(moves), (figures[0], figures[1])))
+        after = heads.soft_labels(moved)
+        judged = [(a, b) for a, b in zip(kept, moved, strict=True) if a.labels and a.voice in people]
+        rounds.append(round_of(judged, soft_labels, after))
         if not rounds[-1].gains:
             break
         kept, soft_labels = moved, after
-    head = head_of(_Labelled.of([u for u in kept if u.labels], encoded, weights, projection), frozenset())
-    return Taught(kept, soft_labels, head, tuple(rounds))
+    return Taught(kept, soft_labels, heads.of_everybody(kept), tuple(rounds))
+
+
+class _HeadTraining:
+    """Trains heads, one after the other; the parameters are those of `teach`."""
+
+    def __init__(
+        self,
+        encoded: Encoded,
+        weights: Mapping[str, float],
+        left_out: AbstractSet[str],
+        seed: int,
+        on_progress: OnShare,
+    ) -> None:
+        self._encoded, self._weights, self._left_out = encoded, weights, left_out
+        self._seed, self._on_progress, self._n_trained = seed, on_progress, 0
+        self._projection = projection_of(encoded, seed)
+        self._groups = folds_of(list(weights), GROUPS)
+
+    def soft_labels(self, utterances: Sequence[LabelledUtterance]) -> SoftLabels:
+        """Return what heads that learn from the labelled recordings say of those of other speakers."""
+        labelled = self._labelled(utterances)
+        found: dict[str, NDArray[np.float16]] = {}
+        for group in self._groups:
+            strange = group | self._left_out
+            if strange >= self._weights.keys():  # there must be a speaker to learn from
+                strange = group
+            head = self._trained(labelled, strange)
+            for key in (key_of(u) for u in utterances if u.voice in group):
+                found[key] = head.probabilities(np.load(self._encoded[key])).astype(np.float16)
+        return found
+
+    def of_everybody(self, utterances: Sequence[LabelledUtterance]) -> EncoderHead:
+        """Return the head that learns from all speakers."""
+        return self._trained(self._labelled(utterances), frozenset())
+
+    def _labelled(self, utterances: Sequence[LabelledUtterance]) -> _Labelled:
+        return _Labelled.of([u for u in utterances if u.labels], self._encoded, self._weights, self._projection)
+
+    def _trained(self, labelled: _Labelled, left_out: AbstractSet[str]) -> EncoderHead:
+        n_done, n_heads = self._n_trained, (ROUNDS + 1) * GROUPS + 1
+        self._n_trained += 1
+        return _train_head(
+            labelled,
+            left_out,
+            self._projection,
+            self._seed,
+            lambda share: self._on_progress((n_done + share) / n_heads),
+        )

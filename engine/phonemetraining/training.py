@@ -57,7 +57,12 @@ def device_of_choice() -> str:
 
 def reduced_precision(device: str) -> torch.autocast:
     """Return the context in which products are of 16-bit numbers, where these are the faster ones."""
-    return torch.autocast(device, dtype=torch.bfloat16, enabled=device != "cpu" or bfloat16_pays())
+    return torch.autocast(device, dtype=torch.bfloat16, enabled=reduces_precision(device))
+
+
+def reduces_precision(device: str) -> bool:
+    """Return whether products of 16-bit numbers are the faster ones."""
+    return device != "cpu" or bfloat16_pays()
 
 
 @lru_cache(maxsize=1)
@@ -91,6 +96,31 @@ def targets_of(codes: Tensor, heard: Tensor, importance: Tensor, certainties: Te
     return wanted / weights.clamp(min=1e-9)[..., None], weights * importance[meant]
 
 
+def cross_entropy(
+    logits: Tensor, batch: Mapping[str, Tensor], importance: Sequence[Tensor], shares: Sequence[float] = (1.0,)
+) -> Tensor:
+    """Return the error of the answers in a batch.
+
+    Parameters
+    ----------
+    logits : shape (n_batch, n_frames, n_heads, 26); head k answers at frame t for frame t - k.
+    batch : what should be answered: ``phonemes``, ``visemes``, ``certainties`` and the teacher's probabilities,
+        ``heard``; see `targets_of`.
+    importance : how much a frame of each phoneme, and of each viseme, counts.
+    shares : how much each head counts.
+    """
+    heard, certainties = batch["heard"].float(), batch["certainties"].float()
+    total, n = logits.new_zeros((), dtype=torch.float32), logits.shape[1]
+    kinds = (("phonemes", slice(0, N_PHONEMES), 1.0), ("visemes", slice(N_PHONEMES, None), VISEME_SHARE))
+    for (name, part, weight), important in zip(kinds, importance, strict=True):
+        wanted, counts = targets_of(batch[name], heard[..., part], important, certainties)
+        wanted = wanted * (weight * counts / counts.sum().clamp(min=1e-9))[..., None]
+        logs = logits[..., part].float().log_softmax(dim=-1)
+        for k, share in enumerate(shares):
+            total = total - share * (wanted[:, : n - k] * logs[:, k:, k]).sum()
+    return total
+
+
 class Lesson(nn.Module):
     """What a network answers in a batch, and how wrong that is.
 
@@ -105,27 +135,7 @@ class Lesson(nn.Module):
     def __init__(self, network: nn.Module, examples: Examples) -> None:
         super().__init__()
         self.network = network
-        self._importance = examples.importance()
-
-    def cross_entropy(self, logits: Tensor, batch: dict[str, Tensor], shares: Sequence[float] = (1.0,)) -> Tensor:
-        """Return the error of the answers in a batch.
-
-        Parameters
-        ----------
-        logits : shape (n_batch, n_frames, n_heads, 26); head k answers at frame t for frame t - k.
-        batch : what should be answered.
-        shares : how much each head counts.
-        """
-        heard, certainties = batch["heard"].float(), batch["certainties"].float()
-        total, n = logits.new_zeros((), dtype=torch.float32), logits.shape[1]
-        kinds = (("phonemes", slice(0, N_PHONEMES), 1.0), ("visemes", slice(N_PHONEMES, None), VISEME_SHARE))
-        for (name, part, weight), importance in zip(kinds, self._importance, strict=True):
-            wanted, counts = targets_of(batch[name], heard[..., part], importance, certainties)
-            wanted = wanted * (weight * counts / counts.sum().clamp(min=1e-9))[..., None]
-            logs = logits[..., part].float().log_softmax(dim=-1)
-            for k, share in enumerate(shares):
-                total = total - share * (wanted[:, : n - k] * logs[:, k:, k]).sum()
-        return total
+        self.importance = examples.importance()
 
     def optimisers(self) -> list[torch.optim.Optimizer]:
         """Return what improves the network; their rates are the highest ones."""
@@ -147,7 +157,7 @@ class EncoderLesson(Lesson):
         mels = disturbed(warped(batch["mels"].float(), WHISPER_BANDS), WHISPER_BANDS)
         n_ahead = int(torch.randint(2, ()))
         logits = self.network(self.network.states(with_running_floor(mels, _peaks_before(mels)), n_ahead))
-        return self.cross_entropy(logits[:, :, None], batch)
+        return cross_entropy(logits[:, :, None], batch, self.importance)
 
     def optimisers(self) -> list[torch.optim.Optimizer]:
         """Return what improves the network: the head learns faster than what Whisper knows."""
@@ -158,7 +168,7 @@ class EncoderLesson(Lesson):
 
 
 def _peaks_before(mels: Tensor) -> Tensor:
-    """Draw the loudest band that was heard before each stretch, anything from nothing to what is loudest in it."""
+    """Draw the loudest band before each excerpt, anything from nothing to what is loudest in it."""
     loudest = mels.amax(dim=(1, 2))[:, None]
     return LEAST_PEAK + (loudest - LEAST_PEAK) * torch.rand_like(loudest)
 
@@ -199,16 +209,19 @@ class SmallLesson(Lesson):
             told = self.to_states(hidden[:, delay::HALVES])
             states = states[:, : told.shape[1]].float()
             loss = loss + STATES_SHARE * functional.mse_loss(told.float(), states) / states.var().clamp(min=1e-6)
-        return loss + self.cross_entropy(network(hidden), batch, network.shares)
+        return loss + cross_entropy(network(hidden), batch, self.importance, network.shares)
 
     def optimisers(self) -> list[torch.optim.Optimizer]:
         """Return what improves the network.
 
         Matrices between hidden layers go along their momentum made orthogonal (K. Jordan et al., "Muon: An optimizer
         for hidden layers in neural networks", 2024), all else as AdamW has it (I. Loshchilov and F. Hutter,
-        arXiv:1711.05101).
+        arXiv:1711.05101). PyTorch's Muon computes with 16-bit numbers alone: where these are slow, a step of it takes
+        seconds, and AdamW does everything.
         """
         rate, matrices = self._config.rate, self.network.matrices
+        if not reduces_precision(matrices[0].device.type):
+            return [torch.optim.AdamW(self.parameters(), rate, weight_decay=DECAY)]
         chosen = {id(matrix) for matrix in matrices}
         others = [parameter for parameter in self.parameters() if id(parameter) not in chosen]
         muon = torch.optim.Muon(matrices, FASTER * rate, weight_decay=DECAY, adjust_lr_fn="match_rms_adamw")
@@ -237,7 +250,7 @@ class Training:
     n_epochs, batch_size, n_frames : how often it goes through them, in what batches.
     seed : of all chance.
     checkpoint : the file that keeps its state, every 100 steps and after each epoch; None for none.
-    on_progress : is told of the share that is done.
+    on_progress : called with the share that is done.
     """
 
     lesson: Lesson
@@ -266,7 +279,7 @@ class Training:
         parts: dict[int, Any] = dict(enumerate((lesson, average, *optimisers, *schedules)))
         done = self._restored(parts, generator)
         while done < n_steps:
-            before = generator.bit_generator.state  # of which the same stretches follow
+            before = generator.bit_generator.state  # of which the same excerpts follow
             stretches = self.examples.epoch(self.n_frames, generator)
             for k in range(done % per_epoch, per_epoch):
                 self._step(stretches[k * self.batch_size :][: self.batch_size], optimisers)
@@ -339,7 +352,7 @@ def train_small(
 
 
 SAMPLE = 8
-"""Stretches of the speech from which the biases of relative positions are taken."""
+"""Excerpts of the speech from which the biases of relative positions are taken."""
 
 
 def train_encoder(
@@ -357,7 +370,7 @@ def train_encoder(
     config : how.
     whisper : the encoder's weights by their names.
     checkpoint : see `Training`.
-    on_progress : is told of the share that is done.
+    on_progress : called with the share that is done.
     """
     torch.manual_seed(config.seed)
     network = TrainableEncoder(whisper, config.n_layers, config.dropout).to(examples.device)

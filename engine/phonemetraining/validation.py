@@ -15,7 +15,7 @@ from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.calibration.scores.scoring import Answers, scores_of
-from phonemeengine.encoder.live import LiveEncoder
+from phonemeengine.encoder.live import LOOK_AHEADS, LiveEncoder
 from phonemeengine.execution import end_with_parent, single_threaded
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.encoded import OVERLAP, STRETCH, EncodedRecogniser
@@ -24,7 +24,7 @@ from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.smoothing import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
-from phonemeengine.settings import HOP, AnalysisSettings, Ear
+from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings, ModelKind
 
 LEAST_READ, MOST_READ = 5.0, 10.0
 """Seconds that are learned: of one recording, or of the first ones that are as long together."""
@@ -78,8 +78,11 @@ def _seconds(utterance: LabelledUtterance) -> float:
     return utterance.labels[-1].end if utterance.labels else 0.0
 
 
-OTHER_LOOK_AHEADS = (0.0, 0.01, 0.02, 0.03, 0.04)
-"""Seconds that are tried besides that of the settings, on every `SAMPLED`th recording."""
+LOOK_AHEADS_TRIED = {
+    ModelKind.REAL_TIME: (0.0, 0.01, 0.02, 0.03, 0.04, 0.05),
+    ModelKind.ENCODER: tuple(n * FRAME_PERIOD for n in LOOK_AHEADS),
+}
+"""Seconds that are tried with each model for live sound, on every `SAMPLED`th recording."""
 SAMPLED = 8
 SETTINGS = AnalysisSettings(look_ahead=0.05, minimum_hold=0.01, hysteresis=0.1)
 """How a trained model is used, and so how it is validated."""
@@ -97,7 +100,7 @@ def recognise_all(
     ----------
     utterances : the recordings.
     model : a small network.
-    on_progress : is told of the share that is done.
+    on_progress : called with the share that is done.
     encoder : the real-time model that recognises with it; None for none.
 
     Raises
@@ -116,7 +119,7 @@ _preset: Preset
 
 
 def _use(model: Model, encoder: LiveEncoder | None) -> None:
-    global _preset  # noqa: PLW0603 - a process is told once, as it begins
+    global _preset  # noqa: PLW0603 - a process gets it once, as it begins
     end_with_parent()
     _preset = preset_of(model, encoder)
 
@@ -154,7 +157,7 @@ def recognise_by_look_ahead(
 ) -> dict[float, tuple[float, float]]:
     """Return macro F1 and the share of right mouth shapes by the look-ahead, seconds, on every 8th recording."""
     found = {}
-    for seconds in (*OTHER_LOOK_AHEADS, SETTINGS.look_ahead):
+    for seconds in LOOK_AHEADS_TRIED[preset.model_kind]:
         other = replace(preset, settings=replace(SETTINGS, look_ahead=seconds))
         scores = scores_of(predict(utterance, other).answers for utterance in utterances[::SAMPLED])
         found[seconds] = (scores.macro_f1, scores.viseme_accuracy)
@@ -164,4 +167,4 @@ def recognise_by_look_ahead(
 def preset_of(model: Model, encoder: LiveEncoder | None = None) -> Preset:
     """Return the preset by which a trained model is used, maybe together with a real-time model."""
     preset = Preset(recogniser=LEARNED.name, model=model, settings=SETTINGS, successors=UNREPLACED)
-    return preset if encoder is None else replace(preset, live_encoder=encoder, ear=Ear.ENCODER)
+    return preset if encoder is None else replace(preset, live_encoder=encoder, model_kind=ModelKind.ENCODER)
