@@ -1,4 +1,4 @@
-"""The ear and the mouth of PhonemeAnalyser: sound in, phonemes, intensities and mouth shapes out, every 10 ms.
+"""Sound in, phonemes, intensities and mouth shapes out, every 10 ms: the engine of PhonemeAnalyser.
 
 This is the API; what is rarer is imported from its module. A game plays a file, or listens to a microphone, and asks
 whenever it likes; no call waits for sound, and whatever lives is a context manager::
@@ -16,13 +16,13 @@ A program with samples of its own pushes them, cut as they come, or asks about a
     analysis.phonemes, analysis.intensities  # one for each 10 ms that are complete
     phoneme, intensity, confidence = recognise_window(samples[:2048], preset)
 
-Bytes of any rate that come over a network are heard within 60 ms, with their text, if it comes along, aligned::
+Bytes of any rate that come over a network are recognised within 60 ms, with their text, if it comes along, aligned::
 
     speech = IncomingSpeech(preset, StreamFormat(Encoding.S16, 24_000))
     for piece in speech.pieces(data):        # bytes, cut as they come
         speech.hear(piece).analysis.phonemes
 
-A face follows what was heard, and may be looked at whenever a picture is drawn::
+A face follows the phonemes, and may be looked at whenever a picture is drawn::
 
     morpher = Morpher(load_table("arkit"), seed=1)
     morpher.hear(now, phoneme, intensity)    # seconds, of a clock of yours
@@ -69,7 +69,7 @@ What is said in a sound, with how loud and high that is, is said by such a face:
         track = PerformanceTrack(utterance, transcript, table)
         animation = track.animation(transcript, rate=60)      # or performer.play(track.mouth(), start=now)
 
-A preset learns a voice from labelled recordings of it, and is told how right it is on others::
+A preset learns a voice from labelled recordings of it, and is judged on others::
 
     result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
     save_preset(result.preset, "my-voice.toml")

@@ -118,9 +118,9 @@ from .performance.track import PerformanceTrack as PerformanceTrack
 from .performance.track import face_table as face_table
 from .performance.units import UnitKind as UnitKind
 from .phonemes import Phoneme as Phoneme
-from .presets.ears import for_files as for_files
 from .presets.files import load_preset as load_preset
 from .presets.files import save_preset as save_preset
+from .presets.model_choice import for_files as for_files
 from .presets.preset import Preset as Preset
 from .recognition.recognition import Recognition as Recognition
 from .recognition.recognition import RuleComparison as RuleComparison
@@ -132,8 +132,8 @@ from .settings import BIN_WIDTH as BIN_WIDTH
 from .settings import FRAME_PERIOD as FRAME_PERIOD
 from .settings import AnalysisSettings as AnalysisSettings
 from .settings import Channel as Channel
-from .settings import Ear as Ear
 from .settings import Filter as Filter
+from .settings import ModelKind as ModelKind
 from .shipping.targets import ship as ship
 from .speech.pinyin.table import PinyinTable as PinyinTable
 from .speech.pinyin.timing import format_plan as format_plan

@@ -22,9 +22,10 @@ from phonemeengine.errors import SettingsError
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.front_end import FrameBlock, FrontEnd, LevelFrontEnd, LookAheadBuffer, concatenate
 from phonemeengine.features.measure import Features
+from phonemeengine.features.pitch_sets import PitchSetFrontEnd
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_files, for_live_use, recogniser_for, while_played
+from phonemeengine.presets.model_choice import for_files, for_live_use, recogniser_for, while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.plug_ins import completed
 from phonemeengine.recognition.recognition import Recognition
@@ -37,11 +38,8 @@ from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, HOP, SAMPLE_RATE, WI
 BLOCK = 512
 """Most frames that are worked on at once: the arrays of one block stay in the processor's cache."""
 
-HELD_FRAMES = 4
+HELD_FRAMES = 8
 """Frames for which a single window is taken to last: with fewer or more, the network is right less often."""
-
-PRE_ROLL = 100
-"""Frames before a place in a sound that are analysed unseen, so that filters and networks know their past."""
 
 _SILENCE = int(Phoneme.SILENCE)  # which compares faster than the member does
 
@@ -58,7 +56,7 @@ class Analysis(ShortRepr):
     phonemes : uint8, shape (n_frames,): the same after the statistics.
     visemes : uint8, shape (n_frames,): codes of the visemes of the set that go with the phonemes, or `NO_VISEME`.
     intensities : float32, shape (n_frames,): 0..1 from the peak level; 0 where the phoneme is silence.
-    confidences : float32, shape (n_frames,): how sure the phonemes are: the share of such answers that are
+    confidences : float32, shape (n_frames,): the confidence of the phonemes: the share of such answers that are
         right, 0..1; NaN where that is not known, see `sure_of`.
     settings : with which all of this was found.
     viseme_scores : float32, shape (n_frames, n_visemes): how likely each viseme is; None where the recogniser tells
@@ -140,8 +138,8 @@ class Analyser:
     ----------
     preset : what to recognise with.
     rate : of the samples, Hz, 1000..768000; what is not at 44.1 kHz is resampled.
-    live : somebody waits for the answers: look ahead only as far as the preset's ``live_look_ahead``, 10 ms unless it
-        says otherwise, and resample with an even delay, as `Listener` and shipped ears do.
+    live : for live sound: look ahead only as far as the preset's ``live_look_ahead``, 10 ms unless it
+        says otherwise, and resample with an even delay, as `Listener` and the shipped runtime do.
     pitch : measure ``f0`` too, which no rule needs; without it ``f0`` reads 0.
     start : number of the first frame, where the samples begin in the midst of a longer sound.
     phonemes_only : leave spectra, waveforms and variables out where the recogniser needs none; `volume` stays.
@@ -172,7 +170,7 @@ class Analyser:
         self._preset = preset
         self._framer = Framer()
         self._path = self._path_of(preset)
-        self._recogniser = recogniser_for(preset) if recogniser is None else completed(recogniser)
+        self._use(recogniser_for(preset) if recogniser is None else completed(recogniser))
         self._statistics, self._visemes = _statistics_of(preset), VisemeSmoother()
         self._waiting = LookAheadBuffer()
         self._unasked = False
@@ -195,7 +193,7 @@ class Analyser:
 
     @property
     def delay(self) -> float:
-        """How much is held back by the resampler now, seconds."""
+        """Delay of the resampler now, seconds."""
         return self._intake.delay
 
     def set_preset(self, preset: Preset) -> None:
@@ -222,8 +220,8 @@ class Analyser:
 
         Parameters
         ----------
-        samples : shape (n,), or (n, n_channels), of which the mean is heard; float32 within ±1, int16 or int32. NaN
-            and infinity are taken for 0, and counted.
+        samples : shape (n,), or (n, n_channels), of which the mean is analysed; float32 within ±1, int16 or int32.
+            NaN and infinity are taken for 0, and counted.
 
         Raises
         ------
@@ -290,13 +288,16 @@ class Analyser:
             start, measured, recognised, phonemes, visemes, intensities, sure, settings, seen, recognition.viseme_set
         )
 
-    def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd:
+    def _path_of(self, preset: Preset) -> FrontEnd | LevelFrontEnd | PitchSetFrontEnd:
         if self._leaves_features_out(preset):
             return LevelFrontEnd()
+        if preset.pitch_ranges:
+            return PitchSetFrontEnd([p.settings for p in preset.by_pitch], preset.pitch_ranges, preset.variables)
         return FrontEnd(preset.settings, preset.variables, pitch=self._pitch)
 
     def _path_key(self, preset: Preset) -> object:
-        return self._leaves_features_out(preset), preset.settings, preset.variables
+        settings = [p.settings for p in preset.by_pitch]
+        return self._leaves_features_out(preset), settings, preset.pitch_ranges, preset.variables
 
     def _leaves_features_out(self, preset: Preset) -> bool:
         return self._phonemes_only and not spec_of(preset.recogniser).needs_features
@@ -310,14 +311,19 @@ class Analyser:
 
     def _change_recogniser(self, recogniser: Recogniser) -> None:
         """Have the new one asked, with the next frames, about those of which the old one has not said anything."""
-        self._recogniser = recogniser
+        self._use(recogniser)
         self._unasked = True
+
+    def _use(self, recogniser: Recogniser) -> None:
+        self._recogniser = recogniser
+        # asked here, since asking is slow, and each block of each sound wants to know
+        self._joining = recogniser if isinstance(recogniser, Joining) else None
 
 
 def sure_of(
     preset: Preset, phonemes: UInt8Array, scores: Float32Array | None, deficits: Float32Array | None
 ) -> Float32Array:
-    """Return how sure phonemes are, float32, shape (n_frames,): the share of such answers that are right, 0..1.
+    """Return the confidence of phonemes, float32, shape (n_frames,): the share of such answers that are right, 0..1.
 
     Parameters
     ----------
@@ -343,9 +349,9 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
     found: dict[int, Analysis] = {}
     groups: defaultdict[object, dict[int, Joining]] = defaultdict(dict)
     for k, ((analyser, _), cut) in enumerate(zip(pushes, frames, strict=True)):
-        recogniser = analyser._recogniser
-        if isinstance(recogniser, Joining) and not analyser._unasked and 0 < len(cut) <= recogniser.most_together:
-            groups[k if recogniser.kin is None else recogniser.kin][k] = recogniser
+        joining = analyser._joining
+        if joining is not None and not analyser._unasked and 0 < len(cut) <= joining.most_together:
+            groups[k if joining.kin is None else joining.kin][k] = joining
         else:
             found[k] = analyser._analyse(cut)
     for group in groups.values():
@@ -375,7 +381,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
 
 
 class Reading(NamedTuple):
-    """A phoneme, how loud it is, 0..1, and how sure it is: the share of such answers that are right, 0..1, or None.
+    """A phoneme, how loud it is, 0..1, and its confidence: the share of such answers that are right, 0..1, or None.
 
     None says that this is not known: the recogniser has no scores, or is one by rules that was not measured.
     """
@@ -422,7 +428,7 @@ def recognise_window(buffer: ArrayLike, preset: Preset) -> Reading:
 
 
 def _recogniser_key(preset: Preset) -> object:
-    return preset.recogniser, preset.config, preset.ear, preset.live_encoder
+    return preset.recogniser, preset.config, preset.model_kind, preset.live_encoder
 
 
 def _statistics_key(preset: Preset) -> object:
@@ -462,7 +468,7 @@ def analyse_blocks(
 def analyse_file(
     reader: SoundReader, preset: Preset, *, pitch: bool = False, progress: Progress = no_progress
 ) -> Iterator[Analysis]:
-    """Analyse the rest of a sound file with the best ear that the preset has for files, a few seconds at a time.
+    """Analyse the rest of a sound file with the best model that the preset has for files, a few seconds at a time.
 
     Raises
     ------
@@ -481,7 +487,7 @@ def analyse_range(
 
     The frames before `first` that the filters remember are analysed too, but not given.
     """
-    start = max(0, first - PRE_ROLL)
+    start = max(0, first - preset.pre_roll)
     reader.seek(start * HOP)
     for analysis in analyse_blocks(reader.blocks(BLOCK * HOP), while_played(preset), pitch=pitch, start=start):
         wanted = analysis.part(slice(max(0, first - analysis.start), max(0, last - analysis.start)))

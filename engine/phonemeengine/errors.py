@@ -147,7 +147,8 @@ def check_range(
     """
     low, high, unit = limits
     if not (math.isfinite(value) and low <= value <= high):
-        raise error(f"{what} must lie in {low:g}..{high:g} {unit}".rstrip() + f", got {value:g}{remedy}")
+        limit = f"{low:g}..{high:g} {unit}".rstrip()
+        raise error(f"{what} must lie in {limit}, got {value:g}{remedy}")
 
 
 def meant_by(word: str, known: Iterable[str]) -> list[str]:

@@ -17,7 +17,7 @@ THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB
 """What libraries of matrices ask for how many threads they have."""
 
 
-class Cancelled(Exception):  # noqa: N818 - no error: somebody wanted it
+class Cancelled(Exception):  # noqa: N818 - no error: the user asked for it
     """The work was ended before its end; nothing has changed."""
 
 

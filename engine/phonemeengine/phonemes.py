@@ -20,12 +20,16 @@ class Phoneme(IntEnum):
 
     @property
     def label(self) -> str:
-        """The name used in files and on screen, such as ``sch``."""
+        """The name used in files, such as ``sch``; the window calls sz and sch as people write them."""
         return self.name.lower()
 
 
 PHONEMES_BY_LABEL: dict[str, Phoneme] = {phoneme.label: phoneme for phoneme in Phoneme}
 VOWELS = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U)
+
+
+NO_PHONEME = len(Phoneme)
+"""The code of a frame of which nothing is known."""
 
 
 class MouthShape(StrEnum):

@@ -54,17 +54,29 @@ class WindowFunction(StrEnum):
     BLACKMAN_HARRIS = "blackman_harris"
 
 
-class Ear(StrEnum):
-    """What a sound is heard with: by who does not know yet what comes, or who does.
+class ModelKind(StrEnum):
+    """The models of a preset, of which one recognises.
 
-    ``live`` is the preset's own recogniser, ``encoder`` the real-time model together with it, ``twin`` its network
-    for files, which hears as far ahead as back, and ``whisper`` a speech encoder together with the network.
+    ``real-time`` is the preset's own recogniser (rules, templates or the small network), ``encoder`` the lower layers
+    of a speech encoder together with the small network, ``offline`` the network for files, which sees as much of what
+    follows a frame as of what precedes it, and ``whisper`` a head on Whisper base together with the offline model.
+
+    ``ModelKind("live")`` and ``ModelKind("twin")``, as version 1 of presets called two of them, are ``real-time`` and
+    ``offline``.
     """
 
-    LIVE = "live"
+    REAL_TIME = "real-time"
     ENCODER = "encoder"
-    TWIN = "twin"
+    OFFLINE = "offline"
     WHISPER = "whisper"
+
+    @classmethod
+    def _missing_(cls, value: object) -> "ModelKind | None":
+        return OLD_MODEL_KINDS.get(value) if isinstance(value, str) else None
+
+
+OLD_MODEL_KINDS = {"live": ModelKind.REAL_TIME, "twin": ModelKind.OFFLINE}
+"""What presets of version 1 and older options called them."""
 
 
 MOST_CHANNELS = 1024
@@ -171,14 +183,14 @@ _STAGES = (
     Stage(
         Filter.QUANTISE,
         "Quantise",
-        "Keeps every n-th sample. Plain folds high frequencies onto low ones, as the thesis did; anti-aliased "
-        "removes them first.",
+        "Keeps every n-th sample. Plain lets high frequencies alias, as in the thesis; anti-aliased filters them "
+        "out first.",
         (
-            Parameter("quantise", "Quantise", "every", choices=_RATES),
+            Parameter("quantise", "Quantise", "Rate", choices=_RATES),
             Parameter(
                 "decimation",
                 "Decimation",
-                "kind",
+                "Method",
                 choices=tuple((kind.replace("_", "-"), kind) for kind in Decimation),
             ),
         ),
@@ -186,14 +198,14 @@ _STAGES = (
     Stage(
         Filter.PRE_EMPHASIS,
         "Pre-emphasis",
-        "Raises high frequencies: each sample less a share of the one before it.",
+        "Boosts high frequencies: subtracts a share of the previous sample from each sample.",
         (Parameter("pre_emphasis", "Pre-emphasis", step=0.01),),
         strength=0.97,
     ),
     Stage(
         Filter.WINDOW_FUNCTION,
         "Window",
-        "Fades the window's ends, so that a tone stays on few bins. Off is a rectangle.",
+        "Fades each window in and out, which keeps a tone within few bins. Off: rectangle.",
         (
             Parameter(
                 "window_function",
@@ -205,34 +217,34 @@ _STAGES = (
     Stage(
         Filter.FREQUENCY_SMOOTH,
         "Freq. smoothing",
-        "Blurs each bin with its neighbours; 1 is the mean of three.",
+        "Averages each bin with its neighbours; 1 is the mean of three bins.",
         (Parameter("frequency_smooth", "Freq. smoothing", decimals=3),),
         strength=0.5,
     ),
     Stage(
         Filter.TIME_SMOOTH,
         "Time smoothing",
-        "Blurs each spectrum with the one before; nearer 1 is slower.",
+        "Averages each spectrum with the previous one; closer to 1 is slower.",
         (Parameter("time_smooth", "Time smoothing", decimals=3),),
         strength=0.5,
     ),
     Stage(
         Filter.HIGH_PASS,
         "High-pass",
-        "Removes what lies below start (hum, rumble), and fades in up to end.",
+        "Removes frequencies below the start (hum, rumble) and fades in up to the end.",
         (
-            _bound("high_pass_start", "High-pass start", "from", decimals=1, step=10.0),
-            _bound("high_pass_end", "High-pass end", "to", decimals=1, step=10.0),
+            _bound("high_pass_start", "High-pass start", "From", decimals=1, step=10.0),
+            _bound("high_pass_end", "High-pass end", "To", decimals=1, step=10.0),
         ),
         is_range=True,
     ),
     Stage(
         Filter.LOW_PASS,
         "Low-pass",
-        "Fades out from start to end, and removes what lies above.",
+        "Fades out from the start to the end and removes frequencies above.",
         (
-            _bound("low_pass_start", "Low-pass start", "from", decimals=0, step=100.0),
-            _bound("low_pass_end", "Low-pass end", "to", decimals=0, step=100.0),
+            _bound("low_pass_start", "Low-pass start", "From", decimals=0, step=100.0),
+            _bound("low_pass_end", "Low-pass end", "To", decimals=0, step=100.0),
         ),
         is_range=True,
     ),
@@ -246,38 +258,39 @@ _STAGES = (
     Stage(
         Filter.MEL,
         "Mel",
-        "Shows the spectrum through triangular filters, spaced as the ear hears (HTK mel); variables can measure it.",
+        "Shows the spectrum after triangular filters on the mel scale (HTK); variables can measure it.",
         (Parameter("mel_bands", "Mel", low=4, high=80, unit="bands", decimals=0, step=1.0),),
     ),
     Stage(
         Filter.NORMALISE,
         "Normalise",
-        "Divides each spectrum by its largest amplitude: loudness does not matter.",
+        "Divides each spectrum by its largest amplitude, which makes it independent of loudness.",
     ),
     Stage(
         "statistics",
-        "Statistics",
-        "Holds each phoneme for a least time, and replaces an unidentified one by its likeliest follower. With "
-        "hysteresis, another phoneme follows only where it is the better one by so much.",
+        "Smoothing",
+        "Keeps phonemes from flickering: each lasts at least the minimum duration, and an unidentified one is "
+        "replaced by the most likely successor. Another phoneme follows only if its score is higher by the "
+        "stability.",
         (
-            Parameter("minimum_hold", "Minimum hold", "hold", unit="s", step=0.01, usual=0.2),
-            Parameter("hysteresis", "Hysteresis", "hysteresis", optional=True),
+            Parameter("minimum_hold", "Minimum duration", "Minimum", unit="s", step=0.01, usual=0.2),
+            Parameter("hysteresis", "Stability", "Stability", optional=True),
         ),
     ),
     Stage(
         "look_ahead",
         "Look-ahead",
-        "How long the recogniser may wait for what comes after a frame: longer is surer, and later. "
-        "Rules never wait. With a microphone, waiting makes the mouth late, so it has a limit of its own.",
+        "How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. "
+        "Rules need no look-ahead. The microphone has a limit of its own, since there waiting delays the mouth.",
         (
-            Parameter("look_ahead", "Look-ahead", "file", high=0.05, unit="s", step=0.01, optional=True),
-            Parameter("live_look_ahead", "Live look-ahead", "live", high=0.05, unit="s", step=0.01, optional=True),
+            Parameter("look_ahead", "Look-ahead", "Files", high=0.05, unit="s", step=0.01, optional=True),
+            Parameter("live_look_ahead", "Live look-ahead", "Live", high=0.05, unit="s", step=0.01, optional=True),
         ),
     ),
     Stage(
         "intensity",
         "Intensity",
-        "Peak levels at which the intensity is 0 and 1; in silence it is 0 at any level.",
+        "Peak levels at which the intensity is 0 and 1; in silence it is always 0.",
         (
             _level("intensity_low", "Level of intensity 0", "0 at"),
             _level("intensity_high", "Level of intensity 1", "1 at"),

@@ -64,7 +64,7 @@ Timed = tuple[Interval, list[ScriptWord]]
 
 
 def _stretches(groups: Sequence[Timed]) -> Iterator[list[Timed]]:
-    """Return words in stretches that are measured at once, so that what is loud is known."""
+    """Return words in sections that are measured at once, so that the level of loud speech is known."""
     stretch: list[Timed] = []
     for group in groups:
         if stretch and _frame(group[0][1]) - _frame(stretch[0][0][0]) > STRETCH:
@@ -80,7 +80,7 @@ def _frame(time: float) -> int:
 
 
 class _Frames:
-    """What is heard, of which only that stays which may still be asked for."""
+    """The evidence of each frame; only what may still be asked for is kept."""
 
     def __init__(self, evidence: Iterable[Evidence]) -> None:
         self._coming = iter(evidence)
@@ -171,8 +171,8 @@ def align(
 ) -> Utterance:
     """Return where the words of a text are in a sound file.
 
-    Words that nobody says are `Utterance.skipped`; what is said besides is `UNKNOWN_WORD`. Where another text was
-    said, see `is_other_text`, the sound is recognised without it.
+    Words that are not spoken are `Utterance.skipped`; speech besides the text is `UNKNOWN_WORD`. Where another text
+    was said, see `is_other_text`, the sound is recognised without it.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ def align(
     preset : what to recognise with.
     language : the voice of espeak-ng that reads the text, such as ``de`` or ``en-us``.
     lexicon : how words are pronounced that the voice reads otherwise.
-    channel : what is heard of a file of several channels.
+    channel : which channel of the file is analysed.
     literal : take the notation of scripts in a text as words, too; see `words_of`.
     accept_text : align the words even where another text seems to be said.
 
@@ -258,8 +258,8 @@ class ScoredTake:
     path : the sound's file.
     text : the line.
     score : of its words, see `Utterance.score`: 0 fits best; None where none of them is said.
-    skipped : the words that nobody says.
-    n_unknown : stretches in which something else is said.
+    skipped : the words that are not spoken.
+    n_unknown : sections in which something else is said.
     is_other : whether another text is said.
     is_best : whether no other take of the line is better.
     """
@@ -288,7 +288,7 @@ def scored_take(path: Path, text: str, utterance: Utterance) -> ScoredTake:
 
 
 def best_marked(takes: Iterable[ScoredTake]) -> tuple[ScoredTake, ...]:
-    """Return takes in their order, the best one of each line marked; a line that nobody says has none."""
+    """Return takes in their order, the best one of each line marked; a line that was not spoken has none."""
     takes = tuple(takes)
     best: dict[str, ScoredTake] = {}
     for take in takes:

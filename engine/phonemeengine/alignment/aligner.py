@@ -1,7 +1,7 @@
-"""Where the words of a text are in a sound, as it is heard: any length of both, in memory that grows with neither.
+"""Finds when the words of a text are spoken in a recording: any length of both, in memory that grows with neither.
 
-A stretch of the sound is aligned with the words that can be in it at most. All but its end, whose best way may still
-change, is settled up to the end of a word, and the next stretch begins there.
+A section of the sound is aligned with the words that can be in it at most. All but its end, whose best way may still
+change, is settled up to the end of a word, and the next section begins there.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -31,11 +31,11 @@ from phonemeengine.text.pronunciation import ScriptWord
 # Where sounds begin and end, finer than frames: where one suits as well as the next, and where speech has faded.
 
 FADED = 28.0
-"""A sound before a pause ends where it is so many dB below loud speech: synthesizers' own ends lie at 14 to 39."""
+"""A sound before a pause ends this many dB below loud speech: synthesizers' own ends lie at 14 to 39."""
 ABOVE_PAUSE = 8.0
 """Or where it is so little above the pause, dB, if that is louder."""
 LONGEST_FADING = 12
-"""Frames for which a sound may fade after the recogniser hears silence."""
+"""Frames for which a sound may fade after silence is recognised."""
 LOUD = 90
 """Percentile of the level of speech that is loud."""
 
@@ -69,7 +69,7 @@ def _crossing(lead: Float64Array, edge: int) -> float:
 
 
 def _faded(levels: Float32Array, step: WayStep, pause: WayStep, quiet: float) -> float:
-    """Return where a sound before a pause has faded, at the earliest where the recogniser hears silence."""
+    """Return where a sound before a pause has faded, at the earliest where silence is recognised."""
     # Where the room is noisy speech never falls FADED dB; then it ends where it sinks into the noise.
     limit = max(quiet, float(levels[pause.first : pause.last].min()) + ABOVE_PAUSE)
     last = min(step.last + LONGEST_FADING, (pause.first + pause.last) // 2)
@@ -88,7 +88,7 @@ def _faded(levels: Float32Array, step: WayStep, pause: WayStep, quiet: float) ->
 # How badly a text fits a sound, and from when on another text was said.
 #
 # What counts are sounds, not frames: in a text that is said most sounds fit well and a few do not, since they are
-# said or heard otherwise; in another text many of them do not fit. So no sound counts more than `WORST_SOUND`.
+# said or recognised otherwise; in another text many of them do not fit. So no sound counts more than `WORST_SOUND`.
 # Silence does not count, however long it is.
 
 WORST_SOUND = 3.0
@@ -96,7 +96,7 @@ WORST_SOUND = 3.0
 STRANGE_SOUND = 2.0
 """What a sound counts that is said and does not stand in the text."""
 FRAMES_OF_A_SOUND = 8
-"""What is said besides the text has a sound in each so many frames."""
+"""Frames for each sound that is spoken besides the text."""
 WORST_FIT = 1.38
 """Another text was said where its sounds count more in the mean."""
 
@@ -164,13 +164,13 @@ def _of_a_sound(shortfalls: Float64Array) -> float:
 STRETCH, UNSETTLED = 1000, 220
 """Frames that are aligned at once, and how many at their end stay unsettled."""
 MOST_SOUNDS = 200
-"""Sounds of the text that may be in a stretch: 20 a second, more than fast speakers say."""
+"""Sounds of the text that may be in a section: 20 a second, more than fast speakers say."""
 ONLY_THE_TEXT = Prices(silence=3.0)
 PRICES = Prices(silence=3.0, skip=42.0, skip_sound=3.0, strange=35.0, strange_frame=1.0)
 """What does not fit costs so much: of 113 words that are left out 90 are found (of those of up to three sounds 6 in
 10), and in 3 of 158 lines that are said as they are written a word is taken to be left out."""
 PRICES_OF_ACCEPTED = Prices(silence=3.0, skip=126.0, skip_sound=9.0, strange=105.0, strange_frame=3.0)
-"""The same thrice, for a text of which somebody knows that it is said."""
+"""The same thrice, for a text that is known to be spoken."""
 UNHURRIED = 0.6
 """Sounds last their usual least duration where all of them fill no more than this share of the whole sound."""
 AROUND = 8
@@ -180,13 +180,13 @@ MOST_HURRY = 5
 
 
 class Aligner:
-    """Finds the words of a text, one stretch of sound after the other.
+    """Finds the words of a text, one section of the sound after the other.
 
     Parameters
     ----------
     words : the text.
     n_frames : how long the whole sound is: by that it is known how hurried the speech is.
-    accepted : whether somebody knows that the text is said: then less of it is left out.
+    accepted : whether the text is known to be spoken: then less of it is left out.
 
     Raises
     ------
@@ -208,14 +208,14 @@ class Aligner:
 
     @property
     def fit(self) -> TextFit:
-        """How badly the text fits what was heard so far."""
+        """How badly the text fits the sound so far."""
         return self._fit
 
     def push(self, evidence: Evidence) -> None:
-        """Take what is heard next."""
+        """Take the evidence of the next frames."""
         self._waiting.append(evidence)
-        # Settled up to a word that ends well before the end of the stretch; the rest is aligned again with what
-        # follows, so memory holds one stretch, however long sound and text are.
+        # Settled up to a word that ends well before the end of the section; the rest is aligned again with what
+        # follows, so memory holds one section, however long sound and text are.
         while sum(len(part) for part in self._waiting) > STRETCH:
             heard = joined(self._waiting)
             n = self._align(heard.part(slice(STRETCH)), last=False)
@@ -230,8 +230,8 @@ class Aligner:
         return Utterance(tuple(words), duration, language, skipped)
 
     def _align(self, heard: Evidence, *, last: bool) -> int:
-        """Align a stretch, and settle its beginning, or all of it; returns how many frames of it."""
-        # no more of the text than can be said in a stretch: the rest would only cost time
+        """Align a section, and settle its beginning, or all of it; return how many of its frames are settled."""
+        # no more of the text than can be said in a section: the rest would only cost time
         end = int(np.searchsorted(self._n_sounds, self._n_sounds[self._n_words] + MOST_SOUNDS))
         passage = Passage(self._words[self._n_words : end])
         whole = last and end > len(self._words)
@@ -258,7 +258,7 @@ class Aligner:
 
 
 def settled_steps(steps: Sequence[WayStep], limit: int, passage: Passage) -> Sequence[WayStep]:
-    """Return the steps up to the last end of a word before a frame; quiet and strange stretches are cut there."""
+    """Return the steps up to the last end of a word before a frame; pauses and unknown speech are cut there."""
     # The cheapest way hardly changes but near its end, as more sound comes; `UNSETTLED` frames are left for that.
     ends = [k for k, step in enumerate(steps) if step.last <= limit and passage.ends_word(step)]
     n = ends[-1] + 1 if ends else 0

@@ -1,4 +1,4 @@
-"""What is heard in each frame, and how badly it suits each kind of sound."""
+"""The evidence of each frame, and how badly it fits each kind of sound."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,13 +30,13 @@ SHARE_WEIGHT = 0.45
 """The power of its share by which a phoneme's probability is divided: the text says what is said, not its frequency;
 more favours rare phonemes, less whole mouths."""
 LEAST_LIKELY = 1e-4
-"""How likely every phoneme is at least: recognisers are surer than they are right."""
+"""The least probability of a phoneme: recognisers are more confident than they are right."""
 MANNER_WEIGHT = 0.5
 """The power of the likelihood of loudness and sharpness beside the recogniser's probability."""
 SPOKEN = 0.5
 """There is speech where silence is less likely than this."""
 NOTHING, LONG = -85.0, 25
-"""The level below which there is silence, dB, whatever the recogniser says, where it lasts for so many frames: the
+"""The level below which there is silence, dB, whatever the recogniser says, where it lasts for this many frames: the
 closures of stops are shorter."""
 SURENESS = 0.8
 """How likely the answer of a recogniser without scores is taken to be."""
@@ -59,7 +59,7 @@ VISEME_SHARES: dict[Viseme, float] = {
 
 @dataclass(frozen=True)
 class Evidence:
-    """What is heard in consecutive frames.
+    """The evidence of consecutive frames.
 
     Attributes
     ----------
@@ -82,7 +82,7 @@ class Evidence:
 
 
 def evidence_of(analysis: Analysis) -> Evidence:
-    """Return what was heard in a block."""
+    """Return the evidence of a block."""
     scores = scores_in(analysis.features)
     if scores is None:
         scores = np.full((len(analysis), len(Phoneme)), (1 - SURENESS) / (len(Phoneme) - 1), np.float32)

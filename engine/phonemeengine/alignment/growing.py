@@ -22,7 +22,7 @@ LONGEST_WORD = 1000
 SHOWN = 20
 """Letters of a word that are shown."""
 HURRY = 1
-"""Frames by which sounds may be shorter than usual: nobody knows yet how fast the speech is."""
+"""Frames by which sounds may be shorter than usual: the rate of the speech is not known yet."""
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,9 @@ class GrownWords:
     Attributes
     ----------
     settled : words that were settled since the last look; they stay as they are.
-    open : those after them that are heard by now, and may still move, or turn out to be others; the last one may be
+    open : those after them that are recognised by now, and may still move or change; the last one may be
         cut off.
-    skipped : words of the text, as it writes them, of which it was settled since the last look that nobody says them.
+    skipped : words of the text, as it writes them, that were settled since the last look as not spoken.
     """
 
     settled: tuple[Word, ...] = ()
@@ -43,7 +43,7 @@ class GrownWords:
 
 
 class GrowingAligner:
-    """Finds the words of a text that comes in pieces, in a sound that does, in memory that grows with neither.
+    """Finds the words of a text in a sound, while both arrive in chunks, in memory that grows with neither.
 
     Words are looked for in the last seconds of the sound only, so they must come before it, or soon after.
 
@@ -77,7 +77,7 @@ class GrowingAligner:
         self._words += words
 
     def push(self, evidence: Evidence) -> None:
-        """Take what is heard next."""
+        """Take the evidence of the next frames."""
         self._waiting.append(evidence)
         self.n_waiting += len(evidence)
 

@@ -1,6 +1,6 @@
 """How sounds of a manner of articulation sound: how loud, and how much of it at high frequencies.
 
-The recogniser calls n, l, t, k, f alike unidentified, and hears 23 ms at once. What it leaves open, such as where an
+The recogniser calls n, l, t, k, f alike unidentified, and its window is 23 ms. What it leaves open, such as where an
 n becomes a t, the loudness of every 10 ms tells.
 """
 
@@ -19,11 +19,11 @@ from phonemeengine.settings import WINDOW
 HEARD = slice(WINDOW // 2 - 330, WINDOW // 2 + 331)
 """The middle of a window that is measured, 15 ms."""
 QUIETEST = 1e-9
-"""Power below which nothing is told apart; full scale is 1."""
+"""Power below which nothing is distinguished; full scale is 1."""
 DEEPEST, HIGHEST = -60.0, 6.0
-"""The loudness that is told apart, dB beside loud speech."""
+"""The loudness that is distinguished, dB relative to loud speech."""
 DULLEST, SHARPEST = -40.0, 5.0
-"""The sharpness that is told apart, dB."""
+"""The sharpness that is distinguished, dB."""
 LEAST_LIKELY = -12.0
 """A logarithm below which nothing is unlikelier."""
 LOUD = 90
@@ -143,10 +143,10 @@ def measured_of(levels: Float32Array, speaks: Float32Array) -> Float64Array:
     Parameters
     ----------
     levels : as `levels_of` gives them.
-    speaks : how likely it is that somebody speaks, 0..1, shape (n_frames,).
+    speaks : the probability that there is speech, 0..1, shape (n_frames,).
     """
     spoken = levels[speaks > 0.5, 0]
-    # Levels count beside the loud speech of the same stretch, so that neither gain nor distance matters.
+    # Levels count relative to the loud speech of the same section, so that neither gain nor distance matters.
     loud = np.percentile(spoken, LOUD) if len(spoken) else -np.inf
     if len(spoken) < ENOUGH_SPEECH:
         loud = max(loud, np.median(levels[:, 0]) + ABOVE_SILENCE)
@@ -196,7 +196,7 @@ SEEN = {
     Manner.APPROXIMANT: (Viseme.DD, Viseme.NN, Viseme.RR, Viseme.FF, Viseme.TH),
     Manner.FRICATIVE: (Viseme.FF, Viseme.TH, Viseme.KK),
 }
-"""By which visemes sounds that are none of the phonemes are told apart, for each manner."""
+"""By which visemes sounds that are none of the phonemes are distinguished, for each manner."""
 
 KINDS: tuple[SoundKind, ...] = (
     SoundKind(Phoneme.SILENCE, Manner.SILENCE),

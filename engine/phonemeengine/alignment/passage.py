@@ -157,7 +157,7 @@ class Passage:
 
 
 def _strange_words(step: WayStep, shortfalls: Float64Array, first: int) -> Iterator[Word]:
-    """Return what is said in a stretch that the text does not hold: words end where it is silent."""
+    """Return what is said in a section that the text does not hold: words end where it is silent."""
     kinds = shortfalls[step.first : step.last].argmax(axis=1)
     # without a text each frame says what suits it best; runs of equal ones become phones
     runs = [(kind, len(list(frames))) for kind, frames in groupby(_calmed(kinds).tolist())]

@@ -79,7 +79,7 @@ class Prices:
     ----------
     silence : of each pause.
     skip, skip_sound : of a word that is left out, and of each of its sounds.
-    strange, strange_frame : of a stretch that the text does not hold, and of each of its frames.
+    strange, strange_frame : costs of a section that the text does not hold, and of each of its frames.
     """
 
     silence: float = 0.0
@@ -96,7 +96,7 @@ class LeastFrames:
     Attributes
     ----------
     sounds : for each sound of the lattice, shape (n_sounds,).
-    silence, strange : a pause, and a stretch that the text does not hold.
+    silence, strange : a pause, and a section that the text does not hold.
     """
 
     sounds: IndexArray
@@ -176,7 +176,7 @@ class _Search:
         # the cost of leaving out all words up to each junction
         self._skips = np.concatenate([[0.0], np.cumsum(prices.skip + prices.skip_sound * lattice.fewest)])
         # reached[t, j]: the best score with which frame t - 1 is the last one before junction j. The search is exact,
-        # without a beam: stretches are short enough to keep every state.
+        # without a beam: sections are short enough to keep every state.
         self._reached = np.full((n + 1, n_junctions), -np.inf)
         self._whence = np.zeros((n + 1, n_junctions), np.uint8)
         # Every state lasts at least as long as a block, so none that begins in a block ends in it:

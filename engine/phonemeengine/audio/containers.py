@@ -1,4 +1,4 @@
-"""Sound in M4A, MP4, MOV, AAC, WebM, Matroska and WMA, also beside pictures: the only door to FFmpeg's libraries.
+"""Sound in M4A, MP4, MOV, AAC, WebM, Matroska and WMA, also beside pictures: the only module that imports PyAV.
 
 A file is looked through once when it is opened, packet by packet and without decoding, since what such files say of
 their length is often rounded. Packets are known again by their places in the file, so that any sample can be gone to.
@@ -194,7 +194,7 @@ class ContainerDecoder:
             self.frames = max(self.frames, first + len(block) if len(block) else 0)
 
     def _is_regular(self, n_each: int) -> bool:
-        """Return whether each packet, but for the last, has so many samples, and can be found again by its place."""
+        """Return whether each packet but the last has this many samples, and can be found again by its place."""
         places, lengths = np.frombuffer(self._places, np.int64), np.frombuffer(self._lengths, np.int64)
         ticks = n_each / self.samplerate / float(self._track.time_base or 1)
         found = (places >= 0).all() and len(np.unique(places)) == len(places)

@@ -31,7 +31,7 @@ class Mp3Count:
     ----------
     begin : where the first frame with sound begins, bytes.
     lead : a frame without sound that states how many there are ("Xing"), to be put in front of them.
-    exact : whether there was nothing but frames; else there are at most so many as the lead says.
+    exact : whether there was nothing but frames; else the number in the lead is an upper limit.
     """
 
     begin: int

@@ -1,4 +1,4 @@
-"""Sound devices by name: their numbers change with every replug, so nobody keeps them."""
+"""Sound devices by name: their numbers change with every replug, so none is stored."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -98,14 +98,14 @@ def chosen_input(choice: InputChoice, devices: Sequence[Device]) -> Device:
     """
     inputs = inputs_of(devices)
     if not inputs:
-        raise DeviceError("there is no microphone; plug one in, or check that the sound system runs")
+        raise DeviceError("no microphone was found; connect one, or check that the audio system is running")
     if not choice.label:
         return inputs[0]
     found = _named(choice.label, inputs)
     if not found and choice.else_default:
         return inputs[0]
     if len(found) != 1:
-        fault = "fits several" if found else "is not there"
+        fault = "fits several" if found else "is not connected"
         known = ", ".join(d.label for d in found or inputs)
         raise DeviceError(f"the microphone {choice.label!r} {fault}; choose one of: {known}")
     return found[0]

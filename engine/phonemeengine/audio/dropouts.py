@@ -5,7 +5,7 @@ import logging
 WATCHED = 1.0
 """Seconds of which the promptest block tells how far the count is behind."""
 LEAST = 0.008
-"""The least loss that is told from the shifting phase of two buffers, seconds; devices lose whole blocks, of 10 ms
+"""The least loss that the phase of two buffers shows, seconds; devices lose whole blocks, of 10 ms
 and more."""
 SETTLING = 0.5
 """Seconds after the beginning in which cards deliver ahead of time or late, so that no loss can be told."""

@@ -18,9 +18,9 @@ def open_checked(path: Path, name: str) -> BinaryIO:
     """
     try:
         if path.is_dir():
-            raise AudioError(f"{name}: this is a folder, not a sound file; choose a file in it")
+            raise AudioError(f"{name}: this is a folder, not an audio file; choose a file in it")
         if path.exists() and not path.is_file():
-            raise AudioError(f"{name}: this is a device, not a sound file; choose a file")
+            raise AudioError(f"{name}: this is a device, not an audio file; choose a file")
         file = path.open("rb")
     except FileNotFoundError as error:
         raise AudioError(f"{name}: there is no such file; check its name and folder") from error

@@ -39,7 +39,7 @@ READ_VALUES = 1 << 18
 """Most numbers that are read from the disk at once, over all channels."""
 
 WARM_UP = 0.05
-"""Sound before a place that the resampler must have heard to be right there, seconds."""
+"""Sound before a place that the resampler needs to be right there, seconds."""
 
 DECODER_WARM_UP = 1.0
 """The same for decoders of MP3 and Opus, whose frames lean on those before them, seconds."""
@@ -145,14 +145,15 @@ class SoundReader(Closing):
     @property
     def cut_off(self) -> str:
         """What is missing of a file that ends before its header says, as a sentence; empty where it is whole."""
-        extent, there = self._extent, f"{self.duration:.3f} s are there"
+        extent, there = self._extent, f"the file contains {self.duration:.3f} s"
         if not extent.cut_off:
             return ""
         if extent.there == extent.announced:
-            return "it is cut off behind its sound, which is whole"
+            return "the file is truncated after the audio, which is complete"
         if not extent.share:
-            return f"its header does not say how long it is; {there}"
-        return f"it is cut off: of the {self.duration / extent.share:.3f} s that its header announces, {there}"
+            return f"the header gives no duration; {there}"
+        announced = self.duration / extent.share
+        return f"the file is truncated; its header announces {announced:.3f} s, but it contains {self.duration:.3f} s"
 
     def choose(self, channel: Channel) -> None:
         """Analyse another channel; not to be done once something was read.
@@ -163,8 +164,9 @@ class SoundReader(Closing):
         """
         if channel.number > self.n_file_channels:
             n = self.n_file_channels
-            has, choice = ("only one channel", "") if n == 1 else (f"{n} channels", f"one of 1 to {n}, or ")
-            raise AudioError(f"{self._name}: it has {has} and so no channel {channel.number}; choose {choice}the mix")
+            has = "only one channel" if n == 1 else f"{n} channels"
+            choice = "the mix" if n == 1 else f"one of 1 to {n}, or the mix"
+            raise AudioError(f"{self._name}: it has {has} and so no channel {channel.number}; choose {choice}")
         self.channel = channel
         about = os.fstat(self._raw.fileno())
         self._known = _known_mix(str(self.path.absolute()), about.st_size, about.st_mtime_ns, channel)
@@ -315,7 +317,7 @@ class SoundReader(Closing):
             while left > 0 and len(block := decoder.read(min(most, left), dtype="float32", always_2d=True)):
                 left -= len(block)
                 yield np.nan_to_num(block, nan=0.0, posinf=0.0, neginf=0.0)
-        except DecodingError:  # whoever reads on is told
+        except DecodingError:  # reported when reading continues
             return
         finally:
             decoder.close()
@@ -398,7 +400,7 @@ def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder | ContainerDec
     except (DecodingError, TypeError) as error:
         reason = "" if form is None else f" ({error})"
         raise AudioError(
-            f"{name}: this is not a sound file that can be read{reason}; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A "
+            f"{name}: this is not an audio file that can be read{reason}; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A "
             "file"
         ) from error
     except AudioError as error:
@@ -455,4 +457,4 @@ def _notes(reader: SoundReader, *, is_plain: bool) -> Iterator[str]:
     elif n_file_channels > 2 and channel is not Channel.MIX:
         yield f"only channel {channel.number} of {n_file_channels} is used"
     if n_samples < WINDOW:
-        yield f"shorter than one window ({1000 * WINDOW / SAMPLE_RATE:.0f} ms), so silence surrounds it"
+        yield f"shorter than one window ({1000 * WINDOW / SAMPLE_RATE:.0f} ms), padded with silence"

@@ -1,7 +1,7 @@
 """Whether the sizes in a sound file's header can be true, found out without any sound library.
 
 libsndfile believes the sizes that it reads, and can loop for ever in a file whose sizes lie. Files made of chunks
-(WAV, AIFF, W64, CAF and their kin) are therefore walked here first, chunk by chunk; only headers are read.
+(WAV, AIFF, W64, CAF and the like) are therefore walked here first, chunk by chunk; only headers are read.
 """
 
 import io

@@ -1,4 +1,4 @@
-"""A sound that comes in pieces, such as over a network, as mono samples at 44.1 kHz, however its bytes are cut."""
+"""A sound that arrives in chunks, such as over a network, as mono samples at 44.1 kHz, however its bytes are cut."""
 
 import functools
 from collections.abc import Iterator
@@ -35,13 +35,13 @@ _TYPES: dict[Encoding, np.dtype[Any]] = {Encoding.S16: np.dtype("<i2"), Encoding
 
 @dataclass(frozen=True)
 class StreamFormat:
-    """What the bytes of a sound are that comes in pieces.
+    """The format of a sound that arrives in chunks.
 
     Attributes
     ----------
     encoding : how samples stand in them.
     rate : samples per second, 1000..768000; Opus says it itself, and is decoded at 48000.
-    n_channels : samples at each time, one after the other, 1..8, of which the mean is heard; Opus says it itself.
+    n_channels : samples at each time, interleaved, 1..8, of which the mean is analysed; Opus states it itself.
 
     Raises
     ------
@@ -75,7 +75,7 @@ class IncomingSound:
 
     Attributes
     ----------
-    n_silenced : values that were NaN or infinite, and were taken as 0, as the ear in C does.
+    n_silenced : values that were NaN or infinite, and were taken as 0, as the runtime in C does.
 
     Raises
     ------
@@ -96,7 +96,7 @@ class IncomingSound:
 
     @property
     def delay(self) -> float:
-        """How much is held back by the resampler, seconds, as soon as it runs."""
+        """Delay of the resampler, seconds, as soon as it runs."""
         return _steady_delay(self._rate) if self._resampler is not None else 0.0
 
     def pieces(self, data: bytes | bytearray) -> Iterator[Float32Array]:
@@ -118,7 +118,7 @@ class IncomingSound:
             yield mono
 
     def finish(self) -> Float32Array:
-        """Return what was held back, since the sound has ended.
+        """Return the samples that the resampler still holds, since the sound has ended.
 
         Raises
         ------

@@ -19,7 +19,7 @@ STEADINESS = 0.99
 
 
 class Input(Protocol):
-    """Gives what a microphone hears."""
+    """Gives the samples of a microphone."""
 
     name: str
     rate: int

@@ -30,7 +30,7 @@ class Level:
 class PeakMeter:
     """Follows the peak level, holds the highest for a while, and remembers clipping.
 
-    It works when it is read, so that it costs nothing where nobody looks.
+    It works when it is read, so that it costs nothing where it is not read.
     """
 
     def __init__(self) -> None:

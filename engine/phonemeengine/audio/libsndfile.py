@@ -1,4 +1,4 @@
-"""Sound files of every kind, decoded, and FLAC, encoded: the only door to soundfile."""
+"""Sound files of every kind, decoded, and FLAC, encoded: the only module that imports soundfile."""
 
 import io
 import struct
@@ -121,7 +121,7 @@ class FlacEncoder:
         self._sink.raise_refusal()
 
     def mark(self, seconds: float) -> None:
-        """Mark that so many seconds are missing after what was written; only where there is room for marks.
+        """Mark that this many seconds are missing after what was written; only where there is space for marks.
 
         Raises
         ------

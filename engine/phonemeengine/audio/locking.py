@@ -1,4 +1,4 @@
-"""Locks that the system releases when their process dies. The only door to filelock."""
+"""Locks that the system releases when their process dies. The only module that imports filelock."""
 
 from pathlib import Path
 from typing import Any

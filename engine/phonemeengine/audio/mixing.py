@@ -1,4 +1,4 @@
-"""How the channels of a whole sound are mixed so that what sounds in them is heard: measured before it is recognised.
+"""How the channels of a whole file are mixed so that every channel with sound counts: measured before the analysis.
 
 Measuring ends as soon as the sound is found to be an ordinary one; most are within their first second.
 """
@@ -115,13 +115,13 @@ def _mix_of(loud: Float64Array, products: Float64Array | None, tenth: float) -> 
         if not sounding.all():
             numbers = ", ".join(str(k + 1) for k in np.flatnonzero(sounding))
             notes.append(
-                f"only channel {numbers} of {n} sounds and is used"
+                f"only channel {numbers} of {n} has a signal and is used"
                 if sounding.sum() == 1
-                else f"only the channels {numbers} of {n} sound and are mixed"
+                else f"only the channels {numbers} of {n} have a signal and are mixed"
             )
         if (signs < 0).any():
             numbers = ", ".join(str(k + 1) for k in np.flatnonzero(signs < 0))
-            notes.append(f"its channels cancel each other out when mixed; channel {numbers} is turned over")
+            notes.append(f"its channels cancel each other out when mixed; channel {numbers} is inverted")
         if notes:
             weights = tuple(float(sign) / int(sounding.sum()) for sign in signs)
     gain = min(WANTED - peak, MOST_GAIN)

@@ -26,7 +26,7 @@ _HEADER = struct.Struct("<4sBBqIIIB")
 _HEAD = struct.Struct("<8sBBHIhB")
 _CONTINUED, _FIRST, _LAST = 1, 2, 4
 _UNFINISHED = 255
-"""A segment of so many bytes goes on in the next one."""
+"""A segment of this many bytes continues in the next one."""
 _Page = tuple[int, int, bytes, bytes]
 """Flags, position in samples, lengths of the segments, and their bytes."""
 

@@ -1,6 +1,6 @@
 """Where played sound goes: a sound card, or a clock where there is none.
 
-Both count samples since they were opened, and say which one is being heard now: picture follows that.
+Both count samples since they were opened, and say which one is playing now: the picture follows that.
 """
 
 import math
@@ -68,7 +68,7 @@ class Ring:
 
 
 AHEAD = SAMPLE_RATE // 5
-"""Samples that are written at most before they are heard; the mouth of a head that talks may be ahead by as much."""
+"""Samples that are written at most before they play; the mouth of a head that talks may be ahead by as much."""
 LATENCY = 0.05
 """What is asked of the card, seconds."""
 
@@ -92,7 +92,7 @@ class Output(Protocol):
 
     @property
     def heard(self) -> float:
-        """Number of the sample that is heard now, counted like `n_written`."""
+        """Number of the sample that is playing now, counted like `n_written`."""
         ...
 
     @property
@@ -110,7 +110,7 @@ class Output(Protocol):
         ...
 
     def skip(self) -> None:
-        """Pass over everything that is written but not yet heard."""
+        """Discard everything that is written but not yet played."""
         ...
 
     def run(self, running: bool) -> None:
@@ -123,7 +123,7 @@ class Output(Protocol):
 
 
 class ClockOutput:
-    """No sound card: time passes all the same, and samples count as heard on the clock.
+    """No sound card: time passes all the same, and samples count as played by the clock.
 
     Parameters
     ----------
@@ -131,7 +131,7 @@ class ClockOutput:
     clock : tells the time, seconds.
     """
 
-    name = "no sound card: silent, on the clock"
+    name = "No audio device (silent playback)"
     is_card = False
     lost = False
     alive = True
@@ -157,7 +157,7 @@ class ClockOutput:
             return self._move()
 
     def write(self, block: Float32Array) -> None:
-        """Count a block; time in which there was nothing to hear is not made up for."""
+        """Count a block; time in which there was nothing to play is not made up for."""
         with self._moving:
             self._move()
             self.n_written += len(block)

@@ -49,7 +49,7 @@ class Encoder(Protocol):
         ...
 
     def mark(self, seconds: float) -> None:
-        """Mark that so many seconds are missing after what was written; OSError where the disk refuses."""
+        """Mark that this many seconds are missing after what was written; OSError where the disk refuses."""
         ...
 
     def close(self) -> None:
@@ -143,7 +143,7 @@ class Recording:
         self._n_given += len(block)
 
     def skip(self, seconds: float, n_silent: int = 0) -> None:
-        """Mark here that so many seconds of sound are missing, and have samples of silence take their place.
+        """Mark here that this many seconds of sound are missing, and have samples of silence take their place.
 
         Returns at once; to be called by the thread that writes.
         """

@@ -17,8 +17,8 @@ COPIED_AT_ONCE = 1 << 20
 """Bytes."""
 
 TROUBLES: dict[int, tuple[str, str]] = {
-    errno.ENOSPC: ("the disk is full", "make room or record to another disk"),
-    errno.EDQUOT: ("your share of the disk is used up", "make room or record to another disk"),
+    errno.ENOSPC: ("the disk is full", "free some space or record to another disk"),
+    errno.EDQUOT: ("your share of the disk is used up", "free some space or record to another disk"),
     errno.EFBIG: ("the disk takes no larger file", "go on in a new file, or on a disk formatted as exFAT or NTFS"),
     errno.EROFS: ("the disk has become read-only", "record to another disk"),
     errno.EACCES: ("writing is no longer permitted", "change the permissions or record to another folder"),
@@ -28,7 +28,7 @@ TROUBLES: dict[int, tuple[str, str]] = {
 
 
 class RecordingFile:
-    """A new file that nobody else has.
+    """A new file that no other process has.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class RecordingFile:
         try:
             return os.path.samestat(os.fstat(self.raw.fileno()), self.path.stat())
         except PermissionError:
-            return True  # nobody can tell
+            return True  # it cannot be found out
         except OSError:
             return False
 

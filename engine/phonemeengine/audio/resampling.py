@@ -1,4 +1,4 @@
-"""Sound of any rate as sound at 44.1 kHz: the only door to soxr."""
+"""Sound of any rate as sound at 44.1 kHz: the only module that imports soxr."""
 
 import functools
 from typing import Any
@@ -18,7 +18,7 @@ class Resampler:
     Its error lies 120 dB below the sound. Two engines do it. The usual one puts every sample exactly where it
     belongs, but works in bursts: what it holds back swings between 2 and 19 ms at 48 kHz, and between 8 and 58 ms
     at 16 kHz. The steady one holds back the same at any time (5 ms at 48 kHz, 15 ms at 16 kHz) and costs twice as
-    much, still a thousandth of real time: it is the one for what is heard now.
+    much, still a thousandth of real time: it is the one for live sound.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ def _shift(from_rate: int) -> float:
 
 
 def change_speed(samples: Float32Array, factor: float) -> Float32Array:
-    """Return a sound, shape (n,), that is so many times faster and higher at the same sample rate."""
+    """Return a sound, shape (n,), this many times faster and higher at the same sample rate."""
     return np.asarray(soxr.resample(samples, SAMPLE_RATE * factor, SAMPLE_RATE, quality="MQ"), np.float32)
 
 
@@ -96,7 +96,7 @@ class SampleIntake:
     Parameters
     ----------
     rate : of what is pushed, Hz, 1000..768000.
-    steady : see `Resampler`; for what is heard now.
+    steady : see `Resampler`; for live sound.
 
     Raises
     ------
@@ -139,7 +139,7 @@ class SampleIntake:
         return mono
 
     def finish(self) -> Float32Array:
-        """Return what was held back, float32, shape (n,), since the sound has ended."""
+        """Return the samples that are still held, float32, shape (n,), since the sound has ended."""
         if self._resampler is None:
             return np.zeros(0, np.float32)
         n_missing = max(0, round(self._n_in * SAMPLE_RATE / self.rate) - self._n_out)

@@ -80,7 +80,7 @@ class SlowedOutput:
 
     @property
     def heard(self) -> float:
-        """Number of the sound's sample that is heard now."""
+        """Number of the sound's sample that is playing now."""
         with self._moving:
             self._pump()
             heard = self._output.heard
@@ -97,7 +97,7 @@ class SlowedOutput:
             self._pump()
 
     def skip(self) -> None:
-        """Pass over everything that is written but not yet heard."""
+        """Discard everything that is written but not yet played."""
         with self._moving:
             self._output.skip()
             self._waiting.clear()
@@ -124,7 +124,7 @@ class SlowedOutput:
             self._flush()
 
     def _flush(self) -> None:
-        """Have the last samples be heard too, which wait in the stretcher for what follows."""
+        """Play the last samples too, which wait in the stretcher for what follows."""
         missing = round((self._written - self._base) / self._speed) - (self._output.n_written - self._stretched)
         if missing > 0:
             rest = self._slowed(np.zeros((HELD, self._n_channels), np.float32))

@@ -1,4 +1,4 @@
-"""Streams of sound cards, through PortAudio: the only door to sounddevice.
+"""Streams of sound cards, through PortAudio: the only module that imports sounddevice.
 
 PortAudio belongs to the whole process and its list of devices stays as it was when it was initialised, so the list
 is made anew whenever no stream is open. A lock keeps threads from doing two of these things at once.
@@ -24,7 +24,8 @@ A block to fill is an array, float32, shape (n, n_channels); one that came is ra
 """
 
 WITHOUT_SOUNDDEVICE = (
-    "sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"
+    "audio cannot be played or recorded, since the package sounddevice is missing; install it with pip install "
+    "sounddevice"
 )
 CLOSE_TIMEOUT = 10.0
 """Seconds that another process may take to list the devices."""
@@ -133,7 +134,7 @@ class CardStream:
                 self._start()
                 self.name = str(sounddevice.query_devices(self._stream.device)["name"])
             except (sounddevice.PortAudioError, ValueError) as error:
-                raise DeviceError(f"the sound card cannot be opened ({_reason(error)})") from error
+                raise DeviceError(f"the audio device could not be opened ({_reason(error)})") from error
             _open.add(self)
 
     @property
@@ -181,7 +182,9 @@ def _rescan(sounddevice: Any) -> None:
             sounddevice._terminate()
         sounddevice._initialize()
     except sounddevice.PortAudioError as error:
-        raise DeviceError(f"the sound system does not answer ({_reason(error)}); check that it runs") from error
+        raise DeviceError(
+            f"the audio system does not respond ({_reason(error)}); check that it is running"
+        ) from error
 
 
 def _number_of(device: Device, sounddevice: Any) -> int:
@@ -204,7 +207,7 @@ def _sounddevice() -> Any:
         raise DeviceError(WITHOUT_SOUNDDEVICE) from error
     except Exception as error:  # sounddevice initialises PortAudio, which may fail in its own ways
         raise DeviceError(
-            "sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"
+            "audio cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"
         ) from error
     return sounddevice
 

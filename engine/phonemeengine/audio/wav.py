@@ -30,8 +30,8 @@ class Gap:
 
     Attributes
     ----------
-    sample : the first sample after what was heard before it, counted in the file.
-    seconds : how long nothing could be heard.
+    sample : the first sample after the gap, counted in the file.
+    seconds : how long the gap is.
     n_silent : samples of silence that stand for it.
     """
 
@@ -97,7 +97,7 @@ HEADER = 1 << 14
 
 MOST_IN_RIFF = 0xFFFF_FFFF
 """The largest size that RIFF can state; in RF64 it says that the size stands in ``ds64`` (EBU Tech 3306).
-A cue point cannot lie beyond so many samples."""
+A cue point cannot lie beyond this many samples."""
 
 
 ENDINGS = frozenset({".wav", ".wave", ""})
@@ -155,7 +155,7 @@ class WavEncoder:
             self.n_samples = n_samples
 
     def mark(self, seconds: float) -> None:
-        """Mark that so many seconds are missing after what was written, as a cue point with a label.
+        """Mark that this many seconds are missing after what was written, as a cue point with a label.
 
         Raises
         ------

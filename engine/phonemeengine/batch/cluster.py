@@ -1,4 +1,4 @@
-"""An existing Dask cluster. The only door to distributed.
+"""An existing Dask cluster. The only module that imports distributed.
 
 The scheduler gives out the same chunks of files as the processes of one machine are given, and gives them out again
 where a worker dies. Every worker sees the files by the same paths or addresses.
@@ -69,7 +69,9 @@ class Cluster:
         try:
             self._check_workers()
             self._executor = self._client.get_executor(pure=False)
-            self._order = self._client.submit(_received, order, pure=False)
+            # A preset with the real-time model has 17 MB, which are sent once: no reason for Dask to warn.
+            with distributed.client.dask.config.set({"distributed.admin.large-graph-warning-threshold": "64MB"}):
+                self._order = self._client.submit(_received, order, pure=False)
             threads = sum(self._client.nthreads().values())
         except BaseException:
             self._client.close()

@@ -2,20 +2,24 @@
 
 import copyreg
 import errno
+import io
 import logging
 import pickle
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, suppress
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 from types import MappingProxyType
+from typing import Any
 
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.batch.remote import fetched, is_remote
 from phonemeengine.batch.work import Act, Job, JobState, Made, Outcome, Work
 from phonemeengine.errors import EngineError
 from phonemeengine.execution import Cancelled, Progress
+from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import ModelKind
 from phonemeengine.storage.files import is_portable, printable_name, reason_of
 
 FULL = frozenset({errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC)})
@@ -42,7 +46,21 @@ class Order:
 
 def order_of(work: Work) -> Order:
     """Return work as it is sent."""
-    return Order(work.fingerprint(), pickle.dumps(work))
+    content = io.BytesIO()
+    _WorkPickler(content).dump(work)
+    return Order(work.fingerprint(), content.getvalue())
+
+
+class _WorkPickler(pickle.Pickler):
+    """Pickles work; presets go without a real-time model where other models recognise, since it has 11 MB."""
+
+    def reducer_override(self, value: Any) -> Any:
+        """Return how a preset that has a model too many is made again."""
+        if not isinstance(value, Preset) or value.live_encoder is None:
+            return NotImplemented
+        if ModelKind.ENCODER in {value.model_kind, value.file_model}:
+            return NotImplemented
+        return replace(value, live_encoder=None).__reduce_ex__(pickle.DEFAULT_PROTOCOL)
 
 
 def act_of(order: Order) -> Act:
@@ -92,7 +110,7 @@ def worked_on(act: Act, job: Job, progress: Progress, *, recorded: bool) -> Outc
     Raises
     ------
     Cancelled : `progress` did not want to go on.
-    BrokenPipeError : nobody reads what is printed any more.
+    BrokenPipeError : the reader of the output has gone.
     """
     notes: list[tuple[str, str]] = []
     try:

@@ -120,8 +120,8 @@ class BatchRecord(Closing):
             _append(self._path, _lines_of(entries))
         except OSError as error:
             raise BatchError(
-                f"{printable_name(self._folder)}: what was done cannot be noted there ({reason_of(error)}); make "
-                "room, or choose another folder"
+                f"{printable_name(self._folder)}: what was done cannot be noted there ({reason_of(error)}); free "
+                "some space, or choose another folder"
             ) from error
 
     def close(self) -> None:
@@ -230,7 +230,7 @@ class FolderLock(Closing):
     def close(self) -> None:
         """Let others in."""
         with suppress(OSError):
-            self._path.unlink(missing_ok=True)  # before the release: nobody locks a file that has gone
+            self._path.unlink(missing_ok=True)  # before the release: no process locks a file that has gone
         if self._lock is not None:
             with suppress(OSError):
                 self._lock.release()

@@ -1,7 +1,7 @@
 """Sounds and outputs that are not on a disk here, but at addresses such as ``s3://bucket/folder``.
 
-They are fetched into a folder of this process's own, worked on there, and sent back whole. The only door to UPath,
-which makes paths of whatever fsspec knows.
+They are fetched into a folder of this process's own, worked on there, and sent back whole. The only module that
+imports UPath, which makes paths of whatever fsspec knows.
 """
 
 from collections.abc import Iterator
@@ -92,7 +92,7 @@ class Fetched:
 
 @contextmanager
 def fetched(job: Job) -> Iterator[Fetched]:
-    """Fetch the files of a job that are elsewhere, an output of before too, so that nobody's file is replaced.
+    """Fetch the files of a job that are elsewhere, an output of before too, so that no other file is replaced.
 
     Raises
     ------

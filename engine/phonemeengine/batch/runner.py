@@ -18,13 +18,13 @@ from phonemeengine.execution import Cancelled
 from phonemeengine.storage.files import printable, printable_name
 
 WORTH_A_POOL = 16 << 20
-"""Bytes of sound for which it is worth it to start processes, where nobody says how many."""
+"""Bytes of sound from which on processes are started, unless their number is given."""
 CHUNK_BYTES, CHUNK_FILES = 4 << 20, 32
 """What a process is given at a time at most, unless a single file is larger."""
 CHUNKS_EACH = 4
 """How often a process is given something at least, so that all of them end at the same time."""
 TICK = 0.2
-"""Seconds after which progress is told, at most."""
+"""Seconds after which progress is reported, at most."""
 
 _log = logging.getLogger(__name__)
 
@@ -249,8 +249,8 @@ class _Batch:
             if len(self.jobs) == 1:
                 raise BatchError(fatal.words)
             raise BatchError(
-                f"{fatal.words}; the disk is full, so the batch ends here: make room, and start it again, which goes "
-                "on where it was"
+                f"{fatal.words}; the disk is full, so the batch ends here: free some space, and start it again, "
+                "which goes on where it was"
             )
         if not self._tell():
             raise Cancelled

@@ -122,7 +122,7 @@ class Made:
     ----------
     duration : of the sound, seconds.
     language : of what is said in it, where its words are known.
-    score : how well it says them, 0 is best; None where nobody knows.
+    score : how well it says them, 0 is best; None where unknown.
     value : what is not written, but given back.
     """
 
@@ -185,7 +185,7 @@ class Outcome:
     notes : names and sentences of what is odd.
     words : what was wrong, for people; empty where nothing was.
     is_fatal : whether all others will fail likewise: the disk is full.
-    source, target : the files, as they were when it was made; None where nobody looked.
+    source, target : the files, as they were when it was made; None where that was not checked.
     """
 
     job: Job

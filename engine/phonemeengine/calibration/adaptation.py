@@ -1,45 +1,42 @@
 """Adapting the learned recogniser to one voice, from a few seconds of it.
 
 The last layers and the heads of the network move a few steps towards the voice (as in Y. Miao and F. Metze, "On
-Speaker Adaptation of Long Short-Term Memory Recurrent Neural Networks", Interspeech 2015). Anchors hold them:
-stretches of other voices that must be named as before (D. Yu et al., "KL-divergence regularized deep neural network
-adaptation", ICASSP 2013). How far along that way a model should go, if at all, is judged by
-`phonemeengine.calibration.calibrate` on what was held back.
+Speaker Adaptation of Long Short-Term Memory Recurrent Neural Networks", Interspeech 2015), and so does the head of
+the real-time model where there is one. Anchors hold them: excerpts of other voices that must be named as before (D.
+Yu et al., "KL-divergence regularized deep neural network adaptation", ICASSP 2013). How far along that way models
+should go, if at all, is judged by `phonemeengine.calibration.calibrate` on held-out speech.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
-from phonemeengine.calibration.fine_tuning import (
-    TrainingSegment,
-    TunedLayers,
-    first_tuned,
-    heads_of,
-    kinds_of,
-    softmax_of,
-)
+from phonemeengine.calibration.fine_tuning import HEAD_SHARES, TrainingSegment, fine_tuned, softmax_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import TrainingExample, example_of_recording
+from phonemeengine.calibration.training_examples import TrainingExample, example_of, sound_of, whisper_mels_of
 from phonemeengine.dsp.log_mel import silent_log_mels
+from phonemeengine.encoder.head import HALVES, N_OUTPUTS
+from phonemeengine.encoder.live import LiveHead, open_live_encoder
 from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress, report_progress
-from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES
+from phonemeengine.labels.visemes import NO_VISEME, STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.model_choice import states_in, with_real_time_model
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import Layer, Network, StreamingLayer
+from phonemeengine.recognition.real_time import states_ahead
 from phonemeengine.recognition.scores import MOST_LOG_ODDS
+from phonemeengine.settings import ModelKind
 
-FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
-"""Steps that are taken: one for so many frames of the voice, within these bounds."""
-MOST_FRAMES = 1500
-"""Frames of the voice that a step hears; more of them take turns."""
-ANCHORS_PER_STEP = 2
-ANCHORED = 0.5
-"""How much the anchors of a step count against the voice."""
+ANCHORED, HEAD_ANCHORED = 0.5, 2.0
+"""How much anchors count against the voice, for the small network and for the head of the real-time model, which has
+more channels and half as many frames to learn from: with less it learns them by heart."""
+N_TUNED = 3
+"""Layers that move, at most; the first one of a network, which takes the sound itself, does not."""
 SMOOTHING = 0.05
 """Share of the certainty that is spread over all phonemes: labels lie a little beside the truth."""
 LEAST_FRAMES = 3
@@ -63,11 +60,11 @@ STEP_SIZES = (1.0, 0.5, 0.25)
 
 @dataclass(frozen=True)
 class _Encoded:
-    """What the layers that move hear in a recording, its labels, and what each frame counts.
+    """The inputs of the layers that move for a recording, its labels, and the weight of each frame.
 
     Attributes
     ----------
-    hidden : float32, shape (n_frames + look-ahead, n_channels).
+    hidden : float32, shape (n_frames + look-ahead, n_channels), or (n_frames / 2, n_channels) of the real-time model.
     codes : of the phonemes, and of the visemes where the model knows any, each of shape (n_frames,).
     weights : by kind as `codes`, each of shape (n_frames,); 0 where the labels do not say.
     """
@@ -93,10 +90,10 @@ class _LabelStats:
     targets: Float32Array
 
     @classmethod
-    def of(cls, model: Model, encoded: Sequence[_Encoded], kind: int) -> "_LabelStats":
+    def of(cls, viseme_set: VisemeSet, encoded: Sequence[_Encoded], kind: int) -> "_LabelStats":
         """Count the frames of the labels; vowels count only where the corners of the vowel space are there."""
-        n = len(model.viseme_set.names) if kind else len(Phoneme)
-        corners, vowels = (_shown_by(model, classes) if kind else classes for classes in (CORNERS, VOWELS))
+        n = len(viseme_set.names) if kind else len(Phoneme)
+        corners, vowels = (_shown_by(viseme_set, classes) if kind else classes for classes in (CORNERS, VOWELS))
         totals = sum((np.bincount(e.codes[kind], e.weights[kind], n) for e in encoded), np.zeros(n))
         if (totals[corners] < LEAST_FRAMES).any():
             totals[vowels] = 0
@@ -117,31 +114,68 @@ def adapt(model: Model, examples: Sequence[TrainingExample]) -> tuple[Model, ...
     known = np.concatenate([np.zeros(0, np.uint8), *(e.codes[0][e.weights[0] > 0] for e in encoded)])
     if len(known) < LEAST_SECONDS * 100 or len(np.unique(known)) < 2:
         raise CorpusError(
-            f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are too little to adapt to; "
-            f"give {LEAST_SECONDS:g} s or more of several phonemes"
+            f"{len(known) / 100:.1f} s of {len(np.unique(known))} phonemes are not enough to adapt to; "
+            f"record {LEAST_SECONDS:g} s or more of several phonemes"
         )
-    stats = [_LabelStats.of(model, encoded, kind) for kind in range(len(encoded[0].codes))]
-    anchors = [_anchor_of(model, anchor) for anchor in model.anchors]
-    tuned_model = _fine_tuned(model, _segments_of(encoded, stats, len(model.heads)), anchors)
+    stats = _label_stats(model.viseme_set, encoded)
+    tuned_model = _fine_tuned(model, _segments_of(encoded, stats, partial(_ahead, n_heads=len(model.heads))))
     told = {name: value for name, value in model.about.items() if name not in MEASURED}
     warps = NO_WARP if stats[0].competing[CORNERS].all() else model.warps
     return tuple(replace(_interpolated(model, tuned_model, share), warps=warps, about=told) for share in STEP_SIZES)
 
 
+def adapt_live_head(
+    live: Preset, examples: Sequence[TrainingExample], states: Sequence[Float32Array]
+) -> tuple[LiveHead, ...]:
+    """Return the head of the real-time model adapted to one voice, by each of `STEP_SIZES`.
+
+    Parameters
+    ----------
+    live : a preset that recognises with the real-time model.
+    examples : labelled recordings or takes.
+    states : in each of them, see `states_in`.
+    """
+    assert live.live_encoder is not None
+    assert live.model is not None
+    encoder = open_live_encoder(live.live_encoder)
+    head, ahead = encoder.fitting(live.model.live_head), states_ahead(live.settings.look_ahead)
+    encoded = [
+        _labelled(hidden[: -(-len(example) // HALVES)], example, STANDARD_VISEMES, 2)
+        for hidden, example in zip(states, examples, strict=True)
+        if len(example)
+    ]
+    segments = _segments_of(encoded, _label_stats(STANDARD_VISEMES, encoded), _by_state)
+    begun, kinds = OutputHead(head.weights, head.bias), _kinds_of(N_OUTPUTS)
+    halves = _one_by_one(begun, HALVES)
+    anchors = [_anchor_of(hidden, hidden, halves, kinds) for hidden in encoder.anchor_states(ahead)]
+    tuned = fine_tuned((), begun, kinds, np.ones(HALVES, np.float32), segments, anchors, HEAD_ANCHORED).head
+    found = (_head_between(begun, tuned, share) for share in STEP_SIZES)
+    return tuple(replace(head, weights=moved.weights, bias=moved.bias) for moved in found)
+
+
 def adapt_to_takes(
     preset: Preset, takes: Sequence[LabelledUtterance], set_silence: Callable[[Preset], Preset], progress: Progress
 ) -> tuple[Preset, ...]:
-    """Adapt a preset's model to a voice, further or less far, each with silence as it is and a little likelier.
+    """Adapt a preset's models to a voice, further or less far, each with silence as it is and a little likelier.
 
-    The last preset keeps the model. It is an `Adapt` of `phonemeengine.calibration.calibrate`.
+    The last preset keeps the models. It is an `Adapt` of `phonemeengine.calibration.calibrate`.
     """
     assert preset.model is not None
+    live = with_real_time_model(preset)
     examples: list[TrainingExample] = []
+    states: list[Float32Array] = []
     for k, utterance in enumerate(takes):
         report_progress(progress, 0.5 * k / len(takes))
-        examples.append(example_of_recording(utterance))
+        sound = sound_of(utterance)
+        examples.append(example_of(sound, utterance.labels))
+        if live.model_kind is ModelKind.ENCODER:
+            states.append(states_in(live, whisper_mels_of(sound)))
     report_progress(progress, 0.5)
-    presets = [set_silence(replace(preset, model=model)) for model in adapt(preset.model, examples)]
+    models = adapt(preset.model, examples)
+    if live.model_kind is ModelKind.ENCODER:
+        heads = adapt_live_head(live, examples, states)
+        models = tuple(replace(model, live_head=head) for model, head in zip(models, heads, strict=True))
+    presets = [set_silence(replace(preset, model=model)) for model in models]
     return (*(found for adapted in presets for found in (adapted, _with_more_silence(adapted))), set_silence(preset))
 
 
@@ -152,68 +186,31 @@ def _with_more_silence(preset: Preset) -> Preset:
     return replace(preset, sensitivities={**preset.sensitivities, Phoneme.SILENCE: given})
 
 
-def _fine_tuned(model: Model, segments: Sequence[TrainingSegment], anchors: Sequence[TrainingSegment]) -> Model:
-    """Return the model that has learned from the recordings."""
-    generator = np.random.default_rng(1)
-    n_frames = sum(len(segment.inputs) for segment in segments)
-    n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
-    tuned = TunedLayers(model, n_steps, generator)
-    for _ in range(n_steps):
-        few = [anchors[k] for k in generator.permutation(len(anchors))[:ANCHORS_PER_STEP]]
-        tuned.learn([(_draw(segments, generator), 1.0), (few, ANCHORED)])
-    return tuned.model()
+# What both models learn from: labels, put where they answer, and anchors.
 
 
-def _interpolated(model: Model, tuned_model: Model, share: float) -> Model:
-    """Return the model that lies a share of the way from one to another."""
-
-    def between(a: Float32Array, b: Float32Array) -> Float32Array:
-        return np.asarray(a + np.float32(share) * (b - a), np.float32)
-
-    layers = tuple(
-        Layer(between(a.weights, b.weights), between(a.bias, b.bias), a.dilation)
-        for a, b in zip(model.layers, tuned_model.layers, strict=True)
-    )
-    heads, viseme_heads = (
-        tuple(
-            OutputHead(between(a.weights, b.weights), between(a.bias, b.bias)) for a, b in zip(old, new, strict=True)
-        )
-        for old, new in ((model.heads, tuned_model.heads), (model.viseme_heads, tuned_model.viseme_heads))
-    )
-    return replace(model, layers=layers, heads=heads, viseme_heads=viseme_heads).rounded()
-
-
-def _draw(segments: Sequence[TrainingSegment], generator: np.random.Generator) -> list[TrainingSegment]:
-    """Draw stretches for a step: all, if they are not too many."""
-    drawn: list[TrainingSegment] = []
-    n_frames = 0
-    for k in generator.permutation(len(segments)):
-        if drawn and n_frames + len(segments[k].inputs) > MOST_FRAMES:
-            break
-        drawn.append(segments[k])
-        n_frames += len(segments[k].inputs)
-    return drawn
-
-
-def _encode(model: Model, example: TrainingExample) -> _Encoded:
-    """Run the first layers over an example, and as many frames of silence after it as the model looks ahead."""
-    after = silent_log_mels(len(model.heads) - 1)
-    hidden = _first_layers(model).forward(np.concatenate((example.log_powers.astype(np.float32), after)))
+def _labelled(hidden: Float32Array, example: TrainingExample, viseme_set: VisemeSet, n_kinds: int) -> _Encoded:
     weights = example.certainties.astype(np.float32)
-    visemes = model.viseme_set.codes_of(example.visemes, STANDARD_VISEMES)
+    visemes = viseme_set.codes_of(example.visemes, STANDARD_VISEMES)
     said = visemes != NO_VISEME
     codes = (example.phonemes, np.where(said, visemes, 0).astype(np.uint8))
-    n = 2 if model.viseme_heads else 1
-    return _Encoded(hidden, codes[:n], (weights, weights * said)[:n])
+    return _Encoded(hidden, codes[:n_kinds], (weights, weights * said)[:n_kinds])
 
 
-def _shown_by(model: Model, phonemes: UInt8Array) -> UInt8Array:
-    """Return the visemes of the model's set that phonemes usually have."""
-    visemes = model.viseme_set.usual_visemes(phonemes)
+def _label_stats(viseme_set: VisemeSet, encoded: Sequence[_Encoded]) -> list[_LabelStats]:
+    return [_LabelStats.of(viseme_set, encoded, kind) for kind in range(len(encoded[0].codes))]
+
+
+def _shown_by(viseme_set: VisemeSet, phonemes: UInt8Array) -> UInt8Array:
+    """Return the visemes of a set that phonemes usually have."""
+    visemes = viseme_set.usual_visemes(phonemes)
     return np.array([viseme for viseme in visemes.tolist() if viseme != NO_VISEME], np.uint8)
 
 
-def _segments_of(encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], n_heads: int) -> list[TrainingSegment]:
+def _segments_of(
+    encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], place: Callable[[Float32Array], Float32Array]
+) -> list[TrainingSegment]:
+    """Return what is to be answered; `place` puts what is known of each frame where the head answers for it."""
     kinds = range(len(stats))
     competing = np.concatenate([stat.competing for stat in stats])
     segments = []
@@ -221,24 +218,12 @@ def _segments_of(encoded: Sequence[_Encoded], stats: Sequence[_LabelStats], n_he
         targets = np.concatenate([stats[k].targets[e.codes[k]] for k in kinds], axis=1)
         weights = np.stack([e.weights[k] * stats[k].class_weights[e.codes[k]] for k in kinds], axis=1)
         if weights.any():
-            segments.append(TrainingSegment(e.hidden, _ahead(targets, n_heads), _ahead(weights, n_heads), competing))
+            segments.append(TrainingSegment(e.hidden, place(targets), place(weights), competing))
     return segments
 
 
-def _anchor_of(model: Model, log_powers: Float32Array) -> TrainingSegment:
-    """Return a stretch of other voices, to be named as the model names it now."""
-    hidden = _first_layers(model).forward(log_powers)
-    outputs = _through_last_layers(model, hidden)
-    heads = heads_of(model)
-    everything = np.ones(len(heads[0].bias), bool)
-    scores = np.stack([outputs @ head.weights + head.bias for head in heads], axis=1)
-    kinds = kinds_of(model)
-    targets = np.concatenate([softmax_of(scores[..., kind], everything[kind]) for kind in kinds], axis=2)
-    return TrainingSegment(hidden, targets, np.ones((*targets.shape[:2], len(kinds)), np.float32), everything)
-
-
 def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
-    """Put what is known of each frame where the heads answer for it: head k does so k frames later."""
+    """Place frames for heads of which number k answers k frames later."""
     n = len(values)
     placed = np.zeros((n + n_heads - 1, n_heads, *values.shape[1:]), np.float32)
     for k in range(n_heads):
@@ -246,11 +231,106 @@ def _ahead(values: Float32Array, n_heads: int) -> Float32Array:
     return placed
 
 
+def _by_state(values: Float32Array) -> Float32Array:
+    """Place frames for a head that answers for two at once."""
+    missing = np.zeros((len(values) % HALVES, *values.shape[1:]), np.float32)
+    return np.concatenate((values, missing)).reshape(-1, HALVES, *values.shape[1:])
+
+
+def _anchor_of(
+    hidden: Float32Array, outputs: Float32Array, heads: Sequence[OutputHead], kinds: Sequence[slice]
+) -> TrainingSegment:
+    """Return an excerpt of other voices, to be named as it is named now.
+
+    Parameters
+    ----------
+    hidden, outputs : what the layers that move get, and what they make of it, shape (n_frames, n_channels).
+    heads : on that, one for each answer, of all kinds.
+    """
+    scores = np.stack([outputs @ head.weights + head.bias for head in heads], axis=1)
+    everything = np.ones(scores.shape[2], bool)
+    targets = np.concatenate([softmax_of(scores[..., kind], everything[kind]) for kind in kinds], axis=2)
+    return TrainingSegment(hidden, targets, np.ones((*targets.shape[:2], len(kinds)), np.float32), everything)
+
+
+def _kinds_of(n_classes: int) -> tuple[slice, ...]:
+    """Return the classes that compete with each other: phonemes, and visemes where there are any."""
+    n = len(Phoneme)
+    return (slice(0, n), slice(n, n_classes)) if n_classes > n else (slice(0, n),)
+
+
+def _side_by_side(heads: Iterable[OutputHead]) -> OutputHead:
+    known = list(heads)
+    return OutputHead(np.concatenate([h.weights for h in known], axis=1), np.concatenate([h.bias for h in known]))
+
+
+def _one_by_one(head: OutputHead, n: int) -> list[OutputHead]:
+    parts = zip(np.split(head.weights, n, axis=1), np.split(head.bias, n), strict=True)
+    return [OutputHead(*part) for part in parts]
+
+
+def _head_between(a: OutputHead, b: OutputHead, share: float) -> OutputHead:
+    return OutputHead(_between(a.weights, b.weights, share), _between(a.bias, b.bias, share))
+
+
+def _between(a: Float32Array, b: Float32Array, share: float) -> Float32Array:
+    """Return what lies a share of the way from one array to another."""
+    return np.asarray(a + np.float32(share) * (b - a), np.float32)
+
+
+# The small network.
+
+
+def _encode(model: Model, example: TrainingExample) -> _Encoded:
+    """Run the first layers over an example, and as many frames of silence after it as the model looks ahead."""
+    after = silent_log_mels(len(model.heads) - 1)
+    hidden = _first_layers(model).forward(np.concatenate((example.log_powers.astype(np.float32), after)))
+    return _labelled(hidden, example, model.viseme_set, 2 if model.viseme_heads else 1)
+
+
+def _fine_tuned(model: Model, segments: Sequence[TrainingSegment]) -> Model:
+    """Return the model that has learned from the recordings."""
+    heads = [_side_by_side(of_one) for of_one in zip(*_heads_by_kind(model), strict=True)]
+    kinds, first = _kinds_of(len(heads[0].bias)), _first_tuned(model)
+    anchors = []
+    for log_powers in model.anchors:
+        hidden = _first_layers(model).forward(log_powers)
+        anchors.append(_anchor_of(hidden, _through_last_layers(model, hidden), heads, kinds))
+    shares = HEAD_SHARES[: len(heads)]
+    tuned = fine_tuned(model.layers[first:], _side_by_side(heads), kinds, shares, segments, anchors, ANCHORED)
+    found = _one_by_one(tuned.head, len(heads))
+    phonemes, *visemes = (tuple(OutputHead(h.weights[:, kind], h.bias[kind]) for h in found) for kind in kinds)
+    layers = (*model.layers[:first], *tuned.layers)
+    return replace(model, layers=layers, heads=phonemes, viseme_heads=visemes[0] if visemes else ()).rounded()
+
+
+def _interpolated(model: Model, tuned_model: Model, share: float) -> Model:
+    """Return the model that lies a share of the way from one to another."""
+    layers = tuple(
+        Layer(_between(a.weights, b.weights, share), _between(a.bias, b.bias, share), a.dilation)
+        for a, b in zip(model.layers, tuned_model.layers, strict=True)
+    )
+    heads, viseme_heads = (
+        tuple(_head_between(a, b, share) for a, b in zip(old, new, strict=True))
+        for old, new in ((model.heads, tuned_model.heads), (model.viseme_heads, tuned_model.viseme_heads))
+    )
+    return replace(model, layers=layers, heads=heads, viseme_heads=viseme_heads).rounded()
+
+
+def _heads_by_kind(model: Model) -> tuple[tuple[OutputHead, ...], ...]:
+    return (model.heads, model.viseme_heads) if model.viseme_heads else (model.heads,)
+
+
+def _first_tuned(model: Model) -> int:
+    """Return the number of the first layer that moves."""
+    return max(1, len(model.layers) - N_TUNED)
+
+
 def _first_layers(model: Model) -> Network:
-    return Network(model.layers[: first_tuned(model)], silent_log_mels())
+    return Network(model.layers[: _first_tuned(model)], silent_log_mels())
 
 
 def _through_last_layers(model: Model, hidden: Float32Array) -> Float32Array:
-    for layer in model.layers[first_tuned(model) :]:
+    for layer in model.layers[_first_tuned(model) :]:
         hidden = hidden + StreamingLayer(layer, np.zeros(len(layer.bias), np.float32)).forward(hidden)
     return hidden

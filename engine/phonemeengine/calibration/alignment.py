@@ -1,9 +1,9 @@
-"""Where the sounds of a known sentence are in a recording of it, so that presets can be told by it.
+"""Where the sounds of a known sentence are in a recording of it, so that presets can be judged by it.
 
-Nobody has labelled the recording by hand. What is said in it is known, though, in order, and so it is aligned with
-what the shipped recogniser hears. That one is no part of the presets that are compared, unless one of them is the
-shipped one itself: that one is favoured a little where two sounds meet. So what lies within 10 ms of such a place, or
-30 ms of a silence, does not count.
+The recording has no labels by hand. Its sounds are known, though, in order, and so they are aligned with the phonemes
+of the shipped recogniser. That one is no part of the presets that are compared, unless one of them is the shipped one
+itself: that one is favoured a little where two sounds meet. So what lies within 10 ms of such a place, or 30 ms of a
+silence, does not count.
 """
 
 import os
@@ -23,8 +23,8 @@ from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.phone_sets import phone_classes_in
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_files
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE, Channel
 from phonemeengine.storage.files import printable_name
@@ -43,7 +43,7 @@ AROUND, AROUND_SILENCE = 0.01, 0.03
 def aligned(samples: Float32Array, said: Sentence | Sequence[ScriptWord]) -> tuple[Label, ...]:
     """Label a recording of a sentence by its known text.
 
-    Where sounds meet, and around silence, labels have the certainty ``trimmed``: nobody knows the place so well.
+    Where sounds meet, and around silence, labels have the certainty ``trimmed``: the place is not known that well.
 
     Parameters
     ----------
@@ -58,10 +58,10 @@ def aligned(samples: Float32Array, said: Sentence | Sequence[ScriptWord]) -> tup
     duration = len(samples) / SAMPLE_RATE
     n_sounds = sum(len(word.pronunciations[0].phones) for word in words)
     if duration < LEAST_FRAMES * n_sounds * FRAME_PERIOD:
-        raise TakeError("what was heard is too short for this sentence; read all of it, without haste")
+        raise TakeError("the recording is too short for this sentence; read all of it, without rushing")
     found = align_analyses(analyse_blocks([samples], _judge()), words, duration)
     if found.skipped or any(word.text == UNKNOWN_WORD for word in found.words):
-        raise TakeError("what was heard is not this sentence; read it again, as it stands there, without haste")
+        raise TakeError("the recording does not match this sentence; read it again exactly as shown, without rushing")
     return labels_of(found)
 
 
@@ -74,7 +74,7 @@ def read_sentence(
     ----------
     sound : the file; at most half a minute of it is read.
     said : as for `aligned`.
-    channel : what is heard of a file of several channels.
+    channel : which channel of the file is analysed.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Sounds under speech, made here: music, and the desk of somebody who streams."""
+"""Sounds under speech, made here: music, and the noises of a desk with keyboard, fan and mouse."""
 
 import numpy as np
 

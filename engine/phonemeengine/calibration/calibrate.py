@@ -1,24 +1,26 @@
-"""Calibrating a preset to a voice: what it becomes, and what that gains on speech that was held back.
+"""Calibrating a preset to a voice: what it becomes, and what that gains on held-out speech.
 
 The window, the command line and games do it by one function, and so get the same preset::
 
     result = calibrate(preset, read_recordings(takes), held_back=read_recordings(sentence))
     save_preset(result.preset, path)
 
-What is learned from is never what it is judged by. Where nothing is held back, each quarter of all takes is, in
+What is learned from is never what it is judged by. Where nothing is held out, each quarter of all takes is, in
 turn. Of the presets that a recogniser makes of the takes, the boldest is taken that raises the macro F1 on what was
-held back, without costing more than 0.01 of mouth shapes or silence there; where there is none, the preset stays as
-it was.
+held out, without costing more than 0.01 of mouth shapes or silence there; where there is none, the preset stays as
+it was. A real-time model learns, too: what recognises live sound has to gain, and the small network, which serves
+where the other one cannot be had, may not lose.
 """
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field, replace
+from datetime import UTC, datetime
+from functools import lru_cache
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.calibration.held_back import (
     N_PARTS,
     counts,
-    gains_beyond_chance,
     held_back_scores,
     loss_of,
     paired_answers,
@@ -26,15 +28,19 @@ from phonemeengine.calibration.held_back import (
     predictions_on,
 )
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.scores.evaluation import Predictions, predict
+from phonemeengine.calibration.scores.gains import Gains, gains_of
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.takes.room_noise import SilenceAccuracy, measure_room, room_in, speech_in
 from phonemeengine.calibration.takes.take import TRIMMED
+from phonemeengine.calibration.training_examples import sound_of, whisper_mels_of
 from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.judgement import Judgement
+from phonemeengine.presets.model_choice import for_files, recogniser_for, states_in, with_real_time_model
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import BUILT_IN, spec_of
-from phonemeengine.settings import Ear
+from phonemeengine.settings import ModelKind
 
 Takes = Sequence[LabelledUtterance]
 Adapt = Callable[[Preset, Takes, Callable[[Preset], Preset], Progress], tuple[Preset, ...]]
@@ -43,6 +49,8 @@ Adapt = Callable[[Preset, Takes, Callable[[Preset], Preset], Progress], tuple[Pr
 Given a preset, takes, what makes a preset take the room for silence, and whom to tell how far it is, it gives several
 presets, the boldest first: what learned most, and milder ones for the case that it costs too much.
 """
+MOST_KEPT = 32
+"""Recordings of which the real-time model's states are kept while presets are tried."""
 
 
 @dataclass(frozen=True)
@@ -53,11 +61,12 @@ class CalibrationResult:
     ----------
     start : the preset that was calibrated.
     preset : what it became; the same where nothing better was found.
-    before, after : the figures of both on what was held back.
+    before, after : the figures of both on the held-out speech.
     seconds : how much of that counted.
     cross_validated : whether it was quarters of the takes, each of them in turn.
     cost : what a bolder preset, which was refused, would have cost; mostly nothing.
-    is_clear : whether mouth shapes and macro F1 both rose by more than chance, see `gains_beyond_chance`.
+    gained : by how much macro F1 and mouth shapes rose, with the range that chance would give.
+    warning : why the real-time model of the preset learned nothing, a sentence; mostly nothing.
     silence_accuracy : how well the preset tells the room from speech, as far as the takes say; None where they hold
         no silence.
     """
@@ -70,7 +79,13 @@ class CalibrationResult:
     cross_validated: bool
     cost: str = ""
     silence_accuracy: SilenceAccuracy | None = None
-    is_clear: bool = False
+    gained: Gains = field(default_factory=Gains)
+    warning: str = ""
+
+    @property
+    def is_clear(self) -> bool:
+        """Whether mouth shapes and macro F1 both rose by more than chance."""
+        return self.gained.are_clear
 
     @property
     def gains(self) -> bool:
@@ -82,8 +97,8 @@ class CalibrationResult:
         """Why something that gained was not taken, a sentence; mostly nothing."""
         if not self.cost:
             return ""
-        instead = "something milder was taken" if self.gains else "the preset stays as it was"
-        return f"What learned most was refused, since with it {self.cost}; {instead}."
+        instead = "a weaker one was chosen" if self.gains else "the preset stays unchanged"
+        return f"The strongest adaptation was rejected, because with it {self.cost}; {instead}."
 
 
 def calibrate(
@@ -94,7 +109,7 @@ def calibrate(
     room: Float32Array | None = None,
     progress: Progress = no_progress,
 ) -> CalibrationResult:
-    """Make a preset that knows a voice, and tell what that gains on what was held back.
+    """Make a preset that knows a voice, and return what that gains on the held-out speech.
 
     Parameters
     ----------
@@ -102,7 +117,7 @@ def calibrate(
     takes : labelled recordings of the voice; those of silence alone tell what the room sounds like.
     held_back : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
         read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
-    room : seconds in which nobody speaks, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
+    room : seconds of background noise, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
     progress : called with the share that is done, 0..1.
 
     Raises
@@ -113,16 +128,19 @@ def calibrate(
     """
     adapt = _adapt_of(preset)
     if not takes:
-        raise CorpusError("there is no take to calibrate with; record some first")
+        raise CorpusError("there are no takes to calibrate with; record some first")
     judged = held_back or takes
     if not any(counts(utterance.labels) for utterance in judged):
-        raise CorpusError("there is nothing to judge by; give takes or recordings with labels that count")
+        raise CorpusError(
+            "there is nothing to measure the result on; give takes or recordings whose labels are certain"
+        )
     trials = _Trials(preset, adapt, room)
     found, trial = trials.on(takes, held_back, progress) if held_back else trials.cross_validated(takes, progress)
     if trial.index is not None:
-        found = _with_ear_for_files(found, judged, trial.after)
+        found = _with_model_for_files(found, judged, trial.small)
+        found = _judged(preset, found, trial, _seconds(judged), cross_validated=not held_back)
     report_progress(progress, 1.0)
-    accuracy = _silence_accuracy(found, takes, room)
+    accuracy = _silence_accuracy(trials.models.in_use(found), takes, room)
     return CalibrationResult(
         preset,
         found,
@@ -132,7 +150,8 @@ def calibrate(
         not held_back,
         trial.cost,
         accuracy,
-        trial.is_clear,
+        trial.gained,
+        trials.models.warning,
     )
 
 
@@ -140,14 +159,63 @@ def calibrate(
 class _Trial:
     """Which of the adapted presets is taken, None for none; the figures, and what a bolder one would have cost.
 
-    `is_clear` says whether what is taken gains more than chance.
+    `small` are the figures afterwards without any real-time model; `gained` is what is taken gains, with its range.
     """
 
     index: int | None
     before: Scores
     after: Scores
+    small: Scores
     cost: str
-    is_clear: bool = False
+    gained: Gains = field(default_factory=Gains)
+
+
+class _LiveModels:
+    """The models by which live sound may be recognised: the small network, and the real-time model if there is one.
+
+    Parameters
+    ----------
+    preset : what is calibrated.
+
+    Attributes
+    ----------
+    small : the model kind of the small network, or of the preset's other recogniser.
+    kinds : of all models; that in use is the first.
+    warning : as of `CalibrationResult`.
+    """
+
+    def __init__(self, preset: Preset) -> None:
+        live = with_real_time_model(preset)
+        self.small: ModelKind = ModelKind.REAL_TIME if preset.model_kind is ModelKind.ENCODER else preset.model_kind
+        self.kinds: tuple[ModelKind, ...] = (self.small,)
+        self.warning = ""
+        if live.model_kind is ModelKind.ENCODER:
+            in_use = ModelKind.ENCODER in (preset.model_kind, preset.live_model)
+            self.kinds = (ModelKind.ENCODER, self.small) if in_use else (self.small, ModelKind.ENCODER)
+        elif preset.live_model is ModelKind.ENCODER and live.warnings != preset.warnings:
+            self.warning = f"{live.warnings[-1]}, and it alone learned the voice."
+        # the states of a sound are the same whatever the head on them learned
+        self._states_of = lru_cache(MOST_KEPT)(lambda sound: states_in(live, whisper_mels_of(sound_of(sound))))
+
+    def in_use(self, preset: Preset) -> Preset:
+        """Return a preset that recognises with the model in use."""
+        return self._with(self.kinds[0], preset)
+
+    def predictions(self, kind: ModelKind, cases: Iterable[tuple[Preset, Takes]]) -> list[Predictions]:
+        """Have presets recognise recordings with one of the models."""
+        if kind is not ModelKind.ENCODER:
+            return predictions_on((self._with(kind, preset), utterances) for preset, utterances in cases)
+        found = []
+        for preset, utterances in cases:
+            live = self._with(kind, preset)
+            for utterance in utterances:
+                states = self._states_of(replace(utterance, labels=()))
+                found.append(predict(utterance, live, recogniser=recogniser_for(live, states)))
+        return found
+
+    @staticmethod
+    def _with(kind: ModelKind, preset: Preset) -> Preset:
+        return with_real_time_model(preset) if kind is ModelKind.ENCODER else replace(preset, model_kind=kind)
 
 
 class _Trials:
@@ -158,9 +226,14 @@ class _Trials:
     preset : what is calibrated.
     adapt : how its recogniser learns.
     room : as in `calibrate`.
+
+    Attributes
+    ----------
+    models : that are tried.
     """
 
     def __init__(self, preset: Preset, adapt: Adapt, room: Float32Array | None) -> None:
+        self.models = _LiveModels(preset)
         self._preset = preset
         self._adapt = adapt
         self._room = room
@@ -194,16 +267,21 @@ class _Trials:
 
     def _tried(self, adapted: Sequence[tuple[Preset, ...]], kept: Sequence[Takes], judged: Takes) -> _Trial:
         """Try what was learned on what was kept from it; together these are what is judged by."""
-        old = predictions_on([(self._preset, judged)])
-        before, first_cost = held_back_scores(old), ""
+        kinds, first_cost = self.models.kinds, ""
+        used, small = kinds[0], self.models.small
+        old = {kind: self.models.predictions(kind, [(self._preset, judged)]) for kind in kinds}
+        before = {kind: held_back_scores(old[kind]) for kind in kinds}
         for index, presets in enumerate(zip(*adapted, strict=True)):
-            new = predictions_on(zip(presets, kept, strict=True))
-            after = held_back_scores(new)
-            cost = loss_of(before, after) if after.macro_f1 > before.macro_f1 else ""
-            if after.macro_f1 > before.macro_f1 and not cost:
-                return _Trial(index, before, after, first_cost, gains_beyond_chance(paired_answers(old, new)))
+            cases = list(zip(presets, kept, strict=True))
+            new = {kind: self.models.predictions(kind, cases) for kind in kinds}
+            after = {kind: held_back_scores(new[kind]) for kind in kinds}
+            gains = after[used].macro_f1 > before[used].macro_f1
+            cost = next((loss for kind in kinds if (loss := loss_of(before[kind], after[kind]))), "") if gains else ""
+            if gains and not cost:
+                gained = gains_of(paired_answers(old[used], new[used]))
+                return _Trial(index, before[used], after[used], after[small], first_cost, gained)
             first_cost = first_cost or cost
-        return _Trial(None, before, before, first_cost)
+        return _Trial(None, before[used], before[used], before[small], first_cost)
 
 
 def _adapt_of(preset: Preset) -> Adapt:
@@ -226,14 +304,28 @@ def _with_silence(preset: Preset, takes: Takes, room: Float32Array | None) -> Pr
     return measured.set_silence(preset, speech_in(takes))
 
 
-def _with_ear_for_files(preset: Preset, judged: Takes, live: Scores) -> Preset:
-    """Return the preset without its model for files, which has learned nothing, where the other one is better now."""
-    if preset.file_model is None:
+def _with_model_for_files(preset: Preset, judged: Takes, small: Scores) -> Preset:
+    """Return the preset without its model for files, which learned nothing, where the small network is better now."""
+    if preset.offline_model is None:
         return preset
-    with_twin = held_back_scores(predictions_on([(for_files(preset, Ear.TWIN), judged)]))
-    if with_twin.macro_f1 >= live.macro_f1:
+    with_offline_model = held_back_scores(predictions_on([(for_files(preset, ModelKind.OFFLINE), judged)]))
+    if with_offline_model.macro_f1 >= small.macro_f1:
         return preset
-    return replace(preset, file_model=None)
+    return replace(preset, offline_model=None)
+
+
+def _judged(start: Preset, found: Preset, trial: _Trial, seconds: float, *, cross_validated: bool) -> Preset:
+    """Return a calibrated preset with what it was judged by, in place of the description of what it came from."""
+    before, after = trial.before, trial.after
+    judgement = Judgement(
+        start=start.name if start.judged is None else start.judged.start,
+        day=datetime.now(UTC).astimezone().date().isoformat(),
+        seconds=round(seconds, 2),
+        cross_validated=cross_validated,
+        mouth_shapes=(round(before.viseme_accuracy, 4), round(after.viseme_accuracy, 4)),
+        macro_f1=(round(before.macro_f1, 4), round(after.macro_f1, 4)),
+    )
+    return replace(found, judged=judgement, notes=start.notes if start.judged else "")
 
 
 def _silence_accuracy(preset: Preset, takes: Takes, room: Float32Array | None) -> SilenceAccuracy | None:

@@ -5,13 +5,12 @@ The layers are those of a finished model: nothing is normalised any more, and wh
 
 import math
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.recognition.model import Model, OutputHead
+from phonemeengine.recognition.model import OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 
 # AdamW with one cycle of the learning rate.
@@ -70,18 +69,21 @@ def share_of_rate(progress: float) -> float:
 VISEME_SHARE = 0.5
 """How much the visemes count, beside the phonemes."""
 HEAD_SHARES = np.array([0.11, 0.11, 0.15, 0.15, 0.15, 0.33], np.float32)
-"""How much each look-ahead counts; a network that hears both ways has one answer."""
+"""How much each look-ahead counts; a network with context on both sides has one answer."""
 KIND_SHARES = np.array([1.0, VISEME_SHARE], np.float32)
-N_TUNED = 3
-"""Layers that move, at most; the first one of a network, which hears the sound itself, does not."""
 RATE = 2e-3
 DROPOUT = 0.2
-"""Share of what the layers hear that is dropped, so that they do not learn the recordings by heart."""
+"""Share of the layers' inputs that is dropped, so that they do not learn the recordings by heart."""
+FEWEST_STEPS, MOST_STEPS, FRAMES_PER_STEP = 40, 120, 50
+"""Steps that are taken: one for this many frames of the voice, within these bounds."""
+MOST_FRAMES = 1500
+"""Frames of the voice that a step learns from; more of them take turns."""
+ANCHORS_PER_STEP = 2
 
 
 @dataclass(frozen=True)
 class TrainingSegment:
-    """What the layers hear in a stretch of speech, and what each head should answer.
+    """The inputs of the layers in an excerpt of speech, and what each head should answer.
 
     Attributes
     ----------
@@ -98,74 +100,62 @@ class TrainingSegment:
     competing: BoolArray
 
 
-def first_tuned(model: Model) -> int:
-    """Return the number of the first layer that moves."""
-    return max(1, len(model.layers) - N_TUNED)
-
-
-def kinds_of(model: Model) -> tuple[slice, ...]:
-    """Return the classes of a head that compete with each other: phonemes, and visemes where the model knows any."""
-    n, n_visemes = len(Phoneme), len(model.viseme_set.names)
-    return (slice(0, n), slice(n, n + n_visemes)) if model.viseme_heads else (slice(0, n),)
-
-
-def heads_of(model: Model) -> tuple[OutputHead, ...]:
-    """Return for each look-ahead the head of the phonemes, with that of the visemes behind it where there is one."""
-    if not model.viseme_heads:
-        return model.heads
-    return tuple(
-        OutputHead(np.concatenate((a.weights, b.weights), axis=1), np.concatenate((a.bias, b.bias)))
-        for a, b in zip(model.heads, model.viseme_heads, strict=True)
-    )
-
-
 class TunedLayers:
-    """The last layers of a model and its heads, which learn.
+    """Layers, and the head after them, which learn.
 
     Parameters
     ----------
-    model : where they begin.
+    layers : of a network; none where the head alone learns.
+    head : the scores of all classes for each answer, side by side.
+    kinds : the classes of an answer that compete with each other.
+    shares : how much each answer counts, shape (n_answers,).
     n_steps : how often `learn` will be called.
     generator : of what is dropped.
     """
 
-    def __init__(self, model: Model, n_steps: int, generator: np.random.Generator) -> None:
-        self._model, self._kinds = model, kinds_of(model)
-        self._layers = [_TunableLayer(layer) for layer in model.layers[first_tuned(model) :]]
-        heads = heads_of(model)
-        self._weights = np.concatenate([head.weights for head in heads], axis=1)
-        self._bias = np.concatenate([head.bias for head in heads])
+    def __init__(
+        self,
+        layers: Sequence[Layer],
+        head: OutputHead,
+        kinds: Sequence[slice],
+        shares: Float32Array,
+        n_steps: int,
+        generator: np.random.Generator,
+    ) -> None:
+        self._layers = [_TunableLayer(layer) for layer in layers]
+        self._weights, self._bias = head.weights.copy(), head.bias.copy()
+        self._kinds, self._shares = kinds, shares[:, np.newaxis] * KIND_SHARES[: len(kinds)]
         values = [v for layer in self._layers for v in layer.values] + [self._weights, self._bias]
         self._optimiser = Optimiser(values, n_steps, RATE)
         self._generator = generator
 
+    @property
+    def layers(self) -> tuple[Layer, ...]:
+        """The layers as they are now."""
+        return tuple(layer.finished() for layer in self._layers)
+
+    @property
+    def head(self) -> OutputHead:
+        """The head as it is now."""
+        return OutputHead(self._weights, self._bias)
+
     def learn(self, parts: Iterable[tuple[Sequence[TrainingSegment], float]]) -> None:
-        """Take one step; each part is a number of stretches, and what they count together."""
+        """Take one step; each part is a number of excerpts, and what they count together."""
         gradients = [np.zeros_like(v) for layer in self._layers for v in layer.values]
         gradients += [np.zeros_like(self._weights), np.zeros_like(self._bias)]
         for segments, weight in parts:
             if not segments:
                 continue
             total = np.sum([segment.weights.sum(axis=0) for segment in segments], axis=0)
-            shares = HEAD_SHARES[: len(total), np.newaxis] * KIND_SHARES[: total.shape[1]]
-            factors = weight * shares / np.maximum(total, 1e-9)
+            factors = weight * self._shares / np.maximum(total, 1e-9)
             for segment in segments:
                 for k, more in enumerate(self._gradients_of(segment, factors)):
                     gradients[k] += more
         self._optimiser.step(gradients)
 
-    def model(self) -> Model:
-        """Return the model as it is now."""
-        n_heads = len(self._model.heads)
-        heads = list(zip(np.split(self._weights, n_heads, axis=1), np.split(self._bias, n_heads), strict=True))
-        layers = (*self._model.layers[: first_tuned(self._model)], *(layer.finished() for layer in self._layers))
-        phonemes, *visemes = (tuple(OutputHead(w[:, kind], b[kind]) for w, b in heads) for kind in self._kinds)
-        known = visemes[0] if visemes else ()
-        return replace(self._model, layers=layers, heads=phonemes, viseme_heads=known).rounded()
-
     def _gradients_of(self, segment: TrainingSegment, factors: Float32Array) -> list[Float32Array]:
         kept = self._generator.random(segment.inputs.shape, np.float32) >= DROPOUT
-        hidden = segment.inputs * kept / np.float32(1 - DROPOUT)
+        hidden: Float32Array = segment.inputs * kept / np.float32(1 - DROPOUT)
         for layer in self._layers:
             hidden = layer.forward(hidden)
         scores = (hidden @ self._weights + self._bias).reshape(segment.targets.shape)
@@ -182,6 +172,46 @@ class TunedLayers:
         return found
 
 
+def fine_tuned(
+    layers: Sequence[Layer],
+    head: OutputHead,
+    kinds: Sequence[slice],
+    shares: Float32Array,
+    segments: Sequence[TrainingSegment],
+    anchors: Sequence[TrainingSegment],
+    anchored: float,
+) -> TunedLayers:
+    """Return layers and a head that have learned from a voice.
+
+    Parameters
+    ----------
+    layers, head, kinds, shares : as of `TunedLayers`.
+    segments : of the voice.
+    anchors : excerpts of other voices, which are to be named as before; some of them, at random, in each step.
+    anchored : how much the anchors of a step count against the voice.
+    """
+    generator = np.random.default_rng(1)
+    n_frames = sum(len(segment.inputs) for segment in segments)
+    n_steps = int(np.clip(n_frames / FRAMES_PER_STEP, FEWEST_STEPS, MOST_STEPS))
+    tuned = TunedLayers(layers, head, kinds, shares, n_steps, generator)
+    for _ in range(n_steps):
+        few = [anchors[k] for k in generator.permutation(len(anchors))[:ANCHORS_PER_STEP]]
+        tuned.learn([(_draw(segments, generator), 1.0), (few, anchored)])
+    return tuned
+
+
+def _draw(segments: Sequence[TrainingSegment], generator: np.random.Generator) -> list[TrainingSegment]:
+    """Draw excerpts for a step: all, if they are not too many."""
+    drawn: list[TrainingSegment] = []
+    n_frames = 0
+    for k in generator.permutation(len(segments)):
+        if drawn and n_frames + len(segments[k].inputs) > MOST_FRAMES:
+            break
+        drawn.append(segments[k])
+        n_frames += len(segments[k].inputs)
+    return drawn
+
+
 class _TunableLayer:
     """One layer that learns; see `phonemeengine.recognition.network.Layer`."""
 
@@ -191,7 +221,7 @@ class _TunableLayer:
         self._reach = layer.reach
 
     def forward(self, block: Float32Array) -> Float32Array:
-        """Return what the layer makes of a stretch, and remember what `back` needs."""
+        """Return the output of the layer, and remember what `back` needs."""
         n = len(block)
         padded = np.concatenate((np.zeros((self._reach, block.shape[1]), np.float32), block))
         starts = range(0, self._reach + 1, self._dilation)

@@ -1,4 +1,4 @@
-"""Judging a preset by what was kept from learning: what it gains beyond chance, and what it may not lose."""
+"""Judging a preset by what was kept from learning, and what it may not lose."""
 
 import itertools
 from collections.abc import Iterable, Iterator, Sequence
@@ -6,16 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from phonemeengine.arrays import BoolArray, Float64Array, UInt8Array
+from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
+from phonemeengine.calibration.scores.gains import PairedAnswers
 from phonemeengine.calibration.scores.scoring import (
-    MOUTH_CODES,
-    N_CODES,
-    SCORED_PHONEMES,
     Scores,
-    confusion_of,
-    macro_f1_of,
     scores_of,
 )
 from phonemeengine.calibration.takes.take import TRIMMED
@@ -24,72 +20,20 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD
 
-# Whether a gain on a few seconds of speech is more than chance.
-
-PairedAnswers = tuple[UInt8Array, UInt8Array, UInt8Array]
-"""What was said in the frames of a recording, and the answers before and after, codes, each of shape (n_frames,)."""
-N_DRAWS = 2000
-CHANCE = 0.025
-"""How often chance alone may look like a gain: one end of an interval of 95 %."""
-
-
-def gains_beyond_chance(recordings: Sequence[PairedAnswers], *, seed: int = 0) -> bool:
-    """Return whether macro F1 and the share of right mouth shapes both rose by more than chance.
-
-    Paired bootstrap (B. Efron, R. Tibshirani, An Introduction to the Bootstrap, 1993, section 13.3): phones, whose
-    frames are alike, are drawn anew, as many as there are, and both figures are compared on the same ones.
-    """
-    phones = [phone for recording in recordings for phone in _phones_of(recording)]
-    if not phones:
-        return False
-    before, after = (np.array([_counts(said, answers[k]) for said, *answers in phones]) for k in (0, 1))
-    shapes = np.array([_mouths_gained(*phone) for phone in phones])
-    chance = np.random.default_rng(seed)
-    draws = chance.multinomial(len(phones), np.full(len(phones), 1 / len(phones)), N_DRAWS).astype(float)
-    rises = (_macro_f1s(draws @ after) - _macro_f1s(draws @ before), draws @ shapes)
-    return all(float(np.mean(rise <= 0)) < CHANCE for rise in rises)
-
-
-def _phones_of(recording: PairedAnswers) -> list[PairedAnswers]:
-    """Cut a recording where what is said changes."""
-    said, before, after = recording
-    edges = np.flatnonzero(np.diff(said)) + 1
-    parts = zip(*(np.split(codes, edges) for codes in (said, before, after)), strict=True)
-    return [(truth, one, other) for truth, one, other in parts if len(truth)]
-
-
-def _counts(said: UInt8Array, answers: UInt8Array) -> Float64Array:
-    """Return the confusion matrix of a phone, as macro F1 counts it, flat, shape (121,)."""
-    known = said != Phoneme.UNIDENTIFIED
-    return confusion_of(said[known], answers[known]).ravel().astype(float)
-
-
-def _mouths_gained(said: UInt8Array, before: UInt8Array, after: UInt8Array) -> int:
-    """Return in how many frames more of a phone the mouth shape is right afterwards."""
-    truth = MOUTH_CODES[said]
-    return int(np.sum(MOUTH_CODES[after] == truth)) - int(np.sum(MOUTH_CODES[before] == truth))
-
-
-def _macro_f1s(counts: Float64Array) -> Float64Array:
-    """Return the macro F1 of each row of flat confusion matrices; 0 where it has none of the ten classes."""
-    whole = counts.astype(np.int64).reshape(-1, N_CODES, N_CODES)
-    return np.nan_to_num(macro_f1_of(whole, SCORED_PHONEMES))
-
-
 # What a preset may not lose by knowing a voice better.
 
 MOST_LOSS = 0.01
 """By how much a share may get worse."""
 GUARDED = (
-    ("mouth shapes right", "viseme_accuracy", 1),
-    ("silence found", "silence_recall", 1),
-    ("speech called silence", "false_silence", -1),
+    ("mouth-shape accuracy", "viseme_accuracy", 1),
+    ("silence recall", "silence_recall", 1),
+    ("false silence", "false_silence", -1),
 )
 """What is guarded: in words, the figure's name, and whether more of it is better (1) or worse (-1)."""
 
 
 def loss_of(before: Scores, after: Scores) -> str:
-    """Return what gets worse by more than `MOST_LOSS`, such as "silence found falls from 99.9 % to 39.7 %".
+    """Return what gets worse by more than `MOST_LOSS`, such as "silence recall falls from 99.9 % to 39.7 %".
 
     Empty where nothing does; what the labels do not hold is not asked.
     """
@@ -102,7 +46,7 @@ def loss_of(before: Scores, after: Scores) -> str:
 
 
 N_PARTS = 4
-"""Parts of each recording, each of which is held back once: so it is tried with nearly all that there is to learn."""
+"""Parts of each recording, each of which is held out once: so it is tried with nearly all that there is to learn."""
 
 NOT_ASKED = 255
 """Stands for the answer about a frame that does not count."""
@@ -111,9 +55,9 @@ Utterances = tuple[LabelledUtterance, ...]
 
 
 def parts_of(utterances: Sequence[LabelledUtterance]) -> Iterator[tuple[Utterances, Utterances]]:
-    """Return what is learned from, and what is held back meanwhile, for each quarter of all recordings.
+    """Return what is learned from, and what is held out meanwhile, for each quarter of all recordings.
 
-    Both are the whole recordings. What is held back is unidentified in the first; in both, what does not count is
+    Both are the whole recordings. What is held out is unidentified in the first; in both, what does not count is
     ``trimmed``.
     """
     for part in range(N_PARTS):

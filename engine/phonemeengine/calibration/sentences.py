@@ -1,4 +1,4 @@
-"""Sentences that a person reads: what is said in them is known, in order, before anybody hears it.
+"""Sentences that a person reads: what is said in them is known, in order, beforehand.
 
 They are spelt in the phonetic alphabet, a space between sounds and ``|`` where a pause may be; what class a sound is
 says `phonemeengine.labels.phone_sets`. Each holds all vowels, m, p, s, and sh where the language has it.
@@ -17,7 +17,7 @@ PAUSE = "|"
 
 @dataclass(frozen=True)
 class Sentence:
-    """What somebody reads aloud.
+    """A text to read aloud.
 
     Attributes
     ----------
@@ -117,7 +117,7 @@ SENTENCES = (
 """Those that the guided calibration offers, two of each language: the first to learn from, the second to judge by."""
 
 LANGUAGES = tuple(dict.fromkeys(sentence.language for sentence in SENTENCES))
-"""In which there are some; the first one where nobody chooses."""
+"""A language for which there are sentences; the first one where none is chosen."""
 
 
 def sentences_in(language: str) -> tuple[Sentence, Sentence]:

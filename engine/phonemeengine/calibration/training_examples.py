@@ -11,6 +11,8 @@ from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import FLOOR, mel_powers, warped_mel_bank
+from phonemeengine.encoder.mel import whisper_log_mels
+from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
@@ -63,7 +65,7 @@ def example_of_recording(utterance: LabelledUtterance) -> TrainingExample:
 def example_of(
     samples: Float32Array, labels: tuple[Label, ...], warp: float = 1.0, heard: NDArray[np.float16] | None = None
 ) -> TrainingExample:
-    """Measure a sound (float32, shape (n,), 44.1 kHz) that is labelled, or of which a teacher tells what it heard."""
+    """Measure a sound (float32, shape (n,), 44.1 kHz) that is labelled, or that has a teacher's probabilities."""
     bank = _bank(warp)
     parts = [np.log10(mel_powers(block, bank) + np.float32(FLOOR)) for block in windows_of(samples)]
     powers = np.concatenate(parts) if parts else np.zeros((0, bank.shape[1]), np.float32)
@@ -78,6 +80,12 @@ def example_of(
     if heard is not None:
         soft[: len(heard)] = heard[:n]
     return TrainingExample(powers[:n].astype(np.float16), phonemes, visemes, certainties_of(labels, n), soft)
+
+
+def whisper_mels_of(samples: Float32Array, warp: float = 1.0) -> Float32Array:
+    """Return what `whisper_log_mels` finds in a sound (float32, shape (n,), 44.1 kHz), shape (n_frames, 80)."""
+    parts = [whisper_log_mels(block, warp) for block in windows_of(samples)]
+    return np.concatenate([np.zeros((0, N_MELS), np.float32), *parts])
 
 
 def sound_of(utterance: LabelledUtterance) -> Float32Array:

@@ -110,7 +110,7 @@ class DriverChoice:
 
         Raises
         ------
-        EngineError : a table cannot be used, or it is not known which; or somebody's file is where the units go.
+        EngineError : a table cannot be used, or it is not known which; or another file is where the units go.
         """
         pinyin = load_pinyin_table(self.pinyin_table) if self.pinyin_table else load_pinyin_table()
         if self.spring is not None:
@@ -164,7 +164,7 @@ class Driving:
 
         Parameters
         ----------
-        utterance : what is said; None where nobody knows.
+        utterance : what is said; None where unknown.
         name : of the sound or the text, for people.
         takes : whether letters can move the face, for `AUTO`; they can, where it is None.
         driver : another one than was asked for.
@@ -180,7 +180,7 @@ class Driving:
             driver = usual_driver(has_table=self.recorded is not None, has_letters=letters and moves)
         if driver in _NEEDS_WORDS and (utterance is None or is_other_text(utterance)):
             raise EngineError(
-                f"{name}: {_NEEDS_WORDS[driver]}, which nobody knows; give the text with --text, or the text or "
+                f"{name}: {_NEEDS_WORDS[driver]}, which are unknown; give the text with --text, or the text or "
                 "labels with --script"
             )
         if utterance is not None:
@@ -225,7 +225,7 @@ class Driving:
     def movement(self, track: FaceTrack | None, speech: Transcript, exporter: Exporter, say: Say) -> Animation | None:
         """Return the movement of a face for an export; None by rules, and where the format has its own shapes.
 
-        The latter is said, unless nobody asked for the letters.
+        The latter is said, unless the letters were not asked for.
         """
         if track is None:
             return None

@@ -21,9 +21,9 @@ from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformancePart
 from phonemeengine.performance.livelink import read_expression
-from phonemeengine.presets.ears import WITHOUT_ENCODER
 from phonemeengine.presets.files import DEFAULT_PRESET
-from phonemeengine.settings import MOST_CHANNELS, Channel, Ear
+from phonemeengine.presets.model_choice import WITHOUT_ENCODER
+from phonemeengine.settings import MOST_CHANNELS, Channel, ModelKind
 
 RECORDED = ".csv"
 """Ends the name of a recorded expression."""
@@ -151,7 +151,7 @@ class Option:
     limits : the least and the most that it may be, where it is a number; the engine refuses others.
     several : whether it may be given more than once.
     needs : the options of which one must be given beside it, and what these say.
-    elsewhere : whether somebody at another machine may give it: it names no file of this one.
+    elsewhere : whether a client on another machine may give it: it names no file of this one.
     """
 
     words: str
@@ -180,7 +180,7 @@ def _files(words: str, value: str, **more: Any) -> Any:
     return _option(words, value, Path, (), several=True, elsewhere=False, **more)
 
 
-_TEXT = ("text", "script"), "say what is said in the sound"
+_TEXT = ("text", "script"), "give the text that is spoken"
 _TABLE = ("performance",), "name a table of recorded faces"
 
 
@@ -193,31 +193,40 @@ class ConversionOptions:
     OptionError : an option goes with another one that was not given, or excludes it.
     """
 
-    preset: Path = _option("preset (.toml) or PhonemeData file", "PRESET", Path, DEFAULT_PRESET, elsewhere=False)
-    ear: Ear | None = _option(
-        f"heard with (default: the best there is); {WITHOUT_ENCODER}", "|".join(Ear), OneOf(Ear), elsewhere=False
+    preset: Path = _option(
+        "preset (.toml), PhonemeData file, or name of a factory preset",
+        "PRESET",
+        Path,
+        DEFAULT_PRESET,
+        elsewhere=False,
+    )
+    model: ModelKind | None = _option(
+        f"model that recognises (default: the best available); {WITHOUT_ENCODER}",
+        "|".join(ModelKind),
+        OneOf(ModelKind),
+        elsewhere=False,
     )
     channel: Channel = _option(
-        "of several channels: mix, left, right, or a number from 1", "C", read_channel, Channel.MIX
+        "channel to analyse: mix, left, right, or a number from 1", "C", read_channel, Channel.MIX
     )
     longest: float = _option(
-        "refuse sounds longer than S seconds", "S", Number(0, unit="s"), math.inf, elsewhere=False
+        "refuse audio files longer than S seconds", "S", Number(0, unit="s"), math.inf, elsewhere=False
     )
-    text: str | None = _option("what is said in the sound: recognition becomes far more exact", "TEXT")
+    text: str | None = _option("text that is spoken; makes recognition far more exact", "TEXT")
     script: Path | None = _file(
-        "file with it, table with a line FILE<TAB>TEXT for each sound, .TextGrid or .json with times of words, or "
+        "file with the text, table with a line FILE<TAB>TEXT for each file, .TextGrid or .json with word times, or "
         "auto: x.TextGrid with words, or x.txt, beside x.wav"
     )
     speaker: str | None = _option(
-        "whose words, of a .TextGrid or .json of several speakers", "NAME", needs=_TEXT, elsewhere=False
+        "speaker, for a .TextGrid or .json of several", "NAME", needs=_TEXT, elsewhere=False
     )
-    language: str | None = _option("the text's, such as en-us or de", "L", needs=_TEXT)
-    lexicon: Path | None = _file("how words are pronounced, .toml or .csv", needs=_TEXT)
+    language: str | None = _option("language of the text, such as en-us or de", "L", needs=_TEXT)
+    lexicon: Path | None = _file("pronunciations of words, .toml or .csv", needs=_TEXT)
     literal: bool = _switch(
-        "speakers' names, [directions], *emphasis*, <tags> and &entities; of the text are words, too", needs=_TEXT
+        "treat speakers' names, [directions], *emphasis*, <tags> and &entities; as words", needs=_TEXT
     )
-    accept_text: bool = _switch("align even where another text seems to be said", needs=_TEXT)
-    format: str | None = _option("kind of file (default: as OUT ends, if one alone does)", "F", OneOf(tuple(FORMATS)))
+    accept_text: bool = _switch("align even if the recording does not seem to match the text", needs=_TEXT)
+    format: str | None = _option("file format (default: from the ending of OUT)", "F", OneOf(tuple(FORMATS)))
     table: str | None = _option(f"mouth table: a file, or one of {', '.join(shipped_tables())}", "T")
     fps: float | None = _option(
         "frames per second (default: the format's)", "N", Number(), limits=(LOWEST_RATE, HIGHEST_RATE)
@@ -226,61 +235,63 @@ class ConversionOptions:
         f"shortest cue ({MINIMUM} s), for formats that have cues", "S", Number(), limits=(0.0, LONGEST_MINIMUM)
     )
     anticipation: float | None = _option(
-        f"the mouth is ahead so much, 0..{MOST_ANTICIPATION} s", "S", Number(), limits=(0.0, MOST_ANTICIPATION)
+        f"how far the mouth leads the sound, 0..{MOST_ANTICIPATION} s", "S", Number(), limits=(0.0, MOST_ANTICIPATION)
     )
-    detail: Detail = _option("what the mouth follows", "|".join(Detail), OneOf(Detail), Detail.PHONEMES)
-    attack: float = _option("factor of the times in which shapes come", "X", Number(), 1.0, limits=FACTORS)
-    release: float = _option("factor of the times in which shapes go", "X", Number(), 1.0, limits=FACTORS)
-    steady: bool = _switch("shapes and times do not vary as people's do")
+    detail: Detail = _option("units that the mouth follows", "|".join(Detail), OneOf(Detail), Detail.PHONEMES)
+    attack: float = _option("factor of the times in which mouth shapes rise", "X", Number(), 1.0, limits=FACTORS)
+    release: float = _option("factor of the times in which mouth shapes fall", "X", Number(), 1.0, limits=FACTORS)
+    steady: bool = _switch("do not vary shapes and times at random")
     no_blinks: bool = _switch("keep the eyes open")
     no_head: bool = _switch("keep the head still")
-    seed: int | None = _option("another number makes another face, and varies pinyin", "N", Number(0, whole=True))
+    seed: int | None = _option("seed of random variation, also of pinyin", "N", Number(0, whole=True))
     expression: tuple[str, ...] = _option(
-        f"beside speech: NAME=V,... (0..1) of {', '.join(expression_presets())} or blend shapes; or a Live Link Face "
-        "CSV; again for more",
+        f"expression beside speech: NAME=V,... (0..1) of {', '.join(expression_presets())} or blend shapes; or a "
+        "Live Link Face CSV; may be repeated",
         "E",
         str,
         (),
         several=True,
     )
-    priority: str | None = _option("of the speech over expressions, 0..1, on its own and on other channels", "S[,E]")
+    priority: str | None = _option(
+        "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
+    )
     text_driver: FaceDriver = _option(
-        "what moves a face (auto: a table of --performance, pinyin for Chinese, else rules)",
+        "driver of the face (auto: a table of --performance, pinyin for Chinese, else rules)",
         "|".join(FaceDriver),
         OneOf(FaceDriver),
         FaceDriver.AUTO,
     )
     beside: FaceDriver | None = _option(
-        "a second head beside the first, which this driver moves",
+        "second head beside the first, moved by this driver",
         "|".join(OTHER_DRIVERS),
         OneOf(OTHER_DRIVERS),
         elsewhere=False,
     )
-    pinyin_table: Path | None = _file("a pinyin table (.toml) of yours", "T")
-    spring: str | None = _option("a spring moves the mouth: mass, stiffness, damping", "M,K,D")
+    pinyin_table: Path | None = _file("your own pinyin table (.toml)", "T")
+    spring: str | None = _option("spring that moves the mouth: mass, stiffness, damping", "M,K,D")
     performance: tuple[Path, ...] = _files(
-        "a table of recorded faces moves the face, or several, of which --use chooses one", "T.sqlite"
+        "table of recorded faces that moves the face; --use chooses one of several", "T.sqlite"
     )
-    use: str | None = _option("the name of the table that is used", "NAME", needs=_TABLE, elsewhere=False)
+    use: str | None = _option("name of the table to use", "NAME", needs=_TABLE, elsewhere=False)
     choice: ExampleChoice | None = _option(
-        f"among examples of a unit (default: {ExampleChoice.VITERBI})",
+        f"how to choose among examples of a unit (default: {ExampleChoice.VITERBI})",
         "|".join(ExampleChoice),
         OneOf(ExampleChoice),
         needs=_TABLE,
         elsewhere=False,
     )
     without: frozenset[PerformancePart] | None = _option(
-        f"leave out any of {','.join(PerformancePart)}", "PARTS", read_parts, needs=_TABLE, elsewhere=False
+        f"parts to leave out, any of {','.join(PerformancePart)}", "PARTS", read_parts, needs=_TABLE, elsewhere=False
     )
     keywords: tuple[Path, ...] = _files("your own words with gestures, and conjunctions (TOML)", "F", needs=_TABLE)
-    units: Path | None = _file("write what was taken from which recording", "OUT.csv", needs=_TABLE)
-    mesh: Path | None = _file("another face than the program's: .glb, .gltf, .obj or .x", "M")
+    units: Path | None = _file("write which recording each unit comes from", "OUT.csv", needs=_TABLE)
+    mesh: Path | None = _file("your own face: .glb, .gltf, .obj or .x", "M")
     movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")
-    overwrite: bool = _switch("replace files that were made in another way, too", elsewhere=False)
+    overwrite: bool = _switch("replace existing files, however they were made", elsewhere=False)
 
     def __post_init__(self) -> None:
         if self.text is not None and self.script is not None:
-            raise OptionError("--text and --script both say what is said in the sound; leave one of them out")
+            raise OptionError("--text and --script both give the text; leave one of them out")
         for name, option in OPTIONS.items():
             others, why = option.needs
             if others and self._gives(name) and not any(map(self._gives, others)):
@@ -291,7 +302,7 @@ class ConversionOptions:
 
     @classmethod
     def of_words(cls, words: Mapping[str, Sequence[str]]) -> "ConversionOptions":
-        """Return the options that somebody at another machine gives, by their names; each may have several values.
+        """Return the options that a client on another machine gives, by their names; each may have several values.
 
         Raises
         ------
@@ -337,7 +348,7 @@ class ConversionOptions:
         streams = (*map(_stream_of, self.expression), *more)
         if not streams:
             if self.priority is not None:
-                raise OptionError("--priority goes with --expression: say what is expressed")
+                raise OptionError("--priority goes with --expression; give one")
             return None
         if self.priority is None:
             return Expression(streams)
@@ -368,7 +379,7 @@ OPTIONS: dict[str, Option] = {
 }
 """All options, by name."""
 SERVED = tuple(name for name, option in OPTIONS.items() if option.elsewhere)
-"""Those that somebody at another machine may give."""
+"""Those that a client on another machine may give."""
 
 
 def _served_value(name: str, option: Option, given: Sequence[str]) -> Any:

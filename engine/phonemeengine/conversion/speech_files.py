@@ -50,7 +50,7 @@ class SpeechFiles:
     exporter : writes the export.
     driving : moves the face.
     say : told what is odd.
-    overwrite : whether files of somebody else are replaced.
+    overwrite : whether files that the program did not make are replaced.
 
     Raises
     ------

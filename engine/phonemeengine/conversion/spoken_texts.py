@@ -58,7 +58,7 @@ class SpokenTexts:
     def of(
         cls, options: ConversionOptions, sounds: Sequence[Path], say: Say, *, with_labels: bool = True
     ) -> "SpokenTexts":
-        """Return what options say of some sounds; what a script does not is told.
+        """Return what options say of some sounds; sounds without a text are reported.
 
         Parameters
         ----------
@@ -81,7 +81,7 @@ class SpokenTexts:
         return replace(self, texts=dict.fromkeys(sounds, text))
 
     def of_script(self, script: Path, sounds: Sequence[Path], say: Say, *, with_labels: bool = True) -> "SpokenTexts":
-        """Return what a script says of some sounds; what it does not is told.
+        """Return what a script says of some sounds; sounds without a text are reported.
 
         Parameters
         ----------
@@ -117,7 +117,7 @@ class SpokenTexts:
         return fingerprint_of(self.texts.get(sound), self.language, self.lexicon, self.literal, self.accepted)
 
     def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
-        """Return what is said in a sound of `duration` seconds, and say what of it is not; None where nobody knows.
+        """Return what is said in a sound of `duration` seconds, and report what of it is not; None where unknown.
 
         Raises
         ------
@@ -186,7 +186,7 @@ def open_sound(path: Path, channel: Channel, say: Say, longest: float = math.inf
 
     Raises
     ------
-    AudioError : it cannot be read, or lacks the channel, or there is none, or it lasts longer than so many seconds.
+    AudioError : it cannot be read, or lacks the channel, or there is none, or it lasts longer than the limit.
     """
     name = printable_name(path)
     if is_folder(path):
@@ -201,13 +201,13 @@ def open_sound(path: Path, channel: Channel, say: Say, longest: float = math.inf
 
 
 def say_misfits(name: str, utterance: Utterance, say: Say) -> None:
-    """Say what of a text nobody says, or that another one is said."""
+    """Report words of a text that are not spoken, or that another text is."""
     if is_other_text(utterance):
         say(name, OTHER_TEXT)
     elif utterance.skipped:
         words = " ".join(printable(word) for word in utterance.skipped[:SHOWN_WORDS])
         more = len(utterance.skipped) - SHOWN_WORDS
-        say(name, f"nobody says: {words}" + (f" and {more} more words" if more > 0 else ""))
+        say(name, f"these words are not spoken: {words}" + (f" and {more} more words" if more > 0 else ""))
 
 
 def made_of(reader: SoundReader, utterance: Utterance | None, language: str | None = None) -> Made:

@@ -20,7 +20,7 @@ from phonemeengine.inspection.analysis_tables import TABLES
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS, Format
 from phonemeengine.mouth.transcript import Script
-from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 from phonemeengine.storage.files import Owns, printable_name
@@ -62,7 +62,7 @@ def _conversions() -> dict[str, Conversion]:
     frames = [
         Conversion(
             f"frames-{kind}",
-            f"every frame of 10 ms with all variables, {kind.upper()}",
+            f"all variables every 10 ms, {kind.upper()}",
             form.ending,
             form.owns,
             has_words=False,
@@ -89,14 +89,14 @@ def _options_of(form: Format) -> frozenset[str]:
     )
 
 
-_TABLE_WORDS = {"csv": "a table", "json": "JSON", "textgrid": "a TextGrid of Praat", "audacity": "labels of Audacity"}
+_TABLE_WORDS = {"csv": "a table", "json": "JSON", "textgrid": "a Praat TextGrid", "audacity": "Audacity labels"}
 
 CONVERSIONS = _conversions()
 """All kinds, by name."""
 
 
 def check_options(kind: str, options: ExportOptions | None) -> None:
-    """Refuse what cannot be done, before any sound is heard.
+    """Refuse what cannot be done, before any sound is analysed.
 
     Raises
     ------
@@ -128,7 +128,7 @@ class ConversionWork:
     Attributes
     ----------
     kind : see `CONVERSIONS`.
-    preset : what is recognised with, by the best ear that it has for files.
+    preset : what is recognised with, by the best model that it has for files.
     options : how mouth cues are written.
     channel : what is recognised of files of several channels.
     texts : what is said in the sounds.
@@ -265,7 +265,7 @@ def convert(
     sound : the file.
     target : the new file; its folder is made if need be, and what was there stays until the new one is complete.
     kind : see `CONVERSIONS`.
-    preset : what is recognised with, by the best ear that it has for files.
+    preset : what is recognised with, by the best model that it has for files.
     options : how mouth cues are written.
     channel : what is recognised of a file of several channels.
     script : what is said in it, where that is known; see `transcribe`.

@@ -47,7 +47,7 @@ def formants_of(
 ) -> Formants:
     """Return the formants in the middle of consecutive frames of 10 ms.
 
-    Where nothing sounds there are none. Where nobody speaks a vowel they mean little.
+    Where nothing sounds there are none. Outside of vowels they mean little.
 
     Parameters
     ----------

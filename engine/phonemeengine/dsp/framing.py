@@ -1,7 +1,7 @@
 """Cut a running sound into frames.
 
-Frame k stands for the stretch from 10k to 10k + 10 ms. Its window of 2048 samples is centred on the middle of
-that stretch, sample 441k + 220, with silence before the start and after the end of the sound.
+Frame k stands for the interval from 10k to 10k + 10 ms. Its window of 2048 samples is centred on the middle of
+that interval, sample 441k + 220, with silence before the start and after the end of the sound.
 """
 
 import math

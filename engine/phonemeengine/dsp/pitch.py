@@ -38,7 +38,7 @@ _LENGTH = 254  # samples of a frame at an eighth of the rate
 _PADDED = 384  # those and the longest lag, so that nothing wraps around
 _KEPT = math.ceil(STOPPED / (SAMPLE_RATE / _STEP / _PADDED))  # bins that do not fade out entirely
 _LAG_RATE = SAMPLE_RATE / _STEP * _FINE
-_LAGS = np.arange(int(_LAG_RATE / STOPPED) - 1, int(_LAG_RATE / LOWEST) + 3)  # down to whatever is heard
+_LAGS = np.arange(int(_LAG_RATE / STOPPED) - 1, int(_LAG_RATE / LOWEST) + 3)  # down to the lowest pitch
 
 
 @lru_cache(maxsize=1)

@@ -21,8 +21,8 @@ WIDE_BAND, NARROW_BAND = 0.006, 0.03
 """Seconds of a window in which the pulses of a voice are seen one by one, and of one that parts its harmonics."""
 FLOOR = -120.0
 """Decibels of what is quieter than 24 bits can say."""
-BRIGHTEST, SPAN = 99.8, 70.0
-"""The percentile of the levels that is drawn brightest, and how many decibels below it is drawn darkest."""
+LEVELS = (-90.0, -20.0)
+"""Decibels that are drawn darkest and brightest, of a file and of a microphone, unless others are chosen."""
 ENOUGH_WINDOWS = 6
 """Of a column, a quarter of a window apart; of a longer one they are half a window apart: no click is lost."""
 MOST_SAMPLES = 1 << 18
@@ -97,7 +97,7 @@ def row_frequencies(axis: FrequencyAxis, n_rows: int, low: float, high: float) -
 def sonagram_of(
     samples: Float32Array, settings: SonagramSettings, first: float, n_columns: int, period: float
 ) -> Float32Array:
-    """Return the levels of a stretch of sound, dB below full scale, float32, shape (n_columns, n_rows).
+    """Return the levels of a section of sound, dB below full scale, float32, shape (n_columns, n_rows).
 
     Full scale is a sine of amplitude 1. Beyond the sound there is silence, `FLOOR`.
 
@@ -107,7 +107,7 @@ def sonagram_of(
     settings : how it is measured.
     first : the sample at which the first column begins; may lie before the sound.
     n_columns : how many.
-    period : samples from one column to the next; a column is the mean of windows that lie over it.
+    period : samples from one column to the next; a column is the mean of the windows in it.
     """
     n, hop = settings.n_samples, settings.hop
     # Windows a quarter of themselves apart add up to an even weight (Hann); over wide columns half is enough for
@@ -130,15 +130,8 @@ def sonagram_of(
     return np.asarray(np.maximum(10 * np.log10(np.maximum(power, 1e-30)), FLOOR), np.float32)
 
 
-def level_range_of(levels: Float32Array) -> tuple[float, float]:
-    """Return the levels, dB, to be drawn darkest and brightest; silence alone has the usual ones."""
-    heard = levels[levels > FLOOR]
-    high = float(np.percentile(heard, BRIGHTEST)) if len(heard) else 0.0
-    return max(high - SPAN, FLOOR), high
-
-
 def _windows_at(samples: Float32Array, starts: np.ndarray[tuple[int], np.dtype[np.int64]], n: int) -> Float32Array:
-    """Return stretches of n samples, with silence beyond the sound, shape (n_windows, n)."""
+    """Return sections of n samples, with silence beyond the sound, shape (n_windows, n)."""
     if not len(samples):
         return np.zeros((len(starts), n), np.float32)
     if starts[0] >= 0 and starts[-1] + n <= len(samples):

@@ -1,4 +1,4 @@
-"""The outline of a long waveform: its lowest and highest sample in every stretch, at any scale, at once."""
+"""The outline of a long waveform: its lowest and highest sample in every section, at any scale, at once."""
 
 import threading
 from typing import NamedTuple
@@ -8,22 +8,28 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 
 FINEST = 256
-"""Samples of the finest stretch that is remembered."""
+"""Samples of the finest section that is remembered."""
 FACTOR = 16
-"""How many stretches make one of the next coarser level."""
+"""How many sections make one of the next coarser level."""
 
 
 class Peaks(NamedTuple):
-    """The lowest and the highest sample of stretches, float32, each of shape (n,); NaN where there is no sound."""
+    """The lowest and the highest sample of sections, float32, each of shape (n,); NaN where there is no sound."""
 
     low: Float32Array
     high: Float32Array
 
 
 class WaveformPeaks:
-    """Takes a sound as it comes, and tells its outline, also to other threads; an hour takes 5 MB."""
+    """Collects the outline of a sound block by block; other threads may read it meanwhile. An hour takes 5 MB.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    finest : samples of the finest section that is remembered; with 1 the outline is exact, for short sounds.
+    """
+
+    def __init__(self, finest: int = FINEST) -> None:
+        self.finest = finest
         self.n_samples = 0
         self._growing = threading.Lock()
         self._rest = np.zeros(0, np.float32)
@@ -35,19 +41,19 @@ class WaveformPeaks:
         with self._growing:
             self.n_samples += len(samples)
             sound = np.concatenate((self._rest, samples))
-            whole = len(sound) // FINEST * FINEST
+            whole = len(sound) // self.finest * self.finest
             self._rest = sound[whole:].copy()
             if whole:
-                stretches = sound[:whole].reshape(-1, FINEST)
+                stretches = sound[:whole].reshape(-1, self.finest)
                 self._parts.append(Peaks(stretches.min(axis=1), stretches.max(axis=1)))
             self._joined = None
 
     def between(self, first: float, last: float, n_columns: int) -> Peaks:
-        """Return the outline from one sample to another in so many columns, each at least as wide as `FINEST`.
+        """Return the outline from one sample to another in `n_columns` columns, each at least as wide as `finest`.
 
-        Columns are rounded outwards to remembered stretches: no peak is lost.
+        Columns are rounded outwards to remembered sections: no peak is lost.
         """
-        # A pyramid of minima and maxima: a column reads a few stretches of the level that is just finer than itself,
+        # A pyramid of minima and maxima: a column reads a few sections of the level that is just finer than itself,
         # so a view of ten hours costs as much as one of a second.
         edges = np.linspace(first, last, n_columns + 1)
         level, width = self._level_for((last - first) / n_columns)
@@ -65,16 +71,16 @@ class WaveformPeaks:
         return Peaks(np.where(inside, low, np.float32(np.nan)), np.where(inside, high, np.float32(np.nan)))
 
     def _level_for(self, samples_per_column: float) -> tuple[Peaks, int]:
-        """Return the coarsest level whose stretches are no wider than a column, and their samples.
+        """Return the coarsest level whose sections are no wider than a column, and their samples.
 
-        Its last value stands there twice, so that a stretch may end at the end.
+        Its last value stands there twice, so that a section may end at the end.
         """
         with self._growing:
             levels = self._all_levels()
         k = 0
-        while k + 1 < len(levels) and FINEST * FACTOR ** (k + 1) <= samples_per_column:
+        while k + 1 < len(levels) and self.finest * FACTOR ** (k + 1) <= samples_per_column:
             k += 1
-        return levels[k], FINEST * FACTOR**k
+        return levels[k], self.finest * FACTOR**k
 
     def _all_levels(self) -> list[Peaks]:
         if self._joined is None:
@@ -90,13 +96,29 @@ class WaveformPeaks:
         return self._joined
 
 
+def zero_crossing_near(samples: Float32Array, place: float, reach: float) -> float | None:
+    """Return where a sound crosses zero nearest to a place, in samples between two of them; None within no reach.
+
+    Parameters
+    ----------
+    samples : amplitudes, shape (n,).
+    place, reach : in samples.
+    """
+    first = max(0, int(place - reach))
+    near = samples[first : max(first, int(place + reach) + 2)].astype(np.float64)
+    at = np.flatnonzero((near[:-1] < 0) != (near[1:] < 0))
+    crossings = first + at + near[at] / (near[at] - near[at + 1])
+    found = crossings[np.abs(crossings - place) <= reach]
+    return float(found[np.argmin(np.abs(found - place))]) if len(found) else None
+
+
 def _coarser(level: Peaks) -> Peaks:
     starts = np.arange(0, len(level.low), FACTOR)
     return Peaks(np.minimum.reduceat(level.low, starts), np.maximum.reduceat(level.high, starts))
 
 
 def _reduced(values: Float32Array, begins: np.ndarray, ends: np.ndarray, act: np.ufunc) -> Float32Array:
-    """Reduce stretches that may overlap, shape (n_columns,)."""
+    """Reduce sections that may overlap, shape (n_columns,)."""
     # `reduceat` takes pairs of begin and end; every second result is that of a gap between columns
     places = np.stack((begins, np.minimum(ends, len(values) - 1)), axis=1).ravel()
     return np.asarray(act.reduceat(values, places)[::2], np.float32)

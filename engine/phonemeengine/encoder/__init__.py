@@ -1,1 +1,1 @@
-"""A speech encoder that has heard everybody: what it makes of a sound, and the head that names phonemes from it."""
+"""A speech encoder that learned from very many speakers: its states, and the head that names phonemes from them."""

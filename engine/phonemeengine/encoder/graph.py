@@ -20,7 +20,7 @@ Weights = Mapping[str, Float32Array]
 
 HEAD_SIZE = 64
 BACK = 150
-"""States, 20 ms each, that the live encoder looks back to."""
+"""States, 20 ms each, that the live encoder keeps of the past."""
 SLOTS = BACK + 2
 """States that its cache keeps of each layer, in a ring: state i lies at i modulo `SLOTS`."""
 N_HALVES = 2
@@ -31,6 +31,8 @@ LIMIT = 63
 """Quantised weights lie within ± this: on processors with AVX2 alone, sums of two products of 8 bits overflow."""
 ACTIVATION_LIMIT, ACTIVATION_ZERO = 127, 128
 """Quantised inputs lie within ± this around that, in unsigned bytes."""
+FINER = 2 * ACTIVATION_LIMIT
+"""By how much the steps of the second rounding are smaller: what the first one leaves lies within ± half a step."""
 LEAST_SCALE = 1e-12
 _INTEGERS = {"count", "ahead"}
 
@@ -41,7 +43,7 @@ def layer_count(weights: Weights) -> int:
 
 
 def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None = None) -> bytes:
-    """Return the model that encodes a stretch which is wholly known: absolute positions, no mask.
+    """Return the model that encodes an excerpt which is wholly known: absolute positions, no mask.
 
     Input ``mel``: float32, shape (1, 80, 2 n), n <= 1500. Output ``states``: float32, shape (1, n, n_channels).
 
@@ -51,7 +53,7 @@ def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None 
     bits : 32 for float32, 8 for matrices of bytes.
     metadata : texts by name, kept in the model.
     """
-    graph = _Graph(bits)
+    graph = _Graph(bits, n_roundings=1)
     frames = _time_first(graph, "mel")
     edge = graph.constant(np.array([0, 1, 0, 0, 1, 0], np.int64))
     frames = _convolution(graph, weights, "conv1", graph.node("Pad", frames, edge), step=1)
@@ -64,7 +66,9 @@ def whole_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None 
     return graph.model({"mel": [1, N_MELS, "frames"]}, {"states": states}, metadata or {})
 
 
-def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None = None) -> bytes:
+def live_graph(
+    weights: Weights, bits: int, metadata: Mapping[str, str] | None = None, anchors: NDArray[np.float16] | None = None
+) -> bytes:
     """Return the model that encodes sounds as they come, several side by side, each with a past of its own.
 
     State i of a layer attends to the states i - 150 to i of the layer below, in the first layer also to i + 1 where
@@ -83,10 +87,12 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
 
     Outputs
     -------
-    logits : float32, (batch, 2 n, n_classes): a row each 10 ms.
-    states : float32, (batch, n, n_channels): what the head takes.
+    states : float32, (batch, n, n_channels): after the last norm.
     next_pending : float32, as ``pending``.
     new_keys_K, new_values_K : float32, (batch, n_heads, 64, n) and (batch, n_heads, n, 64).
+    head_weights, head_bias : float32, (n_channels, 2 x n_classes) and (2 x n_classes,): the head, always the same.
+        States times the one plus the other are the logits of the first 10 ms of each, and of the second.
+    anchors : float16, as given.
 
     Parameters
     ----------
@@ -94,8 +100,9 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
         positions; ``layer_K/self_attention/relative_bias`` (n_heads, 152): what is added to the score of a key j for
         the query i, at the column j - i + 150; and ``head/weight`` (2 x n_classes, n_channels) and ``head/bias``.
     bits, metadata : as of `whole_graph`.
+    anchors : speech of many voices that is kept in the model, mel frames of shape (n, n_frames, 80); None for none.
     """
-    graph = _Graph(bits)
+    graph = _Graph(bits, n_roundings=2)
     frames = _convolution(graph, weights, "conv1", _time_first(graph, "mel"), step=1)
     newest = _convolution(graph, weights, "conv2", frames, step=2)
     newest = graph.node("Add", newest, graph.constant(weights["position_encodings/encodings"]))
@@ -123,12 +130,14 @@ def live_graph(weights: Weights, bits: int, metadata: Mapping[str, str] | None =
         found = _attention(graph, parts, k, bias)
         states = _after_attention(graph, weights, k, states, found)
         outputs |= {f"new_keys_{k}": parts.keys, f"new_values_{k}": parts.values}
-    states = _final_norm(graph, weights, states)
-    logits = graph.linear(states, weights["head/weight"], weights["head/bias"])
-    shape = graph.integers(0, -1, len(weights["head/bias"]) // N_HALVES)
-    outputs = {"logits": graph.node("Reshape", logits, shape), "states": states} | outputs
+    outputs = {"states": _final_norm(graph, weights, states)} | outputs
+    kept: dict[str, NDArray[Any]] = {
+        "head_weights": weights["head/weight"].T.astype(np.float32),
+        "head_bias": weights["head/bias"].astype(np.float32),
+        "anchors": np.zeros((0, 0, N_MELS), np.float16) if anchors is None else anchors,
+    }
     inputs = live_inputs(layer_count(weights), len(weights["conv2/bias"]))
-    return graph.model(inputs, outputs, metadata or {})
+    return graph.model(inputs, outputs, metadata or {}, kept)
 
 
 class _HeadInputs(NamedTuple):
@@ -140,12 +149,18 @@ class _HeadInputs(NamedTuple):
 
 
 class _Graph:
-    """Nodes and constants of a graph that is being made; each is known by the name of its result."""
+    """Nodes and constants of a graph that is being made; each is known by the name of its result.
 
-    def __init__(self, bits: int) -> None:
+    Parameters
+    ----------
+    bits : 8 or 32, of the weights.
+    n_roundings : of the inputs of 8-bit matrices: 1 to bytes, or 2, where what that leaves is rounded to bytes, too.
+    """
+
+    def __init__(self, bits: int, n_roundings: int) -> None:
         if bits not in {8, 32}:
             raise ValueError(f"the weights have 8 or 32 bits, got {bits}")
-        self._bits = bits
+        self._bits, self._n_roundings = bits, n_roundings
         self._nodes: list[bytes] = []
         self._constants: list[bytes] = []
 
@@ -166,12 +181,18 @@ class _Graph:
     def node(self, kind: str, *inputs: str, **attributes: Any) -> str:
         """Add a node with one result."""
         name = f"n{len(self._nodes)}"
-        self._nodes.append(onnx_file.node(kind, inputs, name, **attributes))
+        self._nodes.append(onnx_file.node(kind, inputs, [name], **attributes))
         return name
 
     def slice(self, array: str, start: str, end: str, axis: int) -> str:
         """Add a slice along one axis; start and end are of shape (1,)."""
         return self.node("Slice", array, start, end, self.integers(axis))
+
+    def halves(self, array: str, axis: int) -> tuple[str, str]:
+        """Add the two halves of an array along an axis."""
+        names = f"n{len(self._nodes)}", f"n{len(self._nodes)}_second"
+        self._nodes.append(onnx_file.node("Split", [array], names, axis=axis, num_outputs=2))
+        return names
 
     def length(self, array: str, axis: int) -> str:
         """Add the length of an array along an axis, shape (1,)."""
@@ -188,30 +209,49 @@ class _Graph:
 
     def _quantised(self, inputs: str, weight: Float32Array) -> str:
         # Each output of the matrix, and each row of the inputs, has a scale of its own. The latter makes the answer
-        # independent of the rows beside it, so a sound may be cut anywhere, and shared with others.
+        # independent of the rows beside it, so a sound may be shared with others.
         scales = np.maximum(np.abs(weight).max(axis=1) / LIMIT, LEAST_SCALE).astype(np.float32)
         quantised = np.round(weight / scales[:, np.newaxis]).astype(np.int8)
         most = self.node("ReduceMax", self.node("Abs", inputs), self.integers(-1), keepdims=1)
         most = self.node("Max", most, self.number(LEAST_SCALE))
         step, zero = self.number(1 / ACTIVATION_LIMIT), self.constant(np.array(ACTIVATION_ZERO, np.uint8))
-        as_bytes = self.node("QuantizeLinear", self.node("Div", inputs, most), step, zero)
-        factors = self.constant(quantised.T), step, self.constant(scales), zero
+        scaled = self.node("Div", inputs, most)
+        as_bytes = self.node("QuantizeLinear", scaled, step, zero)
+        if self._n_roundings == 2:
+            # How a sound is cut changes the order of sums, and so the last digits of what is rounded here. Where one
+            # turns a rounding, the second one makes up for it: the answer moves by 1/254 of what it would else.
+            rest = self.node("Sub", scaled, self.node("DequantizeLinear", as_bytes, step, zero))
+            fine = self.node("QuantizeLinear", rest, self.number(1 / (ACTIVATION_LIMIT * FINER)), zero)
+            as_bytes = self.node("Concat", as_bytes, fine, axis=1)  # as more rows: the matrix is read once
         # one operator in place of a product, a conversion and two scales: at a state a time, operators cost as much
         # as the work
+        factors = self.constant(quantised.T), step, self.constant(scales), zero
         product = self.node("MatMulIntegerToFloat", as_bytes, *factors, domain=onnx_file.CONTRIBUTED)
+        if self._n_roundings == 2:
+            product, fine = self.halves(product, 1)
+            product = self.node("Add", product, self.node("Mul", fine, self.number(1 / FINER)))
         return self.node("Mul", product, most)
 
     def model(
-        self, inputs: Mapping[str, Sequence[int | str]], outputs: Mapping[str, str], metadata: Mapping[str, str]
+        self,
+        inputs: Mapping[str, Sequence[int | str]],
+        outputs: Mapping[str, str],
+        metadata: Mapping[str, str],
+        kept: Mapping[str, NDArray[Any]] | None = None,
     ) -> bytes:
-        """Return the model's file, with inputs of these shapes, and outputs that are these nodes."""
-        ends = [onnx_file.node("Identity", [found], name) for name, found in outputs.items()]
+        """Return the model's file: inputs of these shapes, outputs that are these nodes, others that are arrays."""
+        ends = [onnx_file.node("Identity", [found], [name]) for name, found in outputs.items()]
+        kept = kept or {}
+        ends += [onnx_file.node("Identity", [self.constant(array)], [name]) for name, array in kept.items()]
         kinds = {name: np.int64 if name in _INTEGERS else np.float32 for name in inputs}
         return onnx_file.model(
             [*self._nodes, *ends],
             self._constants,
             [onnx_file.port(name, kinds[name], shape) for name, shape in inputs.items()],
-            [onnx_file.port(name, np.float32, None) for name in outputs],
+            [
+                *(onnx_file.port(name, np.float32, None) for name in outputs),
+                *(onnx_file.port(name, array.dtype, array.shape) for name, array in kept.items()),
+            ],
             metadata,
         )
 
@@ -263,7 +303,7 @@ def _heads_of(graph: _Graph, weights: Weights, name: str, normed: str) -> _HeadI
 
 
 def _whole_attention(graph: _Graph, weights: Weights, layer: int, states: str) -> str:
-    """Add attention to all states of a stretch, shape (batch, n, n_channels)."""
+    """Add attention to all states of an excerpt, shape (batch, n, n_channels)."""
     # ONNX Runtime's own operator never writes down the scores of all queries and keys, which takes a seventh off.
     name = f"layer_{layer}/self_attention"
     both = _linear(graph, weights, f"{name}/linear_0", _norm(graph, weights, f"{name}/layer_norm", states))

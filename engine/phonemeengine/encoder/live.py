@@ -1,4 +1,4 @@
-"""The real-time model: lower layers of Whisper's encoder that look back only, run by ONNX Runtime as the sound comes.
+"""The real-time model: lower layers of Whisper's encoder with a causal mask, run by ONNX Runtime as the sound comes.
 
 Its file is an ONNX model with what else has to be known in its metadata.
 """
@@ -8,16 +8,18 @@ import threading
 import weakref
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.encoder.graph import HEAD_SIZE, N_HALVES, SLOTS, Weights, live_graph, live_inputs
 from phonemeengine.encoder.head import N_OUTPUTS
-from phonemeengine.encoder.mel import SILENT, RunningScale
+from phonemeengine.encoder.mel import LEAST_POWER, SILENT, RunningScale
 from phonemeengine.encoder.runtime import has_runtime, open_session
 from phonemeengine.encoder.weights import N_MELS
 from phonemeengine.encoder.whisper import WHISPER_LICENCE
@@ -32,9 +34,13 @@ LOOK_AHEADS = (2, 4)
 CONTEXT = 3
 """Mel frames that a call needs besides two for each state."""
 ENCODER_SHARE = 0.6
-"""Of the encoder in the mean of the logarithms of its probabilities and of the small network's, unless it is told."""
+"""Share of the encoder in the mean of its log probabilities and the small network's, unless the file has its own."""
+MANY, N_THREADS = 8, 2
+"""From how many sounds on as many threads encode them together; waking a second one for fewer costs more."""
+TOGETHER = 256
+"""Mel frames of a whole sound that are encoded at once; attention to more of them costs more."""
 _KEY = "phonemeanalyser"
-_DAMAGED = "is no real-time model, or damaged; get it anew"
+_DAMAGED = "this is not a real-time model, or it is damaged; download it again"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -55,6 +61,27 @@ class LiveEncoder(ShortRepr):
 
     def __hash__(self) -> int:
         return hash(self.content)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LiveHead(ShortRepr):
+    """What turns the states of a real-time model into phonemes and visemes: a linear map.
+
+    Attributes
+    ----------
+    weights : float32, shape (n_channels, 2 x 26): of the first 10 ms of a state, then of the second.
+    bias : float32, shape (2 x 26,).
+    origin : fingerprint of the head that came with the model; one that was adapted to a voice keeps it, and fits no
+        other model.
+    """
+
+    weights: Float32Array
+    bias: Float32Array
+    origin: str
+
+    def logits(self, states: Float32Array) -> Float32Array:
+        """Return the logits of the phonemes and visemes, shape (2 x n_states, 26), a row each 10 ms."""
+        return np.asarray((states @ self.weights + self.bias).reshape(-1, N_OUTPUTS), np.float32)
 
 
 @dataclass(frozen=True)
@@ -79,7 +106,11 @@ class EncoderMix:
 
 
 def build_live_encoder(
-    weights: Weights, mix: EncoderMix | None = None, bits: int = 8, about: Mapping[str, Any] | None = None
+    weights: Weights,
+    mix: EncoderMix | None = None,
+    bits: int = 8,
+    about: Mapping[str, Any] | None = None,
+    anchors: Float32Array | None = None,
 ) -> LiveEncoder:
     """Return a real-time model.
 
@@ -89,11 +120,14 @@ def build_live_encoder(
     mix : how it is joined with the small network; None for the usual shares, without priors.
     bits : 8, or 32 for weights as they are.
     about : what it was trained with, as of `phonemeengine.recognition.model.Model`: texts and numbers by name.
+    anchors : excerpts of the speech that it was trained on, so that an adaptation to one voice does not forget them,
+        as `phonemeengine.encoder.mel.whisper_log_mels` gives it, shape (n, n_frames, 80); None for none.
     """
     mix = mix or EncoderMix()
     known = {"format": FORMAT, "encoder_share": mix.encoder_share, "weakened": mix.weakened, "priors": mix.priors}
     told = {_KEY: json.dumps(known | {"about": dict(about or {})}), "licence": LICENCE}
-    return LiveEncoder(live_graph(weights, bits, told), "the new model")
+    halved = None if anchors is None else anchors.astype(np.float16)
+    return LiveEncoder(live_graph(weights, bits, told, halved), "the new model")
 
 
 def save_live_encoder(encoder: LiveEncoder, path: Path) -> None:
@@ -144,6 +178,8 @@ class OpenEncoder:
     ----------
     mix : how its probabilities are joined with those of the small network.
     about : what it was trained with.
+    head : what turns its states into phonemes and visemes.
+    anchors : excerpts of the speech that it was trained on, float16, shape (n, n_frames, 80).
 
     Raises
     ------
@@ -151,6 +187,7 @@ class OpenEncoder:
     """
 
     def __init__(self, content: bytes) -> None:
+        self._content = content
         try:
             self._session = open_session(content, 1)
         except ModelError as error:
@@ -161,17 +198,58 @@ class OpenEncoder:
         inputs = {each.name: each.shape for each in self._session.get_inputs()}
         self.n_layers, self.n_channels = (len(inputs) - 4) // 2, _width_of(inputs)
         self._rings = [f"{name}_{k}" for name in ("keys", "values") for k in range(self.n_layers)]
-        self._outputs = ["logits", "next_pending", *(f"new_{name}" for name in self._rings)]
+        self._outputs = ["states", "next_pending", *(f"new_{name}" for name in self._rings)]
         self._batch: _JoinedRings | None = None
         self._batching = threading.Lock()
+        self._anchor_states: dict[int, Float32Array] = {}
         if inputs != live_inputs(self.n_layers, self.n_channels):
             raise ModelError(_DAMAGED)
         try:
-            trial = self.encode([EncoderStream(self, 0)], [np.full((CONTEXT, N_MELS), SILENT, np.float32)])[0]
+            trial, self.head, self.anchors = self._tried()
         except Exception as error:  # of the library, whatever a graph from elsewhere makes it say
             raise ModelError(_DAMAGED) from error
-        if trial.shape != (N_HALVES, N_OUTPUTS) or not np.isfinite(trial).all():
+        shapes = self.head.weights.shape, self.head.bias.shape, self.anchors.shape[2:]
+        known = (self.n_channels, N_HALVES * N_OUTPUTS), (N_HALVES * N_OUTPUTS,), (N_MELS,)
+        if shapes != known or not (np.isfinite(trial).all() and np.isfinite(self.anchors).all()):
             raise ModelError(_DAMAGED)
+
+    def _tried(self) -> tuple[Float32Array, LiveHead, NDArray[np.float16]]:
+        """Encode a state of silence; return what the head makes of it, the head, and the anchors."""
+        stream = EncoderStream(self, 0)
+        stream.add(np.full((CONTEXT, N_MELS), SILENT, np.float32))
+        feed = self._feed([stream], 1, [0], [ring[np.newaxis] for ring in stream.rings])
+        weights, bias, anchors = self._session.run(["head_weights", "head_bias", "anchors"], feed)
+        head = LiveHead(weights, bias, sha256(weights.tobytes() + bias.tobytes()).hexdigest()[:16])
+        return head.logits(self.encode([stream], [np.zeros((0, N_MELS), np.float32)])[0]), head, anchors
+
+    @cached_property
+    def _session_of_many(self) -> Any:
+        return open_session(self._content, N_THREADS)
+
+    def fitting(self, head: LiveHead | None) -> LiveHead:
+        """Return a head that was adapted to a voice, if it belongs to this model; else the model's own."""
+        fits = head is not None and (head.origin, head.weights.shape) == (self.head.origin, self.head.weights.shape)
+        return head if head is not None and fits else self.head
+
+    def anchor_states(self, ahead: int) -> Float32Array:
+        """Return the states of the anchors, shape (n, n_frames / 2, rounded up, n_channels)."""
+        if ahead not in self._anchor_states:
+            found = [self.states_of(anchor.astype(np.float32), ahead) for anchor in self.anchors]
+            self._anchor_states[ahead] = np.stack(found) if found else np.zeros((0, 0, self.n_channels), np.float32)
+        return self._anchor_states[ahead]
+
+    def states_of(self, logarithms: Float32Array, ahead: int) -> Float32Array:
+        """Return the states of a whole sound that silence follows, shape (n_frames / 2, rounded up, n_channels).
+
+        Parameters
+        ----------
+        logarithms : of its mel frames, as of `encode`.
+        ahead : states that the first layer looks ahead, 0 or 1.
+        """
+        silence = np.full((2 * N_HALVES, N_MELS), np.log10(LEAST_POWER), np.float32)
+        frames, stream = np.concatenate((logarithms, silence)), EncoderStream(self, ahead)
+        parts = [self.encode([stream], [frames[k : k + TOGETHER]])[0] for k in range(0, len(frames), TOGETHER)]
+        return np.concatenate(parts)[: -(-len(logarithms) // N_HALVES)]
 
     def encode(self, streams: Sequence["EncoderStream"], logarithms: Sequence[Float32Array]) -> list[Float32Array]:
         """Take the next mel frames of each sound, and return what follows from all that came.
@@ -183,12 +261,12 @@ class OpenEncoder:
 
         Returns
         -------
-        for each sound float32, shape (m, 26): logits of the phonemes and visemes of its next m frames. Of f frames
-        that came, those up to f - 2 are answered, or up to f - 4 with a state ahead, and of an odd f one more.
+        for each sound float32, shape (m, n_channels): its next m states, each of two frames, for `LiveHead`. Of f
+        frames that came, those up to f - 2 have states, or up to f - 4 with a state ahead, and of an odd f one more.
         """
         for stream, block in zip(streams, logarithms, strict=True):
             stream.add(block)
-        found: list[list[Float32Array]] = [[np.zeros((0, N_OUTPUTS), np.float32)] for _ in streams]
+        found: list[list[Float32Array]] = [[np.zeros((0, self.n_channels), np.float32)] for _ in streams]
         while waiting := [k for k, stream in enumerate(streams) if stream.n_ready]:
             n = min(streams[k].n_ready for k in waiting)
             for k, answers in zip(waiting, self._push([streams[k] for k in waiting], n), strict=True):
@@ -211,17 +289,24 @@ class OpenEncoder:
         self, streams: Sequence["EncoderStream"], n: int, rows: Sequence[int], rings: Sequence[Float32Array]
     ) -> list[Float32Array]:
         """Encode the next n states of sounds whose rings are those in these rows."""
+        session = self._session if len(rings[0]) < MANY else self._session_of_many
+        states, pending, *new = session.run(self._outputs, self._feed(streams, n, rows, rings))
+        answers = [stream.without_early(states[row]) for row, stream in zip(rows, streams, strict=True)]
+        for row, stream in zip(rows, streams, strict=True):
+            stream.remember(n, pending[row], [ring[row] for ring in new])
+        return answers
+
+    def _feed(
+        self, streams: Sequence["EncoderStream"], n: int, rows: Sequence[int], rings: Sequence[Float32Array]
+    ) -> dict[str, Any]:
+        """Return what the graph takes, for `_run`."""
         mel = np.zeros((len(rings[0]), N_MELS, N_HALVES * n + CONTEXT), np.float32)
         count, pending = np.zeros(len(mel), np.int64), np.zeros((len(mel), 1, self.n_channels), np.float32)
         for row, stream in zip(rows, streams, strict=True):
             mel[row], count[row] = stream.frames[: mel.shape[2]].T, stream.count
             pending[row] = stream.pending
         feed = {"mel": mel, "count": count, "ahead": np.array([streams[0].ahead]), "pending": pending}
-        logits, pending, *new = self._session.run(self._outputs, feed | dict(zip(self._rings, rings, strict=True)))
-        answers = [stream.without_early(logits[row]) for row, stream in zip(rows, streams, strict=True)]
-        for row, stream in zip(rows, streams, strict=True):
-            stream.remember(n, pending[row], [ring[row] for ring in new])
-        return answers
+        return feed | dict(zip(self._rings, rings, strict=True))
 
 
 class _JoinedRings:
@@ -286,9 +371,9 @@ class EncoderStream:
         """Take the next mel frames."""
         self.frames = np.concatenate((self.frames, self._scale.scale(logarithms)))
 
-    def without_early(self, logits: Float32Array) -> Float32Array:
-        """Leave out what is said of the state before the first one, where a state waits for the one after it."""
-        return logits[N_HALVES * self.ahead :] if self.count == 0 else logits
+    def without_early(self, states: Float32Array) -> Float32Array:
+        """Leave out the state before the first one, where a state waits for the one after it."""
+        return states[self.ahead :] if self.count == 0 else states
 
     def remember(self, n: int, pending: Float32Array, rings: Sequence[Float32Array]) -> None:
         """Keep what the model gave of n states: the pending one, and the keys and the values of each layer."""

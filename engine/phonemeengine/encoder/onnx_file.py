@@ -14,7 +14,7 @@ OPSET, IR_VERSION = 20, 9
 """Of ONNX: the first opset with Gelu; what ONNX Runtime reads from version 1.17 on."""
 CONTRIBUTED = "com.microsoft"
 """The domain of the operators that ONNX Runtime has besides those of ONNX."""
-TYPES = {"float32": 1, "uint8": 2, "int8": 3, "int64": 7}
+TYPES = {"float32": 1, "uint8": 2, "int8": 3, "int64": 7, "float16": 10}
 """Codes of the types of numbers, as in ``TensorProto.DataType``."""
 
 
@@ -25,9 +25,11 @@ def tensor(name: str, values: NDArray[Any]) -> bytes:
     return b"".join((*sizes, _field(2, TYPES[values.dtype.name]), _field(8, name), _field(9, little)))
 
 
-def node(kind: str, inputs: Iterable[str], output: str, domain: str = "", **attributes: Any) -> bytes:
-    """Return an operator with one output; attributes are whole numbers, floats, or sequences of whole numbers."""
-    fields = [_field(1, name) for name in inputs] + [_field(2, output), _field(4, kind)]
+def node(kind: str, inputs: Iterable[str], outputs: Sequence[str], domain: str = "", **attributes: Any) -> bytes:
+    """Return an operator, named as its first output; attributes are floats, whole numbers, or sequences of those."""
+    # ONNX Runtime names what it fuses by these names, and before 1.22 refuses a graph in which two are the same
+    fields = [*(_field(1, name) for name in inputs), *(_field(2, name) for name in outputs)]
+    fields += [_field(3, outputs[0]), _field(4, kind)]
     fields += [_field(5, _attribute(*each)) for each in attributes.items()]
     return b"".join((*fields, _field(7, domain) if domain else b""))
 

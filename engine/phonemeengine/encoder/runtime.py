@@ -1,4 +1,4 @@
-"""Opens networks for ONNX Runtime, on the processor: the only door to onnxruntime."""
+"""Opens networks for ONNX Runtime, on the processor: the only module that imports onnxruntime."""
 
 from importlib.util import find_spec
 from pathlib import Path

@@ -48,7 +48,7 @@ def log_mel_spectrogram(samples: Float32Array) -> Float32Array:
     frames = np.lib.stride_tricks.sliding_window_view(padded, N_FFT)[::MEL_HOP][:-1]
     powers = np.abs(rfft(frames * np.hanning(N_FFT + 1)[:-1])) ** 2
     # 1e-10 keeps the logarithm of digital silence finite. Then all that is 80 dB below the loudest band of the
-    # stretch is cut off, and (x + 4) / 4 scales the rest as the encoder knows it.
+    # excerpt is cut off, and (x + 4) / 4 scales the rest as the encoder knows it.
     logarithms = np.log10(np.maximum(slaney_bank() @ powers.T, 1e-10))
     return np.asarray((np.maximum(logarithms, logarithms.max() - DYNAMIC_RANGE) + 4) / 4, np.float32)
 
@@ -130,7 +130,7 @@ class WhisperEncoder:
         wanted = -(-len(sound) // (2 * MEL_HOP))
         mels = log_mel_spectrogram(surrounded(sound))
         parts = [np.zeros((0, N_STATES), np.float32)]
-        # Attention sees the whole stretch, so the states near a cut would change with it; both neighbours overlap by
+        # Attention sees the whole excerpt, so the states near a cut would change with it; both neighbours overlap by
         # a second, and of each only the middle is kept. All places are even, so that the halves meet.
         for first, begin, end, last in stretches(mels.shape[1]):
             (found,) = self._session.run(None, {"mel": mels[np.newaxis, :, begin:end]})
@@ -149,7 +149,7 @@ def surrounded(sound: Float32Array) -> Float32Array:
 
 
 def stretches(n: int) -> Iterator[tuple[int, int, int, int]]:
-    """Cut n mel frames into stretches: first frame, first and end with the overlap, end; all even."""
+    """Cut n mel frames into excerpts: first frame, first and end with the overlap, end; all even."""
     n -= n % 2
     for first in range(0, n, STRETCH):
         last = min(first + STRETCH, n)

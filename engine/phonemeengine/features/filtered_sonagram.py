@@ -25,14 +25,14 @@ def filtered_sonagram_of(
     n_columns: int,
     period: float,
 ) -> Float32Array:
-    """Return the levels of a stretch of sound after filters, dB of full scale, float32, shape (n_columns, n_rows).
+    """Return the levels of a section of sound after filters, dB of full scale, float32, shape (n_columns, n_rows).
 
     A column is the mean power of the frames that begin in it; where none does, the frame that began before it. Frames
     are 10 ms apart; what lies beyond the sound is silent, `FLOOR`.
 
     Parameters
     ----------
-    samples : float32, shape (n,), 44.1 kHz, beginning at a frame, with enough before the stretch for filters that
+    samples : float32, shape (n,), 44.1 kHz, beginning at a frame, with enough before the section for filters that
         remember.
     settings : the filters.
     layout : the rows; the window is that of the recogniser.
@@ -42,7 +42,7 @@ def filtered_sonagram_of(
     """
     # It is filtered by the recogniser's own front end, so that what is seen is what was recognised.
     front_end, framer = FrontEnd(settings, (), pitch=False), Framer()
-    power = np.zeros((n_columns + 1, layout.n_rows))  # the first one is what begins before the stretch
+    power = np.zeros((n_columns + 1, layout.n_rows))  # the first one is what begins before the section
     counts = np.zeros(n_columns + 1)
     edges = first + np.arange(n_columns + 1) * period
     parts = (samples[k : k + AT_ONCE * HOP] for k in range(0, len(samples), AT_ONCE * HOP))

@@ -1,6 +1,7 @@
 """The way of a block from samples to measured variables: transform, filters, meters."""
 
 from collections import deque
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +17,7 @@ from phonemeengine.dsp.filters import (
 )
 from phonemeengine.dsp.mel import mel_edges, mel_spectra_of
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
-from phonemeengine.features.measure import BandFeatures, Features
+from phonemeengine.features.measure import BandFeatures, Features, reach_of
 from phonemeengine.features.variables import (
     BAND_VARIABLES,
     ENERGY_VARIABLES,
@@ -123,7 +124,7 @@ class FrontEnd:
         raw = self._transform.magnitudes_of(waves)
         return self._measured(frames, waves, raw, self._smoother.smooth(raw))
 
-    def resume(self, other: "FrontEnd | LevelFrontEnd") -> None:
+    def resume(self, other: object) -> None:
         """Have the time smoothing go on from where another front end stopped."""
         if isinstance(other, FrontEnd):
             self._smoother.resume(other._smoother)
@@ -167,11 +168,11 @@ class FrontEnd:
 
 
 class LevelFrontEnd:
-    """The way of a block where nobody looks at spectra and variables: its windows, and how loud each is."""
+    """The analysis of a block whose spectra and variables are not needed: its windows, and how loud each is."""
 
     names = ("volume",)
 
-    def resume(self, _other: "FrontEnd | LevelFrontEnd") -> None:
+    def resume(self, _other: object) -> None:
         """Remember nothing: there is nothing to smooth."""
 
     def nothing(self) -> FrameBlock:
@@ -235,3 +236,34 @@ class LookAheadBuffer:
         """Return all frames, and hold none; None where there are none."""
         taken, self._blocks = [*self._blocks], deque()
         return concatenate(taken) if taken else None
+
+
+def why_unmeasured(name: str, settings: AnalysisSettings, mine: Iterable[Variable] = ()) -> str:
+    """Return in a sentence why a variable reads 0 in every frame; empty where its range has bins or mel bands.
+
+    Parameters
+    ----------
+    name : of a variable that is built in or one of `mine`.
+    settings : the front end that measures it.
+    mine : the user's own variables.
+    """
+    known = {v.name: v for v in (*BAND_VARIABLES, *ENERGY_VARIABLES, *mine)}
+    variable = known.get(name)
+    if variable is None:
+        return ""
+    end = settings.n_bins * BIN_WIDTH
+    if variable.source is Spectrum.MEL:
+        if not settings.has(Filter.MEL):
+            return f"{name} reads 0, since the mel filter bank is off; switch Mel on."
+        centres = mel_edges(settings.mel_bands, end)[1:-1]
+    else:
+        centres = np.arange(settings.n_bins, dtype=float) * BIN_WIDTH
+    reach = reach_of(variable, centres)
+    if reach.stop > reach.start:
+        return why_unmeasured(variable.per, settings, mine) if variable.per in known else ""
+    if variable.low >= end:
+        return (
+            f"{name} reads 0, since it begins at {variable.low:.0f} Hz and the spectrum ends at {end:.0f} Hz; "
+            "quantise less."
+        )
+    return f"{name} reads 0, since no band lies within {variable.low:.0f} to {variable.high:.0f} Hz; widen its range."

@@ -161,10 +161,18 @@ SCORES = tuple(f"p_{phoneme.label}" for phoneme in Phoneme)
 DEFICITS = tuple(f"deficit_{phoneme.label}" for phoneme in Phoneme)
 """By how much each phoneme falls short of being the likeliest, log-odds; worked out from the scores."""
 
+PITCH_SET_COLUMNS = ("voice_pitch", "pitch_set")
+"""The pitch of the voice (Hz), and the number of the set of PhonemeData that it chooses: further columns, where a
+preset has such sets."""
+
 BUILT_IN_NAMES = (*WHOLE_FRAME_VARIABLES, *(v.name for v in BAND_VARIABLES))
 
 
-UNITS = {m.name: m.unit for m in FRAME_MEASURES if m.unit != "amplitude"} | dict.fromkeys(DEFICITS, "log-odds")
+UNITS = (
+    {m.name: m.unit for m in FRAME_MEASURES if m.unit != "amplitude"}
+    | dict.fromkeys(DEFICITS, "log-odds")
+    | dict(zip(PITCH_SET_COLUMNS, ("Hz", "number"), strict=True))
+)
 """Units of what is no amplitude."""
 
 
@@ -174,6 +182,51 @@ def unit_of(name: str, mine: Iterable[Variable] = ()) -> str:
     return "ratio" if name in quotients else UNITS.get(name, "amplitude")
 
 
+ALL = "all"
+_WORDS = {
+    "zero_crossings": "zero crossings",
+    "volume": "volume (peak level)",
+    "f0": "pitch (f0)",
+}
+_WORDS |= {score: f"probability of {phoneme.label}" for score, phoneme in zip(SCORES, Phoneme, strict=True)}
+_WORDS |= {deficit: f"deficit of {phoneme.label}" for deficit, phoneme in zip(DEFICITS, Phoneme, strict=True)}
+_OF_KIND = {Kind.SUM: "energy", Kind.MAX: "peak", Kind.MEAN: "mean"}
+_OF_ALL = {Kind.SUM: "total energy", Kind.MAX: "highest peak", Kind.MEAN: "mean amplitude"}
+_OF_SOURCE = {
+    Spectrum.NORMALISED: "",
+    Spectrum.FILTERED: ", filtered",
+    Spectrum.RAW: ", raw",
+    Spectrum.MEL: ", mel",
+}
+
+
+def readable_name(name: str, mine: Iterable[Variable] = ()) -> str:
+    """Return what a variable measures, in words: kind, range in Hz, divisor and spectrum; an unknown name as it is.
+
+    Parameters
+    ----------
+    name : of a variable that is built in, one of the user's own, or a score of a recogniser.
+    mine : the user's own variables.
+    """
+    known = {v.name: v for v in (*BAND_VARIABLES, *ENERGY_VARIABLES, *mine)}
+    if name not in known:
+        return _WORDS.get(name, name)
+    variable = known[name]
+    words = (
+        f"{_OF_KIND[variable.kind]} {_range_of(variable)}" if _range_of(variable) != ALL else _OF_ALL[variable.kind]
+    )
+    if variable.per:
+        divisor = known.get(variable.per)
+        alike = divisor is not None and divisor.kind is variable.kind
+        words += f" / {_range_of(divisor) if divisor is not None and alike else readable_name(variable.per, mine)}"
+    return words + _OF_SOURCE[variable.source]
+
+
+def _range_of(variable: Variable) -> str:
+    is_all = variable.low == 0 and variable.high == SAMPLE_RATE / 2
+    return ALL if is_all else f"{variable.low:.0f}–{variable.high:.0f} Hz"
+
+
 def check_user_variables(variables: tuple[Variable, ...]) -> None:
     """Refuse names that are built in, head another column of a table, or stand twice, and unknown divisors.
 
@@ -181,7 +234,7 @@ def check_user_variables(variables: tuple[Variable, ...]) -> None:
     ------
     SettingsError : a name is taken, or a variable is divided by one that is not measured or divided itself.
     """
-    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES, *DEFICITS}
+    seen = {*BUILT_IN_NAMES, *TABLE_COLUMNS, *SCORES, *DEFICITS, *PITCH_SET_COLUMNS}
     for variable in variables:
         if variable.name in seen:
             raise SettingsError(f"a variable named {variable.name[:60]} exists already; choose another name")

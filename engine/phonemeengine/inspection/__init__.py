@@ -1,1 +1,1 @@
-"""What is shown of a whole sound: tracks, measured stretches, averaged spectra, tables, and two presets compared."""
+"""What is shown of a whole sound: tracks, measured selections, averaged spectra, tables, and two presets compared."""

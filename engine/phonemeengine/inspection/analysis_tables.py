@@ -1,4 +1,4 @@
-"""The tables that tell what was recognised in a sound: stretches of equal phonemes, or every frame's variables."""
+"""The tables of what was recognised in a sound: segments of equal phonemes, or every frame's variables."""
 
 import csv
 import json
@@ -19,7 +19,7 @@ from phonemeengine.labels.utterance import Phone, Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import ear_in_words, for_files
+from phonemeengine.presets.model_choice import for_files, model_in_words
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import SEGMENT_COLUMNS, Segment, labels_of_segments, segments_of
 from phonemeengine.settings import FRAME_PERIOD
@@ -42,7 +42,7 @@ class TableFormat:
     Attributes
     ----------
     ending : of its files, such as ``.csv``.
-    write_runs : writes stretches of equal phonemes.
+    write_runs : writes segments of equal phonemes.
     write_words : writes words and phones.
     write_frames : writes every frame of 10 ms with its variables; None where the format has no place for them.
     owns : says which files the format wrote; None where those of another program look alike.
@@ -143,8 +143,8 @@ def _write_json(file: TextIO, heading: dict[str, Any], name: str, rows: Iterator
 
 
 def _heading(name: str, duration: float, preset: Preset) -> dict[str, Any]:
-    heard_with = ear_in_words(for_files(preset))
-    return {"file": name, "duration_s": _seconds(duration), "preset": preset.name, "heard_with": heard_with}
+    model = model_in_words(for_files(preset))
+    return {"file": name, "duration_s": _seconds(duration), "preset": preset.name, "model": model}
 
 
 def _runs(analyses: Iterator[Analysis], reader: SoundReader) -> Iterator[Segment]:
@@ -194,7 +194,7 @@ def _owns_csv(content: bytes) -> bool:
 
 _owns_json = begins_like(
     rb'\{\n "file": %s,\n "duration_s": [0-9.e-]+,\n "preset": %s,\n '
-    rb'(?:"heard_with": %s,\n )?"(?:phonemes|frames|skipped)": \[' % (JSON_TEXT, JSON_TEXT, JSON_TEXT)
+    rb'(?:"(?:model|heard_with)": %s,\n )?"(?:phonemes|frames|skipped)": \[' % (JSON_TEXT, JSON_TEXT, JSON_TEXT)
 )
 
 TABLES: dict[str, TableFormat] = {

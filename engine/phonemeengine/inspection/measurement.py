@@ -1,4 +1,4 @@
-"""What a stretch of a sound is like: how loud, how high, with which formants and phonemes; and the stretch itself."""
+"""The measures of a selection: how loud, how high, with which formants and phonemes; and the selection itself."""
 
 import csv
 import io
@@ -11,14 +11,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from phonemeengine.analyser import analyse_range
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.wav import WavEncoder, check_wav_name
 from phonemeengine.dsp.formants import CEILING, WINDOW_SECONDS, formants_of
 from phonemeengine.errors import AudioError, EngineError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
-from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum, SpectrumAverage
 from phonemeengine.inspection.whole_sound import FrameRange, FrameState, SoundTracks, analyse_whole, tracks_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
@@ -26,9 +24,9 @@ from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE, Channel
 from phonemeengine.storage.files import atomic_write, reason_of
 
 N_FORMANTS = 3
-"""Of each frame that are told."""
+"""Of each frame, in the table."""
 AT_ONCE = 30.0
-"""Seconds that are read at a time, so that the memory does not grow with the stretch."""
+"""Seconds that are read at a time, so that the memory does not grow with the selection."""
 QUIETEST = 1e-6
 """Amplitude, -120 dB; what is quieter counts as this."""
 MEASUREMENT_COLUMNS = ("measure", "unit", "mean", "min", "max")
@@ -46,11 +44,11 @@ class Statistics(NamedTuple):
 
 @dataclass(frozen=True)
 class StretchMeasurement:
-    """What a stretch of a sound is like.
+    """The measures of a selection.
 
     Attributes
     ----------
-    start, end : of the stretch, seconds from the sound's beginning.
+    start, end : of the selection, seconds from the sound's beginning.
     level : root mean square of its samples, dB of full scale.
     peak : largest sample, dB of full scale.
     statistics : of the pitch ``f0`` and the formants ``F1`` to ``F3``, Hz, over the frames with a pitch, and of every
@@ -89,20 +87,20 @@ def measure(
     ceiling: float = CEILING,
     progress: Progress = no_progress,
 ) -> StretchMeasurement:
-    """Measure a stretch of a sound file, which is analysed whole first, as `analyse_whole` does.
+    """Measure a selection of a sound file, which is analysed whole first, as `analyse_whole` does.
 
     Parameters
     ----------
     path : the sound file.
-    start, end : of the stretch, seconds; what lies beyond the sound is left out.
-    preset : what is recognised with, by the best ear that it has for files.
+    start, end : of the selection, seconds; what lies beyond the sound is left out.
+    preset : what is recognised with, by the best model that it has for files.
     channel : what is measured of a file of several channels.
     ceiling : Hz below which the formants are looked for: 5500 for women, 5000 for men, up to 8000 for children.
     progress : called with the share that is done, 0..1.
 
     Raises
     ------
-    AudioError : the file cannot be read, or the stretch holds nothing of it.
+    AudioError : the file cannot be read, or the selection holds nothing of it.
     Cancelled : `progress` did not want to go on.
     """
 
@@ -127,16 +125,16 @@ def measure_stretch(
     ceiling: float = CEILING,
     progress: Progress = no_progress,
 ) -> StretchMeasurement:
-    """Measure a stretch of a sound that is analysed already; see `measure`.
+    """Measure a selection of a sound that is analysed already; see `measure`.
 
     Raises
     ------
-    AudioError : the sound cannot be read, or the stretch holds nothing of it.
-    EngineError : the stretch is not analysed yet.
+    AudioError : the sound cannot be read, or the selection holds nothing of it.
+    EngineError : the selection is not analysed yet.
     """
     frames = frames_between(start, end, tracks.n_frames)
     if not tracks.is_known(frames):
-        raise EngineError("this stretch is still being analysed; measure it in a moment")
+        raise EngineError("this segment is still being analysed; measure it in a moment")
     place = slice(frames.first, frames.last)
     features = tracks.features
     columns = {name: features[name][place] for name in features.names}
@@ -154,30 +152,6 @@ def measure_stretch(
     return StretchMeasurement(first, last, _decibels(heard.rms), _decibels(heard.peak), statistics, shares)
 
 
-def average_spectrum(
-    path: str | os.PathLike[str],
-    start: float,
-    end: float,
-    preset: Preset,
-    name: str,
-    *,
-    channel: Channel = Channel.MIX,
-) -> AveragedSpectrum:
-    """Return the averaged spectrum of a stretch of a sound file, through the filters of the preset.
-
-    Raises
-    ------
-    AudioError : the file cannot be read, or the stretch holds nothing of it.
-    """
-    average = SpectrumAverage()
-    with SoundReader(path, channel) as reader:
-        frames = frames_between(start, end, tracks_of(reader).n_frames)
-        for analysis in analyse_range(reader, frames.first, frames.last, preset):
-            average.add(analysis.linear_spectra)
-        since = f"{start:.2f} to {end:.2f} s of {reader.path.name}"
-    return average.curve(name, preset.settings.front_end(), since)
-
-
 def save_stretch(
     path: str | os.PathLike[str],
     start: float,
@@ -186,11 +160,11 @@ def save_stretch(
     *,
     channel: Channel = Channel.MIX,
 ) -> None:
-    """Write a stretch of a sound file as WAV of 24 bits at 44.1 kHz; the mix keeps all channels.
+    """Write a selection of a sound file as WAV of 24 bits at 44.1 kHz; the mix keeps all channels.
 
     Raises
     ------
-    AudioError : the file cannot be read, the stretch holds nothing of it, or the target cannot be written, or ends
+    AudioError : the file cannot be read, the selection holds nothing of it, or the target cannot be written, or ends
         otherwise than WAV.
     """
     check_wav_name(Path(target))
@@ -222,22 +196,22 @@ def format_measurement(measurement: StretchMeasurement) -> str:
 
 
 def format_frames(tracks: SoundTracks, start: float, end: float) -> str:
-    """Return the frames of a stretch of an analysed sound as a table with tabs.
+    """Return the frames of a selection of an analysed sound as a table with tabs.
 
-    Its columns are time, phoneme, how loud, how sure, and every variable; cells are empty where nothing is known.
+    Its columns are time, phoneme, intensity, confidence, and every variable; cells are empty where nothing is known.
 
     Raises
     ------
-    AudioError : the stretch holds nothing of the sound.
+    AudioError : the selection holds nothing of the sound.
     """
     frames = frames_between(start, end, tracks.n_frames)
-    features = tracks.features
+    features, confidences = tracks.features, tracks.confidences(slice(*frames)).tolist()
     lines = ["\t".join(("time_s", "phoneme", "intensity", "confidence", *features.names))]
     for k in range(frames.first, frames.last):
         if tracks.states[k] == FrameState.UNKNOWN:
             lines.append(f"{(k + 0.5) * FRAME_PERIOD:.3f}" + "\t" * (3 + len(features.names)))
             continue
-        numbers = (tracks.intensities[k], tracks.confidences[k], *features.values[k])
+        numbers = (tracks.intensities[k], confidences[k - frames.first], *features.values[k])
         cells = ("" if math.isnan(number) else f"{number:.6g}" for number in numbers)
         lines.append("\t".join((f"{(k + 0.5) * FRAME_PERIOD:.3f}", Phoneme(int(tracks.phonemes[k])).label, *cells)))
     return "\n".join(lines) + "\n"
@@ -248,7 +222,7 @@ def frames_between(start: float, end: float, n_frames: int) -> FrameRange:
 
     Raises
     ------
-    AudioError : the stretch is turned round, or lies beyond the sound.
+    AudioError : its end lies before its start, or it lies beyond the sound.
     """
     if not end > start or end <= 0 or start >= n_frames * FRAME_PERIOD:
         raise _nothing_there(start, end)
@@ -257,11 +231,11 @@ def frames_between(start: float, end: float, n_frames: int) -> FrameRange:
 
 
 def _nothing_there(start: float, end: float) -> AudioError:
-    return AudioError(f"there is no sound from {start:g} to {end:g} s; choose a stretch within the sound")
+    return AudioError(f"there is no sound from {start:g} to {end:g} s; choose a segment within the sound")
 
 
 class _HeardStretch(NamedTuple):
-    """What the samples of a stretch say by themselves: amplitudes, and the formants of its frames."""
+    """What the samples of a selection give by themselves: amplitudes, and the formants of its frames."""
 
     rms: float
     peak: float
@@ -271,7 +245,7 @@ class _HeardStretch(NamedTuple):
 def _hear(
     reader: SoundReader, frames: FrameRange, times: tuple[float, float], ceiling: float, progress: Progress
 ) -> _HeardStretch:
-    """Go through a stretch, some seconds at a time."""
+    """Go through a selection, some seconds at a time."""
     energy, n, peak, formants = 0.0, 0, 0.0, []
     margin, step = math.ceil(WINDOW_SECONDS / FRAME_PERIOD), round(AT_ONCE / FRAME_PERIOD)
     start, end = (round(max(0.0, time) * SAMPLE_RATE) for time in times)

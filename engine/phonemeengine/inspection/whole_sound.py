@@ -1,4 +1,4 @@
-"""A whole sound, analysed in the background: what somebody looks at first, then all of it, in bounded memory.
+"""A whole sound, analysed in the background: what is in view first, then all of it, in bounded memory.
 
 An hour takes some 60 MB: a byte for each phoneme, four for each measured variable, and an outline of the waveform.
 Spectra are not kept; `phonemeengine.dsp.sonagram` draws them from the sound.
@@ -24,14 +24,14 @@ from phonemeengine.execution import Progress, no_progress, report_progress, subr
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import SCORES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_files, while_played
+from phonemeengine.presets.model_choice import for_files, while_played
 from phonemeengine.presets.preset import Preset
-from phonemeengine.recognition.scores import Sensitivity
+from phonemeengine.recognition.scores import Sensitivity, scores_in
 from phonemeengine.recognition.segments import intensities_of
-from phonemeengine.settings import FRAME_PERIOD, HOP, Channel, Ear
+from phonemeengine.settings import FRAME_PERIOD, HOP, Channel, ModelKind
 
 MOST_PREVIEWED = 6000
-"""Frames of 10 ms that are analysed ahead of their turn, since somebody looks at them."""
+"""Frames of 10 ms that are analysed ahead of their turn, since they are in view."""
 
 
 class FrameState(IntEnum):
@@ -65,19 +65,21 @@ class SoundTracks:
     n_frames : of the sound.
     states : codes of `FrameState`, uint8, shape (n_frames,).
     recognised, phonemes : as of `Analysis`, uint8, shape (n_frames,).
-    intensities, confidences : as of `Analysis`, float32, shape (n_frames,).
+    intensities : as of `Analysis`, float32, shape (n_frames,).
     peaks : the outline of the waveform, as far as the sound was read.
     revision : another number after each change.
+    n_written : how many blocks were measured and written.
     """
 
     def __init__(self, n_frames: int) -> None:
         self.n_frames = n_frames
         self.states: UInt8Array = np.zeros(n_frames, np.uint8)
         self.recognised, self.phonemes = np.zeros(n_frames, np.uint8), np.zeros(n_frames, np.uint8)
-        self.intensities, self.confidences = (np.zeros(n_frames, np.float32) for _ in range(2))
+        self.intensities, self._confidences = (np.zeros(n_frames, np.float32) for _ in range(2))
+        self._find_confidences: Callable[[slice], Float32Array] | None = None
         self._measured = _Measured((), np.zeros((0, n_frames), np.float32))
         self.peaks = WaveformPeaks()
-        self.revision = 0
+        self.revision = self.n_written = 0
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -100,6 +102,14 @@ class SoundTracks:
         measured = self._measured
         return Features(measured.names, measured.columns.T)
 
+    def confidences(self, frames: slice = slice(None)) -> Float32Array:
+        """Return the confidences of some frames, as of `Analysis`, float32, shape (n_frames,)."""
+        return self._confidences[frames] if self._find_confidences is None else self._find_confidences(frames)
+
+    def find_confidences(self, find: Callable[[slice], Float32Array]) -> None:
+        """Have confidences worked out when they are asked for, and not while a threshold is dragged."""
+        self._find_confidences = find
+
     def outdate(self) -> None:
         """Mark all that is known as found with other settings; it stays to be seen until it is found anew."""
         self.states[self.states == FrameState.KNOWN] = FrameState.OUTDATED
@@ -114,9 +124,11 @@ class SoundTracks:
         place = slice(part.start, part.start + len(part))
         self.recognised[place], self.phonemes[place] = part.recognised, part.phonemes
         self.intensities[place] = part.intensities
-        self.confidences[place], self.columns[:, place] = part.confidences, part.features.values.T
+        if self._find_confidences is not None:  # which was of what another preset says
+            self._confidences[:], self._find_confidences = np.nan, None
+        self._confidences[place], self.columns[:, place] = part.confidences, part.features.values.T
         self.states[place] = FrameState.KNOWN
-        self.revision += 1
+        self.revision, self.n_written = self.revision + 1, self.n_written + 1
 
     def is_known(self, frames: FrameRange) -> bool:
         """Return whether all of some frames are known, as the settings in force have them."""
@@ -142,7 +154,7 @@ def analyse_whole(
     open_sound : opens the sound; it is read at two places at once.
     preset : what is recognised with.
     tracks : made for this sound; what they know is outdated first.
-    in_view : asked again and again for what somebody looks at.
+    in_view : asked again and again for what is in view.
     progress : called with the share that is done, 0..1.
     most_previewed : frames of that which are found ahead of their turn at most.
 
@@ -163,13 +175,13 @@ def analyse_whole(
                 _find(ahead, preset, tracks, FrameRange(max(wanted.first, done), wanted.last), most_previewed)
 
         passes = _passes_of(preset)
-        for k, heard_with in enumerate(passes):
+        for k, passed in enumerate(passes):
             reader.seek(0)
             part = subrange(progress, k / len(passes), (k + 1) / len(passes))
             report_progress(part, 0.0)
             blocks = _outlined(reader.blocks(BLOCK * HOP), tracks)
             preview(0)
-            for analysis in analyse_blocks(blocks, heard_with, pitch=True):
+            for analysis in analyse_blocks(blocks, passed, pitch=True):
                 tracks.write(analysis)
                 done = analysis.start + len(analysis)
                 report_progress(part, min(1.0, done / tracks.n_frames))
@@ -179,9 +191,9 @@ def analyse_whole(
 
 
 def _passes_of(preset: Preset) -> list[Preset]:
-    """Return what a sound is heard with, one after the other: the ear for files, and before a slow one a fast one."""
+    """Return the models of a sound, one after the other: that for files, and before a slow one a fast one."""
     last = for_files(preset)
-    return [while_played(preset), last] if last.ear is Ear.WHISPER else [last]
+    return [while_played(preset), last] if last.model_kind is ModelKind.WHISPER else [last]
 
 
 def _outlined(blocks: Iterator[Float32Array], tracks: SoundTracks) -> Iterator[Float32Array]:
@@ -241,27 +253,31 @@ class RetunedSound:
         levels = tracks.columns[tracks.names.index("volume")]
         tracks.intensities[:] = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         tracks.intensities[codes == 0] = 0
-        rules = rules_in(preset)
-        if rules is None and scores is not None:
+        if scores is not None:
             first = tracks.names.index(SCORES[0])
             tracks.columns[first : first + len(SCORES)] = scores
-            tracks.confidences[:] = sure_of(for_files(preset), codes, scores.T, None)
-        else:
-            tracks.confidences[:] = np.nan
-        if rules is not None and preset.is_measured:
-            for first in range(0, len(codes), BLOCK):
-                part = slice(first, first + BLOCK)
-                deficits = rules.deficits(Features(tracks.names, tracks.columns[:, part].T))
-                tracks.confidences[part] = sure_of(preset, codes[part], None, deficits)
+        tracks.find_confidences(lambda frames: _confidences_in(tracks, preset, frames))
         tracks.states[:] = FrameState.KNOWN
         tracks.revision += 1
         return True
 
 
+def _confidences_in(tracks: SoundTracks, preset: Preset, frames: slice) -> Float32Array:
+    """Return the confidences of some frames that were recognised with a preset."""
+    rules, found = rules_in(preset), [np.zeros(0, np.float32)]
+    codes, values = tracks.phonemes[frames], tracks.values[frames]
+    for first in range(0, len(codes), BLOCK):
+        part = Features(tracks.names, values[first : first + BLOCK])
+        deficits = rules.deficits(part) if rules is not None and preset.is_measured else None
+        scores = scores_in(part) if rules is None else None
+        found.append(sure_of(for_files(preset), codes[first : first + BLOCK], scores, deficits))
+    return np.concatenate(found)
+
+
 def _key_of(preset: Preset) -> object:
     """Return all that must be equal for answers to be known without the sound."""
     by_rules = rules_in(preset) is not None
-    return front_end_key(preset), preset.file_ear, preset.ear, None if by_rules else recogniser_key(preset)
+    return front_end_key(preset), preset.file_model, preset.model_kind, None if by_rules else recogniser_key(preset)
 
 
 def _scores_in(tracks: SoundTracks) -> np.ndarray | None:
@@ -271,18 +287,18 @@ def _scores_in(tracks: SoundTracks) -> np.ndarray | None:
     return tracks.columns[first : first + len(SCORES)].copy()
 
 
-# Where two presets hear something else in the same sound.
+# Where two presets recognise different phonemes in the same sound.
 
 DIFFERENCE_COLUMNS = ("start_s", "end_s", "first", "second")
 
 
 class DifferentStretch(NamedTuple):
-    """A stretch in which two presets hear two things.
+    """A segment in which two presets differ.
 
     Attributes
     ----------
     start, end : seconds.
-    first, second : what each of them hears.
+    first, second : what each of them recognises.
     """
 
     start: float
@@ -296,11 +312,11 @@ class DifferentStretch(NamedTuple):
 
 
 class PresetDifference(NamedTuple):
-    """How differently two presets hear a sound.
+    """How much two presets differ on a sound.
 
     Attributes
     ----------
-    share : of the frames, 0..1, in which they hear two things.
+    share : of the frames, 0..1, in which they differ.
     stretches : where.
     """
 
@@ -316,7 +332,7 @@ def difference(
     channel: Channel = Channel.MIX,
     progress: Progress = no_progress,
 ) -> PresetDifference:
-    """Hear a sound file with two presets, and return where they hear two things.
+    """Recognise a sound file with two presets, and return where they differ.
 
     Raises
     ------
@@ -357,7 +373,7 @@ def difference_in(first: SoundTracks, second: SoundTracks, frames: FrameRange) -
 
 
 def format_difference(found: PresetDifference) -> str:
-    """Return the stretches as CSV with a line of names."""
+    """Return the segments as CSV with a line of names."""
     file = io.StringIO()
     rows = csv.writer(file, lineterminator="\n")
     rows.writerow(DIFFERENCE_COLUMNS)

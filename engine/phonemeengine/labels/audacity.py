@@ -1,7 +1,7 @@
 """Audacity's label tracks: a line for each label, with its start, its end and its name between tabs.
 
 A second line that begins with a backslash tells the frequencies of a label that was drawn in a spectrogram; it is
-passed over. A label without length is a remark at a point, not a stretch of sound, and is passed over too. Names in
+passed over. A label without length is a remark at a point, not an interval, and is passed over too. Names in
 double quotes are words: a track holds them beside the sounds, and whoever reads the sounds passes them over.
 """
 
@@ -16,7 +16,7 @@ FREQUENCIES = "\\"
 
 
 def raw_labels_of(text: str, file: str) -> tuple[RawLabel, ...]:
-    """Read the stretches that have a name from the text of an exported label track.
+    """Read the intervals that have a name from the text of an exported label track.
 
     Raises
     ------
@@ -40,7 +40,7 @@ def format_audacity(labels: Sequence[Label], words: Sequence[Word] = ()) -> str:
 
 
 def format_track(stretches: Iterable[tuple[float, float, str]], words: Sequence[Word] = ()) -> str:
-    """Return stretches of sound, each with start and end in seconds and a name, as a label track; and words."""
+    """Return intervals, each with start and end in seconds and a name, as a label track; and words."""
     said = ((word.start, word.end, f'"{" ".join(word.text.split())}"') for word in words)
     rows = sorted((*said, *stretches), key=lambda row: row[0])  # stable: a word stands before its first sound
     return "".join(f"{start:.6f}\t{end:.6f}\t{name}\n" for start, end, name in rows)

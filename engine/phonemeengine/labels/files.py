@@ -1,4 +1,4 @@
-"""Label files of every kind, by the ending of their names: the door for all who read or write labels."""
+"""Label files of every kind, by the ending of their names: all reading and writing of labels goes through here."""
 
 from collections import Counter
 from collections.abc import Iterable, Sequence
@@ -27,7 +27,7 @@ def read_labels(
     Parameters
     ----------
     path : the file.
-    mapping : what names stand for that nobody knows.
+    mapping : what unknown names stand for.
     duration : length of the sound, seconds, where it is known.
     tier : of a TextGrid; the first one whose names are phonemes, where it is None.
 
@@ -129,7 +129,7 @@ def phoneme_tier_of(tiers: Sequence[Tier], mapping: PhonemeMap) -> Tier:
 
 
 def known_labels(raw_labels: Iterable[RawLabel], mapping: PhonemeMap, file: str) -> tuple[Label, ...]:
-    """Return those of some marks as labels whose names somebody knows; the others, such as words, are left out.
+    """Return those of some marks as labels whose names are known; the others, such as words, are left out.
 
     Raises
     ------

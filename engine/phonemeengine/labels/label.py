@@ -1,4 +1,4 @@
-"""What was said when: a stretch as a file has it, and as one of our phonemes."""
+"""What was said when: an interval as a file has it, and as one of our phonemes."""
 
 import itertools
 import math
@@ -9,7 +9,7 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 
 CORE = "core"
-"""The certainty of a label that says surely what is heard."""
+"""The certainty of a label that is not in doubt."""
 
 ROUNDING = 0.001
 """Seconds by which times may be off because a file rounds them: two labels may overlap, or the last one outlast its
@@ -24,7 +24,7 @@ LAST_END = 86_400.0
 
 @dataclass(frozen=True)
 class Label:
-    """What was said in one stretch of a recording.
+    """What was said in one interval of a recording.
 
     Attributes
     ----------
@@ -43,7 +43,7 @@ class Label:
 
 @dataclass(frozen=True)
 class RawLabel:
-    """A stretch of a label file, before anybody knows what its name means.
+    """An interval of a label file, before its name has a meaning.
 
     Attributes
     ----------

@@ -219,12 +219,12 @@ def phone_classes_in(name: str) -> tuple[PhoneClass | None, PhoneClass | None, P
 
 
 def ipa_class(symbol: str) -> PhoneClass | None:
-    """Return what a symbol of `split_ipa` means; None for one that nobody knows."""
+    """Return what a symbol of `split_ipa` means; None for an unknown one."""
     return _IPA.get(symbol)
 
 
 def ipa_phoneme(symbol: str) -> Phoneme:
-    """Return the class of a symbol of `split_ipa`; one that nobody knows is unidentified."""
+    """Return the class of a symbol of `split_ipa`; an unknown one is unidentified."""
     return _IPA[symbol].phoneme if symbol in _IPA else X
 
 
@@ -236,7 +236,7 @@ def normal_ipa(name: str) -> str:
 def split_ipa(name: str) -> tuple[str, ...]:
     """Return the symbols of IPA that a name is made of, the halves of an affricate apart.
 
-    A diphthong is one symbol, and a letter that nobody knows is one, too. Marks of stress and length, and modifiers
+    A diphthong is one symbol, and an unknown letter is one, too. Marks of stress and length, and modifiers
     that no symbol here has, are left out.
     """
     rest = unicodedata.normalize("NFC", name.translate(_IPA_MARKS)).translate(_SPELT_OTHERWISE)

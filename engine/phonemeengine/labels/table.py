@@ -1,6 +1,6 @@
 """Label files as text, and those of the corpus format: CSV with start_s, end_s, phone, class and certainty.
 
-Other tables in CSV, such as the manifest of a corpus, are read by the same door.
+Other tables in CSV, such as the manifest of a corpus, are read by this module too.
 """
 
 import csv

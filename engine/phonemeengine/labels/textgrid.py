@@ -2,7 +2,7 @@
 
 To Praat both are one format: it reads the numbers, the texts in double quotes and the flags in angle brackets that
 stand free, one after the other, and takes all else for remarks (Praat manual, "TextGrid file formats"). So does this.
-praatio and textgrid give a cut-off file as if it were whole, or leave out stretches that they cannot read.
+praatio and textgrid give a cut-off file as if it were whole, or leave out intervals that they cannot read.
 """
 
 import math
@@ -39,7 +39,7 @@ number of an item."""
 
 @dataclass(frozen=True)
 class Tier:
-    """A tier: its name, and those of its stretches, or points, that have a name.
+    """A tier: its name, and those of its intervals, or points, that have a name.
 
     Attributes
     ----------
@@ -52,7 +52,7 @@ class Tier:
 
 
 def tiers_of(text: str, file: str, *, points: bool = False) -> tuple[Tier, ...]:
-    """Read the tiers of stretches from the text of a TextGrid.
+    """Read the interval tiers from the text of a TextGrid.
 
     Parameters
     ----------
@@ -104,7 +104,7 @@ def format_textgrid(labels: Sequence[Label], duration: float, *, short: bool = F
 
 
 def format_tiers(tiers: Mapping[str, Sequence[Interval]], end: float, *, short: bool = False) -> str:
-    """Write tiers of stretches, by name, as the text of a TextGrid that ends at `end` seconds."""
+    """Write interval tiers, by name, as the text of a TextGrid that ends at `end` seconds."""
     stretches = {
         name: [RawLabel(first, last, text, "") for first, last, text in found] for name, found in tiers.items()
     }
@@ -112,7 +112,7 @@ def format_tiers(tiers: Mapping[str, Sequence[Interval]], end: float, *, short: 
 
 
 def format_grid(tiers: Sequence[Tier], end: float, *, short: bool = False) -> str:
-    """Write tiers, of stretches and of points, as the text of a TextGrid that ends at `end` seconds."""
+    """Write tiers, of intervals and of points, as the text of a TextGrid that ends at `end` seconds."""
     lines = list(_lines(tiers, end))
     if short:
         return _HEADER + "".join(f"{value}\n" for _, value in lines if value is not None)
@@ -120,12 +120,12 @@ def format_grid(tiers: Sequence[Tier], end: float, *, short: bool = False) -> st
 
 
 class TierSpool(Closing):
-    """A tier of stretches that may be long: what is added lies on the disk until the whole is written.
+    """An interval tier that may be long: what is added lies on the disk until the whole is written.
 
     Parameters
     ----------
     name : of the tier.
-    silence : the name of the stretches between.
+    silence : the name of the intervals between.
     """
 
     def __init__(self, name: str, silence: str = "") -> None:
@@ -134,7 +134,7 @@ class TierSpool(Closing):
         self._n, self._at = 0, "0"
 
     def add(self, start: float, end: float, text: str) -> None:
-        """Add a stretch, seconds, after all that were added before; one without length is left out."""
+        """Add an interval, seconds, after all that were added before; one without length is left out."""
         first, last = _seconds(start), _seconds(end)
         if float(first) - float(self._at) > ROUNDING:
             self._append(self._at, first, self._silence)
@@ -239,7 +239,7 @@ def _next_tier(words: _Words, number: int) -> Tier:
     name = words.text(f"the name of tier {number}")
     words.number(f"where tier {name!r:.40} begins")
     words.number(f"where tier {name!r:.40} ends")
-    n_labels = words.count(f"the number of stretches in tier {name!r:.40}")
+    n_labels = words.count(f"the number of intervals in tier {name!r:.40}")
     raw_labels = [
         raw for k in range(n_labels) if (raw := _next_label(words, kind, f"tier {name!r:.40}, interval {k + 1}")).name
     ]
@@ -299,7 +299,7 @@ def _points(labels: Sequence[RawLabel]) -> Iterator[tuple[str, str | None]]:
 
 
 def _filled(labels: Sequence[RawLabel], end: float) -> Iterator[tuple[str, str, str]]:
-    """Return stretches that follow each other from 0 to the end, with empty ones in between."""
+    """Return intervals that follow each other from 0 to the end, with empty ones in between."""
     at = "0"
     for first, last, text in [(_seconds(x.start), _seconds(x.end), x.name) for x in labels]:
         if float(first) > float(at):

@@ -28,7 +28,7 @@ class Phone:
         phones. Empty where only the phoneme is known.
     phoneme : the class of it that recognisers tell apart.
     score : how well the sound fits it: the mean, over its frames, of the best score of any phone less its own,
-        natural logarithm; 0 fits best. None where nobody listened.
+        natural logarithm; 0 fits best. None where it was not aligned with a sound.
     """
 
     start: float
@@ -70,7 +70,7 @@ class Word:
 
     Attributes
     ----------
-    text : as it is written; `UNKNOWN_WORD` where somebody says what the script does not hold.
+    text : as it is written; `UNKNOWN_WORD` for speech that the script does not hold.
     syllables : in order of time, without gaps; at least one.
     """
 
@@ -94,7 +94,7 @@ class Word:
 
     @property
     def score(self) -> float | None:
-        """How well the sound fits it: the mean of its phones' scores over time; None where nobody listened."""
+        """How well the sound fits it: the mean of its phones' scores over time; None without an alignment."""
         return _mean_score(self.phones)
 
 
@@ -109,7 +109,7 @@ class Utterance:
     words : in order of time, not overlapping.
     duration : of the sound, seconds.
     language : the voice of espeak-ng that read the text, such as ``de``; empty where it came from labels.
-    skipped : words of the script that nobody said, in order.
+    skipped : words of the script that were not spoken, in order.
 
     Raises
     ------
@@ -142,7 +142,7 @@ class Utterance:
 
     @property
     def score(self) -> float | None:
-        """How well the sound fits the words: the mean of the phones' scores over time; None where nobody listened."""
+        """How well the sound fits the words: the mean of the phones' scores over time; None without an alignment."""
         return _mean_score(self.phones)
 
 
@@ -192,7 +192,7 @@ def with_boundary(utterance: Utterance, unit: LabelUnit, boundary: int, seconds:
     """Return an utterance with one boundary elsewhere.
 
     All phones of the unit that it bounds become longer or shorter by one factor, and so do those of the unit before
-    or after where that touches. Nobody has listened to phones that were moved, so they have no score.
+    or after where that touches. Phones that were moved were not compared with the sound, so they have no score.
 
     Parameters
     ----------

@@ -39,7 +39,7 @@ def format_utterance(
     Parameters
     ----------
     utterance : what is said.
-    silence : the name of the stretches between.
+    silence : the name of the intervals between.
     more : further tiers, by name.
     """
     with UtteranceSpool(silence) as spool:
@@ -53,7 +53,7 @@ class UtteranceSpool(Closing):
 
     Parameters
     ----------
-    silence : the name of the stretches between words.
+    silence : the name of the intervals between words.
     """
 
     def __init__(self, silence: str = "") -> None:
@@ -113,14 +113,14 @@ def read_utterance(
     """Read what is said in a sound from a TextGrid with a tier of sounds, or of syllables of pinyin.
 
     Where there is a tier of words, these are known, and of syllables, these. Without words, what is said between two
-    silences is one, without a text; or each syllable where there are no sounds, or some that nobody knows. A
+    silences is one, without a text; or each syllable where there are no sounds, or some unknown ones. A
     syllable's mark of stress counts.
 
     Parameters
     ----------
     path : the file.
     duration : of the sound, seconds.
-    mapping : what names stand for that nobody knows.
+    mapping : what unknown names stand for.
     speaker : whose tiers, where they name speakers (``mary - phones``).
 
     Raises

@@ -52,7 +52,7 @@ _LABELS = {
 NO_VISEME = 255
 """The code of frames whose viseme is unknown or disputed."""
 MOST_VISEMES = 32
-"""So many a set may have: a shipped ear computes them together."""
+"""The most that a set may have: the shipped runtime computes them together."""
 
 
 @dataclass(frozen=True)

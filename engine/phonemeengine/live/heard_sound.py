@@ -1,4 +1,4 @@
-"""Everything that a microphone heard since somebody cleared it, on disk, so that one can go back in it."""
+"""Everything that a microphone recorded since Clear, on disk, so that one can go back in it."""
 
 import logging
 import queue
@@ -85,7 +85,7 @@ class HeardSound(Closing):
                 self._do(order)
             except OSError as error:
                 reason = reason_of(error)
-                self.failure = f"What the microphone hears is not kept any more ({reason}); make room on the disk."
+                self.failure = f"The history is not kept any more ({reason}); free some space on the disk."
                 _log.warning("%s", self.failure)
         self._end()
         if self._folder is not None:
@@ -121,5 +121,5 @@ class HeardSound(Closing):
         if encoder is not None and self._file is not None and self._path is not None:
             encoder.close()
             self._file.close()
-            with suppress(OSError):  # somebody has it open
+            with suppress(OSError):  # another program has it open
                 self._path.unlink()

@@ -1,4 +1,4 @@
-"""Speech that comes in pieces, and what is known of each of its sounds at most 60 ms after it has come."""
+"""Speech that arrives in chunks, and its phonemes and words, at most 60 ms after each chunk."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -13,7 +13,7 @@ from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.presets.ears import for_live_use, with_small_network
+from phonemeengine.presets.model_choice import for_live_use, with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.real_time import real_time_look_ahead
 from phonemeengine.recognition.spec import spec_of
@@ -39,7 +39,7 @@ class HeardPiece:
     analysis : the frames that it completed; often none.
     weights : of the movestates of the mouth table when each frame begins, float32, shape (n_frames, n_movestates);
         None without a table.
-    words : what is known of the words of the text by now; None where nobody has looked again.
+    words : what is known of the words of the text by now; None where that was not looked up again.
     """
 
     analysis: Analysis
@@ -158,7 +158,7 @@ class IncomingSpeech:
 
 
 def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list[HeardPiece | EngineError]:
-    """Return what is known of several sounds since the next piece of each came, or why one cannot be heard.
+    """Return what is known of several sounds since the next chunk of each came, or why one cannot be analysed.
 
     Words are left out: `IncomingSpeech.look` finds them, whenever there is time. Many sounds at once cost far less
     than one after the other, see `push_together`.
@@ -186,7 +186,7 @@ def in_time(preset: Preset, delay: float) -> Preset:
 
     Parameters
     ----------
-    delay : seconds that are held back before the sound is analysed.
+    delay : seconds by which the sound is delayed before it is analysed.
     """
     left = max(0.0, MOST_LATE - WORK - BEYOND - delay)
     has_time = real_time_look_ahead(left) * FRAME_PERIOD <= left

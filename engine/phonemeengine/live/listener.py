@@ -39,13 +39,13 @@ STEADINESS = 0.98
 
 @dataclass(frozen=True)
 class Latency:
-    """How long a sound takes to become a phoneme, on the average, seconds.
+    """Mean time from a sound to its phoneme, seconds.
 
     Attributes
     ----------
     capture : the device's buffers, and the resampler's where there is one.
     window : from the middle of a frame to the end of its window.
-    hop : waiting for the hop to be complete, half a hop on the average.
+    hop : waiting for the hop to be complete, half a hop in the mean.
     look_ahead : what the recogniser waits for after a frame.
     analysis : from a block's arrival to its phonemes.
     """
@@ -68,7 +68,7 @@ class MicrophoneAnalyser:
     Parameters
     ----------
     source : the microphone.
-    channel : the channel that is heard, counted from 1; 0 mixes them all.
+    channel : the channel that is analysed, counted from 1; 0 mixes them all.
     preset : what to recognise with.
     pitch : measure ``f0`` too.
     start : number of its first frame.
@@ -90,7 +90,7 @@ class MicrophoneAnalyser:
 
     @property
     def n_channels(self) -> int:
-        """Channels of what is heard."""
+        """Channels that are analysed and recorded."""
         return len(range(self.source.n_channels)[self._columns])
 
     @property
@@ -117,7 +117,7 @@ class MicrophoneAnalyser:
         return self.source.n_lost / self.source.rate
 
     def pick_channels(self, block: Float32Array) -> Float32Array:
-        """Return the channels that are heard, shape (n, n_channels), of what the microphone gave."""
+        """Return the chosen channels, shape (n, n_channels), of the microphone's samples."""
         return block[:, self._columns]
 
     def set_preset(self, preset: Preset) -> None:
@@ -125,7 +125,7 @@ class MicrophoneAnalyser:
         self.analyser.set_preset(preset)
 
     def analyse(self, block: Float32Array) -> Analysis:
-        """Analyse what is heard, shape (n, n_channels)."""
+        """Analyse samples of the microphone, shape (n, n_channels)."""
         began = time.monotonic()
         self._n_heard += len(block)
         if block.shape[1] > 1:
@@ -160,26 +160,24 @@ NOT_LISTENING = Status(listening=False, words="not listening")
 
 
 def status_of(source: Input, *, heard: bool, silent: float, cancels: bool = False) -> Status:
-    """Return the status of an open microphone, which was heard `silent` seconds ago, or never yet.
+    """Return the status of an open microphone, whose last block came `silent` seconds ago, or never yet.
 
     `cancels` says that the channels that are mixed cancel each other.
     """
     if not heard:
-        return Status(listening=False, words=f"waiting for the first sound from {source.name}")
+        return Status(listening=False, words=f"waiting for a signal from {source.name}")
     if silent < QUIET and cancels:
         words = f"{source.name}; its channels cancel each other out when mixed, so choose one of them"
         return Status(listening=True, words=words)
     if silent < QUIET:
         return Status(listening=True, words=source.name)
-    return Status(
-        listening=False, words=f"nothing comes from {source.name} since {silent:.0f} s; trying again every 2 s"
-    )
+    return Status(listening=False, words=f"no signal from {source.name} for {silent:.0f} s; trying again every 2 s")
 
 
 CLOSE_TIMEOUT = 5.0
 """Seconds that `close` waits for the end of the thread at most, while a microphone is open."""
 OPEN_TIMEOUT = 0.5
-"""The same while none is: a sound system that hangs when it is asked for one holds nobody up."""
+"""The same while none is: a sound system that hangs when it is asked for one delays nothing else."""
 READ_TIMEOUT = 0.1
 """Seconds that the thread waits for sound before it looks whether all is well."""
 
@@ -187,7 +185,7 @@ _log = logging.getLogger(__name__)
 
 
 class Listener(Closing):
-    """Listens to a microphone and recognises what it hears, from the moment it is made until it is closed.
+    """Listens to a microphone and recognises its sound, from the moment it is made until it is closed.
 
     A device that is missing, vanishes, stands still or comes back never raises: `status` says what is going on, and
     it is tried again every two seconds. All methods return at once.
@@ -230,7 +228,7 @@ class Listener(Closing):
         self._on_sound = on_sound
         self.clock = clock
         self._source: Input | None = None
-        self._ear: MicrophoneAnalyser | None = None
+        self._analyser: MicrophoneAnalyser | None = None
         self._newest: Analysis | None = None
         self._meter = PeakMeter()
         self._recorder = recorder
@@ -249,7 +247,7 @@ class Listener(Closing):
         self._thread = threading.Thread(target=self._run, name="listening", daemon=True)
         self._thread.start()
 
-    # -- what is heard ------------------------------------------------------------------------------------
+    # -- the microphone's sound ------------------------------------------------------------------------------
 
     def poll(self) -> Reading:
         """Return the newest phoneme and intensity; silence while nothing comes."""
@@ -263,7 +261,7 @@ class Listener(Closing):
     def take_analyses(self) -> list[Analysis]:
         """Return what has been found since the last call, oldest first; raises what ended the listening.
 
-        Frames are numbered from the first that was heard; while nothing could be heard, the numbers go on.
+        Frames are numbered from the first that arrived; while the microphone gives nothing, the numbers go on.
         """
         if self._error is not None:
             error, self._error = self._error, None
@@ -279,48 +277,48 @@ class Listener(Closing):
     @property
     def status(self) -> Status:
         """Whether sound comes in now, and what is going on."""
-        source, ear = self._source, self._ear
+        source, analyser = self._source, self._analyser
         if self._closing or not self._thread.is_alive():
             return NOT_LISTENING
         if source is None:
             return Status(listening=False, words=self._refusal)
         return status_of(
             source,
-            heard=ear is not None,
+            heard=analyser is not None,
             silent=self.clock() - self._heard_at,
-            cancels=ear is not None and ear.cancels,
+            cancels=analyser is not None and analyser.cancels,
         )
 
     @property
     def rate(self) -> int:
         """The device's sample rate, Hz; 0 while none is open."""
-        ear = self._ear
-        return ear.source.rate if ear else 0
+        analyser = self._analyser
+        return analyser.source.rate if analyser else 0
 
     @property
     def n_channels(self) -> int:
-        """Channels that are heard, and so recorded; 0 while no device is open."""
-        ear = self._ear
-        return ear.n_channels if ear else 0
+        """Channels that are analysed, and so recorded; 0 while no device is open."""
+        analyser = self._analyser
+        return analyser.n_channels if analyser else 0
 
     @property
     def seconds(self) -> float:
         """How long it has been listening, from the first sound to the newest, gaps included, seconds."""
-        ear = self._ear
-        return ear.seconds + ear.lost_seconds if ear else self._next_frame * FRAME_PERIOD
+        analyser = self._analyser
+        return analyser.seconds + analyser.lost_seconds if analyser else self._next_frame * FRAME_PERIOD
 
     @property
     def lost_seconds(self) -> float:
-        """Sound that could not be heard since the beginning: lost by the device, or while there was none; seconds."""
-        ear = self._ear
+        """Sound that was lost since the beginning: by the device, or while there was none; seconds."""
+        analyser = self._analyser
         away = self.clock() - self._heard_at if self._gap_is_loss else 0.0
-        return self._lost_before + (ear.lost_seconds if ear else away)
+        return self._lost_before + (analyser.lost_seconds if analyser else away)
 
     @property
     def latency(self) -> Latency:
         """How long a sound takes to become a phoneme here."""
-        ear = self._ear
-        return ear.latency if ear else Latency()
+        analyser = self._analyser
+        return analyser.latency if analyser else Latency()
 
     @property
     def known_for(self) -> float:
@@ -329,13 +327,13 @@ class Listener(Closing):
 
     def time_of(self, frame: int) -> float:
         """Return when a frame that is not long past began, counted from the first sound, gaps included, seconds."""
-        ear = self._ear
-        return frame * FRAME_PERIOD + (ear.lost_seconds if ear else 0.0)
+        analyser = self._analyser
+        return frame * FRAME_PERIOD + (analyser.lost_seconds if analyser else 0.0)
 
     def age_of(self, frame: int) -> float:
         """Return how long ago the middle of a frame sounded, seconds."""
-        ear = self._ear
-        return self.clock() - ear.time_of(frame) if ear else 0.0
+        analyser = self._analyser
+        return self.clock() - analyser.time_of(frame) if analyser else 0.0
 
     # -- what it shall do ---------------------------------------------------------------------------------
 
@@ -347,7 +345,7 @@ class Listener(Closing):
     def set_preset(self, preset: Preset) -> None:
         """Recognise with another preset from the next block on."""
         self._preset = preset
-        self._commands.append(lambda: self._ear.set_preset(preset) if self._ear else None)
+        self._commands.append(lambda: self._analyser.set_preset(preset) if self._analyser else None)
 
     def choose(self, choice: InputChoice) -> None:
         """Listen to another microphone."""
@@ -356,7 +354,7 @@ class Listener(Closing):
         self._pause.set()
 
     def record(self, recorder: Recorder | None) -> None:
-        """Record everything that is heard from now on; None ends that. Whoever made the recorder closes it."""
+        """Record everything from now on; None ends that. Whoever made the recorder closes it."""
         self._recorder = recorder
 
     def close(self) -> None:
@@ -381,7 +379,7 @@ class Listener(Closing):
             self._error = error
             _log.exception("listening has failed")
         finally:
-            if self._ear is None:
+            if self._analyser is None:
                 self._lost_before = self.lost_seconds
             self._gap_is_loss = False
             self._let_go("not listening")
@@ -418,30 +416,30 @@ class Listener(Closing):
         if len(block):
             self._follow(source, block)
         elif source.lost:
-            self._let_go(f"{source.name} has gone; trying again every 2 s")
+            self._let_go(f"{source.name} was disconnected; trying again every 2 s")
         elif source.quiet > STALLED:
-            self._let_go(f"nothing comes from {source.name}; trying again every 2 s")
+            self._let_go(f"no signal from {source.name}; trying again every 2 s")
 
     def _follow(self, source: Input, block: Float32Array) -> None:
         now, gap = self.clock(), None
-        if self._ear is None:
+        if self._analyser is None:
             began = now - len(block) / source.rate
             gap = max(0.0, began - self._heard_at)
-            self._ear = self._new_ear(source, began, gap)
-        self._heard_at, ear = now, self._ear
-        block = ear.pick_channels(block)
+            self._analyser = self._new_analyser(source, began, gap)
+        self._heard_at, analyser = now, self._analyser
+        block = analyser.pick_channels(block)
         self._meter.add_samples(block, self._heard_at)
         self._on_sound(block, source.rate)
         recorder = self._recorder
         if recorder is not None:
-            recorder.write(block, source.rate, ear.seconds, gap)
-        analysis = ear.analyse(block)
+            recorder.write(block, source.rate, analyser.seconds, gap)
+        analysis = analyser.analyse(block)
         if len(analysis):
             self._hand_over(analysis)
             if recorder is not None:
                 recorder.add_analysis(analysis)
 
-    def _new_ear(self, source: Input, began: float, gap: float) -> MicrophoneAnalyser:
+    def _new_analyser(self, source: Input, began: float, gap: float) -> MicrophoneAnalyser:
         """Go on counting frames where the clock stands, `gap` seconds after the last sound."""
         if self._next_frame == 0:
             self._began = began
@@ -478,8 +476,8 @@ class Listener(Closing):
         source, self._refusal = self._source, refusal
         if source is not None:
             _log.info("%s is let go: %s", source.name, refusal)
-            if self._ear is not None:
-                self._lost_before += self._ear.lost_seconds
-                self._next_frame += round(self._ear.lost_seconds / FRAME_PERIOD)  # the numbers follow the clock
-            self._source = self._ear = None
+            if self._analyser is not None:
+                self._lost_before += self._analyser.lost_seconds
+                self._next_frame += round(self._analyser.lost_seconds / FRAME_PERIOD)  # the numbers follow the clock
+            self._source = self._analyser = None
             source.close()

@@ -1,4 +1,4 @@
-"""The whole way of a sound, measured: a click is played, and heard."""
+"""The latency of the whole loop, measured: a click is played and recorded."""
 
 import statistics
 import time
@@ -20,7 +20,7 @@ EVERY = 0.4
 CLICK = 0.01
 """Length of a click, seconds: a burst of noise, which resembles nothing but itself."""
 CLEAR = 6.0
-"""How much a click must stand out of everything else that is heard, as a ratio of correlations."""
+"""How much a click must stand out of everything else that is recorded, as a ratio of correlations."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ def measure_loopback(choice: InputChoice) -> Loopback:
 
     Raises
     ------
-    DeviceError : a device cannot be opened, or less than half of the clicks are heard.
+    DeviceError : a device cannot be opened, or less than half of the clicks are recorded.
     """
     microphone = CardInput(choice)
     try:
@@ -64,7 +64,7 @@ def measure_loopback(choice: InputChoice) -> Loopback:
     heard = [times for times in found if times is not None]
     if len(heard) * 2 < N_CLICKS:
         raise DeviceError(
-            f"only {len(heard)} of {N_CLICKS} clicks were heard; turn the loudspeaker up, or move the microphone"
+            f"only {len(heard)} of {N_CLICKS} clicks were recorded; turn the loudspeaker up, or move the microphone"
         )
     trips = [trip for trip, _ in heard]
     capture = max(0.0, statistics.median(capture for _, capture in heard))
@@ -87,7 +87,7 @@ def _wait_for(speaker: Output, microphone: Input) -> None:
 
 
 def _click(speaker: CardOutput, microphone: CardInput) -> tuple[float, float] | None:
-    """Return the seconds from playing and from leaving the card to being heard; None where it was not heard."""
+    """Return the seconds from playing and from leaving the card to its arrival; None where it did not arrive."""
     microphone.read(0)
     first = speaker.n_written
     click = _burst(SAMPLE_RATE)
@@ -118,7 +118,7 @@ def _burst(rate: int) -> Float32Array:
 
 
 def _place_of(click: Float32Array, heard: Float32Array) -> int | None:
-    """Find where a click begins in what was heard; None where nothing stands out."""
+    """Find where a click begins in the recording; None where nothing stands out."""
     if len(heard) < len(click):
         return None
     match = np.abs(np.correlate(heard, click, mode="valid"))

@@ -1,7 +1,7 @@
-"""The analysis thread: plays a sound and analyses it a little ahead of what is heard.
+"""The analysis thread: plays a sound and analyses it a little ahead of the playback.
 
 The thread reads, plays and analyses; whoever shows the result calls `take_analyses` now and then and gets what
-has been heard since. Nothing else passes between the two.
+has been played since. Nothing else passes between the two.
 """
 
 import logging
@@ -13,7 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from phonemeengine.analyser import PRE_ROLL, Analyser, Analysis
+from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.output import ClockOutput, Output, open_output
 from phonemeengine.audio.slowed_output import SlowedOutput
@@ -24,13 +24,13 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import MOST_FRAMES_AHEAD
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
-# What is analysed and not heard yet.
+# What is analysed and not played yet.
 
 _log = logging.getLogger(__name__)
 
 
 class PlaybackQueue:
-    """Holds blocks until they are heard: one thread puts them in, another takes them out.
+    """Holds blocks until they are played: one thread puts them in, another takes them out.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class PlaybackQueue:
 
     Attributes
     ----------
-    n_dropped : frames that nobody took in time.
+    n_dropped : frames that were not taken in time.
     lock : keeps everything as it is while it is held.
     """
 
@@ -57,7 +57,7 @@ class PlaybackQueue:
         return self._blocks[0][1].start if self._blocks else None
 
     def append(self, due: int, analysis: Analysis) -> None:
-        """Have a block wait until so many samples are heard."""
+        """Have a block wait until this many samples are played."""
         with self.lock:
             self._blocks.append((due, analysis))
             if len(self._blocks) > self.most and self.n_dropped == 0:
@@ -66,7 +66,7 @@ class PlaybackQueue:
                 self.n_dropped += len(self._blocks.popleft()[1])
 
     def pop_due(self, heard: float) -> list[Analysis]:
-        """Return what is due when so many samples are heard, oldest first."""
+        """Return what is due when this many samples are played, oldest first."""
         taken = []
         with self.lock:
             while self._blocks and self._blocks[0][0] <= heard:
@@ -98,14 +98,14 @@ _GONE = f"the sound card takes no sound any more, and does not within {CARD_TIME
 
 
 class Player:
-    """Plays a sound, and hands out its analysis in step with what is heard.
+    """Plays a sound, and hands out its analysis in step with the playback.
 
     Starts standing still at the beginning. All methods may be called from any one thread; they return at once.
     Without a sound card it goes on silently on the clock, or waits, and looks for one every two seconds.
 
     Parameters
     ----------
-    reader : the sound; it is closed by `close`. All its channels are heard, one is analysed.
+    reader : the sound; it is closed by `close`. All its channels are played, one is analysed.
     preset : what to recognise with.
     open_device : opens the output for a number of channels.
     waits : stand still while no sound card plays, so that nothing is passed over unheard; `take_analyses` raises
@@ -163,7 +163,7 @@ class Player:
 
     @property
     def finished(self) -> bool:
-        """Whether the end of the file has been heard and taken, and nothing else is asked for."""
+        """Whether the end of the file has been played and taken, and nothing else is asked for."""
         if self._target is not None:
             return False
         drained = self._output.heard >= self._output.n_written
@@ -171,7 +171,7 @@ class Player:
 
     @property
     def all_written(self) -> bool:
-        """Whether all of the sound is written to the output; it may not all be heard yet."""
+        """Whether all of the sound is written to the output; it may not all be played yet."""
         return self._at_end
 
     def catch_up(self) -> bool:
@@ -202,7 +202,7 @@ class Player:
 
     @property
     def position(self) -> float:
-        """Seconds from the beginning of the file to what is heard now, or to where a seek is on its way."""
+        """Seconds from the beginning of the file to what is playing now, or to where a seek is on its way."""
         if self._target is not None:
             return self._target * FRAME_PERIOD
         heard = self._output.heard
@@ -233,7 +233,7 @@ class Player:
 
     @property
     def stretch(self) -> tuple[float, float] | None:
-        """The stretch that is played, seconds; None for the whole sound."""
+        """The segment that is played, seconds; None for the whole sound."""
         stretch = self._stretch
         return None if stretch is None else (stretch[0] * FRAME_PERIOD, stretch[1] * FRAME_PERIOD)
 
@@ -252,7 +252,7 @@ class Player:
         self._do(lambda: self._analyser.set_preset(preset))
 
     def set_gain(self, gain: float) -> None:
-        """Set the loudness of what is heard, 0..1; the analysis does not change."""
+        """Set the loudness of the playback, 0..1; the analysis does not change."""
         self._output.gain = gain
 
     @property
@@ -277,7 +277,7 @@ class Player:
         self._do(self._reopen)
 
     def take_analyses(self) -> list[Analysis]:
-        """Return what has been heard since the last call; raises whatever ended the analysis.
+        """Return what has been played since the last call; raises whatever ended the analysis.
 
         The frames of each block are numbered from the beginning of the file.
         """
@@ -289,12 +289,12 @@ class Player:
         return self._waiting.pop_due(self._output.heard)
 
     def upcoming(self) -> list[tuple[float, Analysis]]:
-        """Return what is analysed and not heard yet: `take_analyses` gives it later.
+        """Return what is analysed and not played yet: `take_analyses` gives it later.
 
         Returns
         -------
         each block with the seconds until it is taken, negative ones where it waits for that: the middle of its last
-        frame is heard then.
+        frame is played then.
         """
         ahead = self._waiting.upcoming(self._output.heard)
         return ahead if self._speed == 1 else [(seconds / self._speed, analysis) for seconds, analysis in ahead]
@@ -365,7 +365,7 @@ class Player:
                 self._wake.clear()
 
     def _advance(self) -> None:
-        """Play the next block, after enough of what follows is analysed to know its phonemes when it is heard."""
+        """Play the next block, after enough of what follows is analysed to know its phonemes when it plays."""
         ahead = HOP * max(0, self._analyser.recogniser.look_ahead - MOST_FRAMES_AHEAD)  # few fit into the output
         while not self._all_read and self._n_read_ahead <= ahead:
             self._read_on()
@@ -410,7 +410,7 @@ class Player:
 
     def _begin(self, frame: int) -> None:
         """Start reading and analysing at a frame, as if the file had been followed until there."""
-        start = max(0, frame - PRE_ROLL)
+        start = max(0, frame - self._preset.pre_roll)
         self.reader.seek(start * HOP)
         self._analyser = Analyser(self._preset, pitch=True, start=start)
         self._segments = (*self._segments[-8:], (self._output.n_written, frame * HOP))
@@ -423,7 +423,7 @@ class Player:
         self._at_end = False
 
     def _queue(self, analysis: Analysis) -> None:
-        """Have each part of a block wait until it is heard; frames from before the segment are dropped."""
+        """Have each part of a block wait until it is played; frames from before the segment are dropped."""
         (written, sample), end = self._segments[-1], self._output.n_written + self._n_read_ahead
         analysis = analysis.part(slice(max(0, sample // HOP - analysis.start), None))
         for first in range(0, len(analysis), PART):

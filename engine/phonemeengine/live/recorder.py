@@ -1,4 +1,4 @@
-"""What is recorded while a microphone is heard: a file, and its phonemes beside it if that is wanted."""
+"""What is recorded from a microphone: a file, and its phonemes beside it if that is wanted."""
 
 import csv
 import logging
@@ -29,7 +29,7 @@ _log = logging.getLogger(__name__)
 
 
 class Recorder(Closing):
-    """Records what a listener hears.
+    """Records what a listener receives.
 
     The file is begun with the first block. A microphone that comes back goes on in the same file, where the gap is
     marked; one with another sample rate or other channels goes into a file of its own.
@@ -104,8 +104,8 @@ class Recorder(Closing):
         ----------
         block : shape (n, n_channels), ±1.
         rate : Hz.
-        began : when its first sample was heard, seconds of listening.
-        gap : seconds that could not be heard before it; None where it follows the block before.
+        began : when its first sample arrived, seconds of listening.
+        gap : seconds that were lost before it; None where it follows the block before.
         """
         with self._turning:
             recording = self._recording
@@ -126,7 +126,7 @@ class Recorder(Closing):
             self._phonemes.add_analysis(analysis)
 
     def close(self) -> None:
-        """End the recording and finish its files; what is heard afterwards begins no other."""
+        """End the recording and finish its files; what arrives afterwards begins no other."""
         with self._turning:
             self._closed = True
         self._finish(self._recording, self._phonemes)
@@ -211,7 +211,7 @@ class PhonemeLog:
             ) from error
 
     def skip(self, gap: Gap, rate: int, began: float) -> None:
-        """Write a row for a gap in the recording; what is heard after it was heard from `began` on."""
+        """Write a row for a gap in the recording; what arrives after it begins at `began`."""
         place, end = round(gap.sample / rate, 6), round((gap.sample + gap.n_silent) / rate, 6)
         with self._writing:
             self._write(self._joiner.finish(place - (self._shift or 0.0)))
@@ -248,7 +248,7 @@ class PhonemeLog:
         return min(max(0.0, seconds + (self._shift or 0.0)), self._most)
 
 
-# What a microphone hears while somebody wants its samples: the sound of a take.
+# The microphone's samples while a take is recorded.
 
 LONGEST = 30.0
 """Seconds that are caught at most; what comes later is left out."""

@@ -1,4 +1,4 @@
-"""A sound file as a game uses it: played, looked into, and recognised while it is heard."""
+"""A sound file as a game uses it: played, looked into, and recognised while it plays."""
 
 import os
 from collections import deque
@@ -12,7 +12,7 @@ from phonemeengine.audio.output import AHEAD, Output, open_output
 from phonemeengine.dsp.spectrum import SpectrumAnalyser
 from phonemeengine.execution import Closing
 from phonemeengine.live.player import STEP, Player
-from phonemeengine.presets.ears import while_played
+from phonemeengine.presets.model_choice import while_played
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import MOST_FRAMES_AROUND
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, Channel
@@ -20,8 +20,8 @@ from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings, C
 N_BINS = 512
 """Bins of `Sound.spectrum`."""
 KEPT = (SAMPLE_RATE + MOST_FRAMES_AROUND * HOP + AHEAD + 2 * WINDOW) // STEP + 2
-"""Blocks that are kept after they were read: what is heard ahead and written ahead, a card's delay of up to a second,
-and windows."""
+"""Blocks that are kept after they were read: what is analysed and written ahead, a card's delay of up to a
+second, and windows."""
 
 
 class RecentSamples:
@@ -57,14 +57,14 @@ class RecentSamples:
 
 
 class Sound(Closing):
-    """Plays a sound file and says what is heard: `poll` gives the phoneme and the intensity.
+    """Plays a sound file and gives what is playing: `poll` gives the phoneme and the intensity.
 
     No call waits for sound or disk, once the file is open.
 
     Parameters
     ----------
     path : the sound file.
-    preset : what to recognise with, by the ear that it has for files which play.
+    preset : what to recognise with, by the model that it has for files which play.
     channel : what is recognised of a file of several channels.
 
     Raises
@@ -104,12 +104,12 @@ class Sound(Closing):
 
     @property
     def playing(self) -> bool:
-        """Whether it is heard: from `play` until its end, `pause` or `stop`."""
+        """Whether it plays: from `play` until its end, `pause` or `stop`."""
         return self._player.playing and not self._player.finished
 
     @property
     def position(self) -> float:
-        """Seconds from the beginning to what is heard now."""
+        """Seconds from the beginning to what is playing now."""
         return min(self._player.position, self.duration)
 
     @property
@@ -119,7 +119,7 @@ class Sound(Closing):
 
     @property
     def volume(self) -> float:
-        """Loudness of what is heard, dB; 0 as in the file, -inf silent. The recognition does not change."""
+        """Loudness of the playback, dB; 0 as in the file, -inf silent. The recognition does not change."""
         return self._volume
 
     @volume.setter
@@ -138,7 +138,7 @@ class Sound(Closing):
         self._player.set_preset(while_played(preset))
 
     def poll(self) -> Reading:
-        """Return the phoneme and the intensity of what is heard now; AudioError where the file is damaged there.
+        """Return the phoneme and the intensity of what is playing now; AudioError where the file is damaged there.
 
         In a pause they stay as they were; after the end, and after `stop`, there is silence.
         """
@@ -148,13 +148,13 @@ class Sound(Closing):
         return latest_reading(None if self._stopped or self._player.finished else self._newest)
 
     def spectrum(self, channel: Channel = Channel.LEFT) -> Float32Array:
-        """Return the amplitudes of what is heard now, 0..1, shape (512,): bin k lies at k x 21.53 Hz."""
+        """Return the amplitudes of what is playing now, 0..1, shape (512,): bin k lies at k x 21.53 Hz."""
         frames = mono_of(self._tap.around(self._at()), channel)[np.newaxis]
         amplitudes: Float32Array = (self._transform.magnitudes_of(frames) * self._transform.scale)[0, :N_BINS]
         return amplitudes
 
     def analysis_buffer(self, channel: Channel = Channel.LEFT) -> Float32Array:
-        """Return the 2048 samples around what is heard now, ±1, silence beyond the sound's ends."""
+        """Return the 2048 samples around what is playing now, ±1, silence beyond the sound's ends."""
         return mono_of(self._tap.around(self._at()), channel)
 
     def close(self) -> None:

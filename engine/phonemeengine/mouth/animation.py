@@ -52,7 +52,7 @@ class Animation(ShortRepr):
         return replace(self, movestates=movestates, weights=self.weights[:, columns])
 
     def held(self, n_frames: int) -> "Animation":
-        """Return the animation with so many frames, no fewer than it has: the last one stays."""
+        """Return the animation with this many frames, no fewer than it has: the last one stays."""
         rows = np.minimum(np.arange(n_frames), len(self.weights) - 1)
         return replace(self, weights=self.weights[rows], head=self.head[rows])
 
@@ -162,7 +162,7 @@ def check_rate(rate: float) -> None:
 
 
 def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Iterator[FaceState]:
-    """Have a performer hear the speech as it goes on, and look at it at some times."""
+    """Give a performer the speech as it goes on, and look at it at some times."""
     expected = _rows(speech.times, speech.intensities)
     frames = _rows(speech.times, speech.intensities, speech.pitches)
     known, coming = next(expected, None), next(frames, None)

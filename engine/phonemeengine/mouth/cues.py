@@ -28,7 +28,7 @@ MOST_ANTICIPATION = 0.12
 
 @dataclass(frozen=True, slots=True)
 class Cue:
-    """A stretch of one mouth shape.
+    """An interval of one mouth shape.
 
     Attributes
     ----------
@@ -64,7 +64,7 @@ def cues_of(
     table : the mouth shapes.
     minimum : least duration of a cue, seconds; a sound that is shorter is one cue.
     anticipation : by how much the mouth is ahead of vowels, seconds; it is ahead of lips that meet by the time that
-        they take to close at most, so that they are shut when m and p are heard. What comes before is shortened by it
+        they take to close at most, so that they are shut when m and p sound. What comes before is shortened by it
         to half at most, and not below the minimum.
 
     Raises
@@ -232,7 +232,7 @@ class _Chain:
                 self._watch(k)
 
 
-# When a mouth begins to move to each sound that is known before it is heard.
+# When a mouth begins to move to each sound that is known beforehand.
 #
 # A movement takes about as long as a short sound. One that began with its sound would be over when the sound is:
 # vowels would be widest during the consonant after them. So each movement begins before its sound, and most of it is
@@ -283,7 +283,7 @@ def planned_movements(
 
     Parameters
     ----------
-    cues : the sounds without gaps, each from when it is heard; the mouth moves to the first of them already.
+    cues : the sounds without gaps, each from when it sounds; the mouth moves to the first of them already.
     table : the mouth shapes, and how the mouth moves between them.
     begun : when the movement to the first sound was to begin, seconds; no other one begins before.
     anticipation : by how much a movement may begin before its sound at most, seconds.

@@ -18,15 +18,15 @@ class FaceDriver(StrEnum):
 
 
 _CAPTIONS = {
-    FaceDriver.AUTO: "automatic",
-    FaceDriver.PINYIN: "letters of pinyin",
-    FaceDriver.TABLE: "recorded faces",
-    FaceDriver.RULES: "sounds, by the mouth table",
+    FaceDriver.AUTO: "Automatic",
+    FaceDriver.PINYIN: "Pinyin letters",
+    FaceDriver.TABLE: "Recorded faces",
+    FaceDriver.RULES: "Phonemes (rules)",
 }
 
 
 def usual_driver(*, has_table: bool, has_letters: bool) -> FaceDriver:
-    """Return what moves a face unless somebody chooses: recorded faces, letters of pinyin for Chinese, else rules.
+    """Return what moves a face unless another is chosen: recorded faces, letters of pinyin for Chinese, else rules.
 
     Parameters
     ----------

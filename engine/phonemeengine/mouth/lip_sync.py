@@ -27,7 +27,7 @@ def transcribe(
     script: Script | None = None,
     progress: Progress = no_progress,
 ) -> Transcript:
-    """Return what a sound file says: its stretches of equal phonemes, and how loud it is.
+    """Return what a sound file says: its segments of equal phonemes, and how loud it is.
 
     Parameters
     ----------
@@ -63,7 +63,7 @@ def cues(
     channel: Channel = Channel.MIX,
     script: Script | None = None,
 ) -> tuple[Cue, ...]:
-    """Return which shape the mouth has from when to when while a sound file is heard, without gaps.
+    """Return which shape the mouth has from when to when while a sound file plays, without gaps.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 """A mesh: vertices, triangles, and how they look.
 
-House coordinates are those of glTF: right-handed, y upwards, z towards the viewer; triangles run counter-clockwise as
+Coordinates are those of glTF: right-handed, y upwards, z towards the viewer; triangles run counter-clockwise as
 seen from outside.
 """
 

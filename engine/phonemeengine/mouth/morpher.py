@@ -144,7 +144,7 @@ class Morpher:
         return self.table.movestates
 
     def hear(self, time: float, phoneme: int, intensity: float, phone: str = "") -> None:
-        """Take what is heard from a time on; times, seconds, never go back.
+        """Take what sounds from a time on; times, seconds, never go back.
 
         Parameters
         ----------

@@ -252,7 +252,7 @@ def _listed(names: Iterable[Hashable]) -> str:
 
 
 SPREAD = 4
-"""A state whose vertices lie among at most so many times as many is stored without gaps, which is faster."""
+"""A state is stored without gaps, which is faster, if its vertices lie among at most this multiple of them."""
 
 
 class MovestateSet(Percentages[str]):

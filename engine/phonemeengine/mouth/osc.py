@@ -1,4 +1,4 @@
-"""The mouth over the network, live, as OSC messages: the door to python-osc that leads out.
+"""The mouth over the network, live, as OSC messages: the module that imports python-osc for output.
 
 =========================  ============================  ==========================================================
 address                    arguments                     when
@@ -81,12 +81,12 @@ class OscSettings:
 
 
 class OscMouth(Closing):
-    """Sends what a performer shows, from a thread of its own, until it is closed; nobody waits for the network.
+    """Sends what a performer shows, from a thread of its own, until it is closed; no call waits for the network.
 
     Parameters
     ----------
     address : the receiver.
-    performer : whose mouth is sent; it hears what is said from other threads meanwhile.
+    performer : whose mouth is sent; other threads give it the speech meanwhile.
     clock : the clock of the performer's times, seconds.
     on_failure : given a sentence, in the thread that sends, when the receiver cannot be reached for another reason.
 
@@ -145,7 +145,7 @@ class OscMouth(Closing):
 
     def _say(self, phoneme: Phoneme, shape: str, intensity: float, now: float) -> None:
         self._said, self._said_at = (phoneme, shape), now
-        intensity = 0.0 if phoneme is Phoneme.SILENCE else intensity  # it may be asked for, yet nobody hears it
+        intensity = 0.0 if phoneme is Phoneme.SILENCE else intensity  # asked for or not, silence has no loudness
         self._send([("/phoneme", (phoneme.label, intensity)), ("/viseme", (shape, intensity))])
 
     def _send_weights(self, weights: Float32Array, now: float) -> None:
@@ -225,7 +225,7 @@ class OscExpression(Closing):
     Parameters
     ----------
     address : where it listens, such as 127.0.0.1:39540.
-    clock : by which it is told how long nothing has come, seconds.
+    clock : measures how long nothing has come, seconds.
 
     Raises
     ------
@@ -246,7 +246,7 @@ class OscExpression(Closing):
             self._server = BlockingOSCUDPServer((address.host, address.port), dispatcher)
         except (OSError, UnicodeError) as error:
             raise MouthError(
-                f"nobody can be heard on {address.host}:{address.port} ({error}); choose another port"
+                f"nothing can be received on {address.host}:{address.port} ({error}); choose another port"
             ) from error
         self._thread = threading.Thread(
             target=self._server.serve_forever, kwargs={"poll_interval": POLL}, name="osc expression", daemon=True
@@ -260,12 +260,12 @@ class OscExpression(Closing):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """What was heard so far, presets and blend shapes, the newest last; none once its sender has stopped."""
+        """What was received so far, presets and blend shapes, the newest last; none once its sender has stopped."""
         return tuple(self._shares) if self._share_kept() else ()
 
     @property
     def stopped(self) -> bool:
-        """Whether something was heard, and its sender has stopped."""
+        """Whether something was received, and its sender has stopped."""
         return bool(self._shares) and not self._share_kept()
 
     def weights(self, _time: float) -> Float32Array:

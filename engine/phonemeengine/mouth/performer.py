@@ -1,8 +1,8 @@
 """The one driver of a face: phonemes and their times go in, the mouth, blinks and the pose of the head come out.
 
 Whoever moves a face asks the same object: the window, films, exports and the network. What is known of the speech
-before it is heard moves the mouth early (see `phonemeengine.mouth.cues`); what comes live moves it when it is heard.
-The mouth follows the loudness with a low-pass, and is told of it earlier by the delay of that, where it is known.
+beforehand moves the mouth early (see `phonemeengine.mouth.cues`); what comes live moves it when it sounds.
+The mouth follows the loudness with a low-pass, and gets it earlier by the delay of that, where it is known.
 
 What comes out depends on what was said to it and when, never on how often anybody looked.
 """
@@ -32,7 +32,7 @@ from phonemeengine.settings import FRAME_PERIOD
 REMEMBERED = 100
 """Frames that are replayed when another table takes over: one second."""
 CLOSE_AFTER = 0.3
-"""Seconds without a frame after which the mouth of somebody who is listened to closes."""
+"""Seconds without a frame after which the mouth closes."""
 STILL = HeadPose()
 
 
@@ -60,7 +60,7 @@ MOUTH_ALONE = IdleMotion(blinks=False, head=False)
 
 
 class TimedFrame(NamedTuple):
-    """A frame of 10 ms: when it begins on the clock, and what is heard.
+    """A frame of 10 ms: when it begins on the clock, and what it holds.
 
     Attributes
     ----------
@@ -105,7 +105,7 @@ class MouthTrack(Protocol):
         """Return the weights at a time, seconds, float32, shape (n_movestates,), 1 for the whole movement."""
 
     def head(self, time: float) -> HeadPose | None:
-        """Return how the head is turned at a time, seconds; None where it goes with what is heard."""
+        """Return how the head is turned at a time, seconds; None where it follows the sound."""
 
 
 SILENT = TimedFrame(-math.inf, Phoneme.SILENCE, 0.0)
@@ -129,7 +129,7 @@ def timed_frames(analysis: Analysis, end: float, known: Transcript | None = None
 def known_frames(frames: Sequence[TimedFrame], first: int, known: Transcript) -> list[TimedFrame]:
     """Return frames, of which the first has this number in its sound, with what is known of that.
 
-    Where nobody measured the loudness before, it is that of the frames.
+    Where the loudness was not measured before, it is that of the frames.
     """
     return [_known_frame(frame, number, known) for number, frame in enumerate(frames, first)]
 
@@ -143,7 +143,7 @@ def _known_frame(frame: TimedFrame, number: int, known: Transcript) -> TimedFram
 
 
 class Performer:
-    """Performs speech with a face: hears what is said as early as it is known, and shows the face at any time.
+    """Performs speech with a face: takes what is said as early as it is known, and shows the face at any time.
 
     Times are seconds of one clock, and those that are looked at never go back. One thread may speak to it while
     another one looks.
@@ -197,7 +197,7 @@ class Performer:
 
         Parameters
         ----------
-        frames : they follow those that were heard before.
+        frames : they follow those that were given before.
         now : since when they are known: the mouth is not ahead of that. All along, unless told otherwise.
         live : whether the mouth closes where nothing follows in time.
         """
@@ -221,10 +221,10 @@ class Performer:
             self._movements.extend((movement.begin, movement) for movement in planned)
 
     def play(self, track: MouthTrack | None, start: float = 0.0) -> None:
-        """Have a track move the mouth, whose time 0 is at `start`, whatever is heard; None goes on by what is heard.
+        """Have a track move the mouth, whose time 0 is at `start`, whatever sounds; None lets the sound move it.
 
         Blinks and the shapes that are asked for stay, and so does the head, unless the track turns it. A table with
-        movestates that the track does not have goes on by what is heard, too.
+        movestates that the track does not have follow the sound, too.
         """
         with self._lock:
             if track is not self._track:
@@ -233,7 +233,7 @@ class Performer:
             self._track_start = start
 
     def expect_loudness(self, time: float, intensity: float) -> None:
-        """Take how loud a frame is that will begin at a time, 0..1; the mouth, which lags, is told before."""
+        """Take how loud a frame is that will begin at a time, 0..1; given early, since the mouth lags."""
         self._loudnesses.append((time - self.table.motion.loudness, intensity))
 
     def hear_voice(self, time: float, intensity: float, f0: float) -> None:
@@ -244,7 +244,7 @@ class Performer:
         self._coming.append(self._runs[-1]._replace(time=time, intensity=intensity, f0=f0))
 
     def expect_speech(self, speech: Iterable[tuple[float, float]]) -> None:
-        """Take when somebody will speak, start and end of each stretch in order, so that expressions give way."""
+        """Take the intervals of speech to come, start and end of each in order, so that expressions give way."""
         self._inhibition.expect(speech)
 
     def forget_coming(self, now: float) -> None:
@@ -273,7 +273,7 @@ class Performer:
                 self._plan(now)
 
     def jump_to(self, frames: Sequence[TimedFrame], now: float) -> None:
-        """Stand at once as somebody does who has just said these frames."""
+        """Take at once the pose at the end of these frames."""
         with self._lock:
             self.forget_coming(now)
             self._heard.clear()
@@ -297,7 +297,7 @@ class Performer:
             return FaceState(self.table, weights, blink, self._pose(time) if self.idle.head else STILL)
 
     def pop_said(self) -> list[tuple[Phoneme, float, str]]:
-        """Return each phoneme that was heard since the last call, and last what is heard now.
+        """Return each phoneme since the last call, and last the current one.
 
         With each come its intensity, and its phone where that is known. Of shapes that are asked for, the one that is
         asked for the most.
@@ -337,7 +337,7 @@ class Performer:
         return shown
 
     def _restart(self) -> None:
-        """Have a new mouth say what was heard."""
+        """Have a new mouth say what was taken."""
         self._morpher = Morpher(self.table, detail=self.idle.detail, seed=self.idle.seed)
         self._runs = [SILENT]
         self._movements.clear()

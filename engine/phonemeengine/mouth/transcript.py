@@ -39,7 +39,7 @@ class Transcript(ShortRepr):
     ----------
     name : of the sound's file, for people.
     duration : seconds.
-    runs : stretches of equal phonemes, or of phones where these are known, without gaps from 0 to the end.
+    runs : segments of equal phonemes, or of phones where these are known, without gaps from 0 to the end.
     intensities : float32, shape (n_frames,): 0..1, a frame every 10 ms.
     pitches : float32, shape (n_frames,): fundamental frequency, Hz; 0 where there is none, or it was not measured.
     path : the sound's file, where it is known.
@@ -175,7 +175,7 @@ def _sounds_of(phone: Phone, start: float, end: float) -> Iterator[Stretch]:
 
 
 def _loudness(intensities: Float32Array, start: float, end: float) -> float:
-    """Return the mean intensity from one time to another; 0 where nobody measured it."""
+    """Return the mean intensity from one time to another; 0 where it was not measured."""
     first = round(start / FRAME_PERIOD)
     part = intensities[first : max(round(end / FRAME_PERIOD), first + 1)]
     return float(part.mean()) if len(part) else 0.0

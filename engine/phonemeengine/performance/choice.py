@@ -15,13 +15,13 @@ from phonemeengine.performance.recording import SILENCE, PerformedPhone
 from phonemeengine.performance.table_file import Example, PerformanceTable
 from phonemeengine.performance.units import Sentence, Unit, UnitKind, duration_of, units_of
 
-# The search for the units of a sentence in a table: long ones first, and what nobody recorded by what is like it.
+# The search for the units of a sentence in a table: long ones first, and what was not recorded by what is like it.
 
 Inventory = Mapping[UnitKind, frozenset[tuple[str, ...]]]
 """What a table has: of each set, the phones of all its units."""
 
 LIPS = ("labiovelar", "labiodental", "bilabial", "front rounded vowel", "rounded vowel")
-"""Classes of sounds that lips make: nobody takes such a sound for another one."""
+"""Classes of sounds that lips make: such a sound is mistaken for no other one."""
 _TEETH = "dental"
 """The class of sounds that show the tongue: these, too, are taken for each other alone."""
 PLACES = (
@@ -44,7 +44,7 @@ PLACES = (
     "back vowel",
     "central vowel",
 )
-"""Classes by which sounds look alike, what is seen the most first; others tell more to the ear than to the eye."""
+"""Classes by which sounds look alike, the most visible first; the others are audible more than visible."""
 _AT_PAUSES = {
     UnitKind.VOWEL_TRIPHONE: UnitKind.BOUNDARY_TRIPHONE,
     UnitKind.CONSONANT_TRIPHONE: UnitKind.BOUNDARY_TRIPHONE,

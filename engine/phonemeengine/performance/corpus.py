@@ -215,7 +215,7 @@ def _recording_of(sound: Path, files: dict[str, Path]) -> RecordingFiles | str:
 
 
 def _shifted(recordings: tuple[RecordingFiles, ...], path: Path) -> tuple[tuple[RecordingFiles, ...], Iterator[str]]:
-    """Return recordings with their offsets, and what is said of those that nobody knows."""
+    """Return recordings with their offsets, and what is said of unknown ones."""
     offsets = _offsets_in(path) if path.is_file() else {}
     unknown = offsets.keys() - {recording.name for recording in recordings}
     notes = (f"{OFFSETS}: there is no recording {name[:40]!r}" for name in sorted(unknown))

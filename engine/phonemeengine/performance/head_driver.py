@@ -37,7 +37,7 @@ class HeadDriver:
     ----------
     table : recorded performances; it stays open as long as this is used.
     words : of the text, by the numbers that phones have.
-    language : its tag, such as ``en-us``; in one that nobody knows, words have no gestures.
+    language : its tag, such as ``en-us``; in an unknown one, words have no gestures.
     keywords : words with gestures, and conjunctions; those that ship, where it is None.
     seed : equal seeds sway alike where no head was recorded.
     """

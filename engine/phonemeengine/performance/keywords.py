@@ -73,7 +73,7 @@ class Keywords:
 
         Parameters
         ----------
-        language : its tag, such as ``en-us``; a language that nobody knows has none.
+        language : its tag, such as ``en-us``; an unknown language has none.
         """
         known = self.words.get(base_of(language), {})
         for first, last in _found(words, known):

@@ -125,7 +125,7 @@ def _rate_of(seconds: Float64Array, frames: Float64Array, file: str) -> int:
         raise CorpusError(
             f"{file}: a time code counts up to {RATES[-1]} frames a second, found {most}; export it again"
         )
-    # Within less than a second nobody can tell: the numbers may not have reached the end of one.
+    # Within less than a second it cannot be decided: the numbers may not have reached the end of one.
     return max(rate, USUAL_RATE) if np.ptp(seconds) < 2 else rate
 
 

@@ -26,7 +26,7 @@ class RecordedFace:
 
     Attributes
     ----------
-    movestates : those of `FACE`, in the order of the weights; those that nobody tracked are 0.
+    movestates : those of `FACE`, in the order of the weights; those that were not tracked are 0.
     """
 
     movestates = FACE

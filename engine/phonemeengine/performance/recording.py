@@ -18,7 +18,7 @@ SILENCE = "sil"
 HEAD = ("headYaw", "headPitch", "headRoll")
 """The channels of the head's turns, degrees."""
 LEAST_SILENCE = 0.01
-"""Seconds that are silence before the first and after the last phone, even where somebody speaks."""
+"""Seconds that are silence before the first and after the last phone, even where there is speech."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class PerformedPhone:
     Attributes
     ----------
     start, middle, end : seconds; its halves meet at `middle`.
-    name : its symbol in the International Phonetic Alphabet, as `ipa_of` spells it; `SILENCE` where nobody speaks.
+    name : its symbol in the International Phonetic Alphabet, as `ipa_of` spells it; `SILENCE` outside of speech.
     word : number of its word in the sentence; -1 for silence.
     syllable : number of its syllable in the sentence; -1 for silence.
     stress : of its syllable: 0 for none, 1 for the main one of its word, 2 for a secondary one.

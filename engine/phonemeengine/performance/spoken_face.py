@@ -21,7 +21,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 
 REMEMBERED = 120.0
-"""Seconds of what is spoken, at least, that can be shown; it may be spoken half a minute before it is heard."""
+"""Seconds of what is spoken, at least, that can be shown; it may be made half a minute before it plays."""
 PREPARED = 60.0
 """Seconds before the end of what is spoken that are looked up already."""
 

@@ -1,7 +1,7 @@
-"""Tables of recorded performances as SQLite databases: the only door to sqlite3.
+"""Tables of recorded performances as SQLite databases: the only module that imports sqlite3.
 
 A table holds recordings, weights in float16, and the units in them by set, phones and duration. It is opened
-read-only as a file that nobody changes, so that it may lie anywhere, and is one of ours only where every table in it
+read-only as a file that does not change, so that it may lie anywhere, and is one of ours only where every table in it
 was made by the very words below: what a stranger's database would compute is never run.
 """
 

@@ -127,8 +127,8 @@ class PerformanceTrack:
 class PerformedMouth:
     """A `MouthTrack` that is looked up: the weights of its movestates, and how the head is turned, at any time.
 
-    A sentence is looked up when a time in it is first asked for. Its frames are so many times closer than pictures
-    that each picture is a frame.
+    A sentence is looked up when a time in it is first asked for. Its frames are a whole number of times closer than
+    pictures, so that each picture is a frame.
 
     Parameters
     ----------
@@ -181,7 +181,7 @@ class PerformedMouth:
         return None if self._head is None else HeadPose(*self._frame_at(time)[: len(HEAD)].tolist())
 
     def prepare(self, begin: float, end: float) -> None:
-        """Look up what is said between two times, seconds, so that nobody waits for it then.
+        """Look up what is said between two times, seconds, so that there is no wait then.
 
         Raises
         ------

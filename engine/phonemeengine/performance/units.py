@@ -66,7 +66,7 @@ def _frames_of(phone: PerformedPhone, values: Float32Array, first: int) -> Float
 
 
 def _level(intensities: Float32Array) -> float:
-    """Return the mean level of frames, dB; 0 where nobody measured it."""
+    """Return the mean level of frames, dB; 0 where it was not measured."""
     low, high = AnalysisSettings.intensity_low, AnalysisSettings.intensity_high
     return low + (high - low) * float(intensities.mean()) if len(intensities) else 0.0
 

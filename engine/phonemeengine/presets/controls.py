@@ -1,7 +1,7 @@
 """Controls: the numbers of a preset by which its recogniser is tuned, each with what it is compared with right now.
 
 Every recogniser has its own: rules have thresholds or limits, those that weigh probabilities have sensitivities, and
-all have the calm of the statistics. Whoever shows them needs to know no recogniser.
+all have the smoothing. Whoever shows them needs to know no recogniser.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from phonemeengine.features.variables import DEFICITS, SCORES, Spectrum
+from phonemeengine.features.variables import DEFICITS, SCORES, Spectrum, readable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, PhonemeData, Thresholds
-from phonemeengine.recognition.rules import CONDITIONS, Condition, Rule
+from phonemeengine.recognition.rules import CONDITIONS, Condition, Rule, active_rules
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
 from phonemeengine.recognition.spec import Recogniser, Tuning, spec_of
 from phonemeengine.settings import BIN_WIDTH, PARAMETERS, Filter
@@ -22,16 +22,16 @@ from phonemeengine.settings import BIN_WIDTH, PARAMETERS, Filter
 CONDITION_OF = {c.threshold: c for c in CONDITIONS}
 """The comparison of the thesis rules in which a threshold stands."""
 LIMIT_ROOM = 4.0
-"""The slider of a rule's limit reaches to so many times what the limit was."""
+"""The slider of a rule's limit reaches to this multiple of what the limit was."""
 MOST_NAMES = 2
-"""So many phonemes are named beside the slider of a limit."""
-FILTERS_NOTE = "what shapes the variables"
+"""Phonemes that are named beside the slider of a limit, at most."""
+FILTERS_NOTE = "affect the variables"
 NOTES = (
-    ("Silence", "all of these, else it is no silence"),
-    ("SZ and SCH", "SZ if both, SCH if the first only"),
-    ("P", "all of these"),
-    ("A and E", "A if both, E if the first only"),
-    ("U, O, I, M", "below the first; M if no other"),
+    ("Silence", "silence if all hold"),
+    ("S and SH", "S if both hold, SH if only the first"),
+    ("P", "if all hold"),
+    ("A and E", "A if both hold, E if only the first"),
+    ("U, O, I, M", "below the first limit; M if no other"),
 )
 """The rules of the thesis in words, in the order of `RULE_FIELDS`."""
 RANGES: dict[str, tuple[float, int]] = {
@@ -57,7 +57,7 @@ class Moment:
     Attributes
     ----------
     values : the measured variables by name, with the probabilities where the recogniser weighs some.
-    deficit : by how much the phoneme that is shown falls short of being named; None where nobody knows.
+    deficit : by how much the phoneme that is shown falls short of being named; None where unknown.
     lasted : how long the phoneme has been shown, seconds.
     """
 
@@ -132,6 +132,20 @@ def controls_of(preset: Preset, recogniser: Recogniser | None) -> tuple[ControlG
     return tuple(group for group in groups if group.controls)
 
 
+def variables_with(preset: Preset, control: Control) -> tuple[str, ...]:
+    """Return the variable of a control, and after it those of all further conditions of the rules it stands in."""
+    rules_of = spec_of(preset.recogniser).rules
+    rules = () if rules_of is None else rules_of(preset.config)
+    of_limit = {k for k, _ in control.places}
+    asked = [
+        c.variable
+        for k, rule in enumerate(rules)
+        if k in of_limit or any(c.threshold == control.name for c in rule.conditions)
+        for c in rule.conditions
+    ]
+    return tuple(dict.fromkeys((control.variable, *asked)))
+
+
 def unused_settings(preset: Preset) -> frozenset[str]:
     """Return the filters and further settings that change nothing of what a preset's recogniser says.
 
@@ -144,7 +158,7 @@ def unused_settings(preset: Preset) -> frozenset[str]:
     if not spec.needs_features:
         return frozenset(unused | {step.value for step in Filter})
     if spec.rules is not None:
-        compared = {c.variable for rule in spec.rules(preset.config) for c in rule.conditions}
+        compared = {c.variable for rule in active_rules(spec.rules(preset.config)) for c in rule.conditions}
         if not any(v.name in compared and v.source is Spectrum.MEL for v in preset.variables):
             unused.add(Filter.MEL)
     return frozenset(unused)
@@ -182,7 +196,7 @@ def _filter_control(name: str) -> Control:
         name,
         hint=f"PhonemeData name: {name}" + (", in bins there, in Hz here" if is_bins else ""),
         read=lambda preset: float(getattr(preset.phoneme_data, name)) * unit,
-        write=lambda preset, value: _with_number(preset, name, value / unit),
+        write=lambda preset, value: with_number(preset, name, value / unit),
         live=lambda _preset, _moment: None,
     )
 
@@ -204,7 +218,7 @@ def _threshold_control(name: str) -> Control:
         high=high,
         decimals=decimals,
         read=lambda preset: float(getattr(preset.phoneme_data, name)),
-        write=lambda preset, value: _with_number(preset, name, value),
+        write=lambda preset, value: with_number(preset, name, value),
         live=lambda _preset, moment: moment.values.get(variable),
         sign=condition.sign,
         variable=variable,
@@ -212,8 +226,11 @@ def _threshold_control(name: str) -> Control:
     )
 
 
-def _with_number(preset: Preset, name: str, value: float) -> Preset:
-    """Return the preset with another number of PhonemeData; of the bounds of the high-pass, the other gives way."""
+def with_number(preset: Preset, name: str, value: float) -> Preset:
+    """Return the preset with another number of PhonemeData; of the bounds of the high-pass, the other gives way.
+
+    `value` is in the units of a PhonemeData file, where the bounds of the high-pass are bins of 21.53 Hz.
+    """
     data = preset.phoneme_data
     numbers = {f.name: getattr(data, f.name) for f in fields(PhonemeData)} | {name: value}
     if name == "high_pass_start":
@@ -231,32 +248,43 @@ def _limits_in(preset: Preset) -> Iterator[ControlGroup]:
     places: dict[str, dict[float, list[tuple[int, int]]]] = {}
     for k, rule in enumerate(preset.rules):
         for j, c in enumerate(rule.conditions):
-            if not c.threshold:
+            if rule.enabled and c.enabled and not c.threshold:
                 places.setdefault(c.variable, {}).setdefault(c.limit, []).append((k, j))
     for variable, limits in places.items():
         ordered = sorted(limits.items())
         controls = (_limit_control(preset.rules, variable, limit, found) for limit, found in ordered)
-        yield ControlGroup(variable, "", tuple(controls))
+        title = readable_name(variable, preset.variables)
+        yield ControlGroup(title, variable if title != variable else "", tuple(controls))
 
 
 def _limit_control(rules: tuple[Rule, ...], variable: str, limit: float, places: list[tuple[int, int]]) -> Control:
-    signs = {rules[k].conditions[j].sign for k, j in places}
-    asked = list(dict.fromkeys(rules[k].phoneme.label for k, _ in places))
+    asked: dict[str, list[str]] = {}
+    for k, j in places:
+        of_sign = asked.setdefault(rules[k].conditions[j].sign, [])
+        if rules[k].phoneme.label not in of_sign:
+            of_sign.append(rules[k].phoneme.label)
+    most = MOST_NAMES if len(asked) == 1 else 1
     first, number = places[0]
     return Control(
         name=f"limit {first + 1}.{number + 1}",
-        label=", ".join(asked[:MOST_NAMES]) + ("…" if len(asked) > MOST_NAMES else ""),
+        label=_named(asked, most),
         low=0.0,
         high=RANGES[variable][0] if variable in RANGES else LIMIT_ROOM * max(abs(limit), 1e-3),
         decimals=4,
         read=lambda preset: preset.rules[first].conditions[number].limit,
         write=lambda preset, value: replace(preset, rules=_with_limit(preset.rules, places, value)),
         live=lambda _preset, moment: moment.values.get(variable),
-        sign=signs.pop() if len(signs) == 1 else ">",
+        sign=next(iter(asked)) if len(asked) == 1 else ">",
         variable=variable,
-        hint=f"{len(places)} conditions of the rules for {', '.join(asked)} compare {variable} with this",
+        hint=f"Limit for {variable}; {len(places)} conditions: {_named(asked)}",
         places=tuple(places),
     )
+
+
+def _named(asked: Mapping[str, list[str]], most: int = len(Phoneme)) -> str:
+    """Return what a limit is asked for, such as ``< m, a; > p…``: by sign the phonemes, at most `most` of them."""
+    parts = (f"{sign} {', '.join(of[:most])}{'…' if len(of) > most else ''}" for sign, of in sorted(asked.items()))
+    return "; ".join(parts)
 
 
 def _with_limit(rules: tuple[Rule, ...], places: list[tuple[int, int]], limit: float) -> tuple[Rule, ...]:
@@ -280,7 +308,7 @@ def _sensitivities(preset: Preset) -> Iterator[ControlGroup]:
     named = set(Phoneme) if templates is None else {Phoneme.SILENCE, *templates.means}
     apart = {Phoneme.SILENCE: "Silence", Phoneme.UNIDENTIFIED: "Other sounds"}
     sounds = tuple(_sensitivity_control(p) for p in Phoneme if p in named - apart.keys())
-    yield ControlGroup("Sounds", "the likeliest is named", sounds)
+    yield ControlGroup("Sounds", "the most likely one is recognised", sounds)
     for phoneme, title in apart.items():
         yield ControlGroup(title, "", (_sensitivity_control(phoneme),) if phoneme in named else ())
 
@@ -298,8 +326,8 @@ def _sensitivity_control(phoneme: Phoneme) -> Control:
         sign="<",
         variable=DEFICITS[phoneme],
         hint=(
-            f"added to the log-odds of {phoneme.label}: each +1 makes it 2.7 times likelier. The bar is by how much "
-            "it falls short of the likeliest other one: it is named while the bar is left of the handle."
+            f"Added to the log-odds of {phoneme.label}: each +1 makes it 2.7 times more likely. The bar shows by how "
+            "much it trails the most likely other phoneme; it is recognised while the bar is left of the handle."
         ),
     )
 
@@ -317,21 +345,22 @@ def _deficit(sensitivities: Mapping[Phoneme, float], values: Mapping[str, float]
     return float(deficits_of(scores, phoneme)[0]) + sensitivities.get(phoneme, 0.0)
 
 
-# -- the calm of the statistics ----------------------------------------------------------------------------------
+# -- smoothing --------------------------------------------------------------------------------------------------
 
 
 def _calm(*, has_hysteresis: bool) -> ControlGroup:
     hold = _setting_control(
         "minimum_hold",
-        "A phoneme stays so long at least. The bar is how long it has been there.",
+        "Shortest time for which a phoneme is shown. The bar shows how long the current one has lasted.",
         lambda _preset, moment: moment.lasted,
     )
     hysteresis = _setting_control(
         "hysteresis",
-        "Another phoneme follows only where it is the better one by so much. The bar is by how much it is now.",
+        "By how much another phoneme must score higher to replace the current one. The bar shows by how much it does "
+        "now.",
         lambda _preset, moment: moment.deficit,
     )
-    return ControlGroup("Calm", "lower follows faster", (hysteresis, hold) if has_hysteresis else (hold,))
+    return ControlGroup("Smoothing", "lower reacts faster", (hysteresis, hold) if has_hysteresis else (hold,))
 
 
 def _with_statistics(preset: Preset, changes: dict[str, Any]) -> Preset:

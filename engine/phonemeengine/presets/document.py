@@ -19,18 +19,21 @@ from phonemeengine.encoder.live import LiveEncoder, load_live_encoder
 from phonemeengine.errors import ModelError, PresetError, SettingsError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.judgement import judgement_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, load_model
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS
 from phonemeengine.recognition.templates import UNTEMPLATED, Templates
-from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Ear, Filter
+from phonemeengine.settings import OLD_MODEL_KINDS, PARAMETERS, STAGES, AnalysisSettings, Filter, ModelKind
 from phonemeengine.storage.strict_table import StrictTable, parse_toml, shown
 
-FORMAT = "phonemeanalyser preset 1"
+FORMAT = "phonemeanalyser preset 2"
+_OLDER = {"phonemeanalyser preset 1": {"file_model": "offline_model", "file_ear": "file_model"}}
+"""What the keys of older formats are called now."""
 
 # what stands in each table, and of which kind it is
 _USUAL = AnalysisSettings()
@@ -47,7 +50,7 @@ _TEXTS: dict[str, type] = {
     "name": str,
     "recogniser": str,
     "model": str,
-    "file_model": str,
+    "offline_model": str,
     "encoder_head": str,
     "live_encoder": str,
     "notes": str,
@@ -60,15 +63,20 @@ _VARIABLE: dict[str, type] = {
     "source": Spectrum,
     "per": str,
 }
-_RULE: dict[str, type] = {"phoneme": Phoneme, "conditions": list}
+_RULE: dict[str, type] = {"phoneme": Phoneme, "conditions": list, "enabled": bool}
+_PITCH_SET: dict[str, type] = {"name": str, "low": float, "high": float}
 _PHONEME_DATA: dict[str, type] = {field.name: float for field in fields(PhonemeData)}
 
 _TABLES = ("front_end", "phoneme_data", "statistics", "intensity")
 _CURVE = ("scores", "shares")
-_OPTIONAL_TABLES = ("variables", "rules", "successors", "templates", "sensitivities", "confidence")
+_OPTIONAL_TABLES = (
+    "variables", "rules", "successors", "templates", "sensitivities", "confidence", "judged", "pitch_sets",
+)  # fmt: skip
 _TEMPLATED = {p.label: p for p in Phoneme if p not in UNTEMPLATED}
 _TEMPLATE_NUMBERS = ("spread", "silence_below")
-_CONDITION = re.compile(r"([a-z][a-z0-9_]*) *([<>]) *(\S+)")
+_CONDITION = re.compile(r"(# *)?([a-z][a-z0-9_]*) *([<>]) *(\S+)")
+_OFF = "# "
+"""What stands before a condition that is switched off."""
 
 
 def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> str:
@@ -85,8 +93,8 @@ def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> s
         "recogniser": preset.recogniser,
         **{name: getattr(settings, name) for name in _AHEAD},
         **(models or {}),
-        **({"live_model": preset.live_model} if preset.live_model is not Ear.ENCODER else {}),
-        **({"file_ear": preset.file_ear} if preset.file_ear is not Ear.WHISPER else {}),
+        **({"live_model": preset.live_model} if preset.live_model is not ModelKind.ENCODER else {}),
+        **({"file_model": preset.file_model} if preset.file_model is not ModelKind.WHISPER else {}),
         "notes": preset.notes,
         "front_end": front_end,
         "phoneme_data": asdict(preset.phoneme_data),
@@ -96,54 +104,59 @@ def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> s
         **({"sensitivities": _table_of_sensitivities(preset)} if preset.sensitivities else {}),
         **({"confidence": _table_of_curves(preset)} if preset.confidences else {}),
         "variables": [_document_of(variable) for variable in preset.variables],
-        "rules": [
-            {"phoneme": rule.phoneme.label, "conditions": [str(c) for c in rule.conditions]} for rule in preset.rules
-        ],
+        "rules": [_document_of_rule(rule) for rule in preset.rules],
         **({"templates": _table_of_templates(preset.templates)} if preset.templates else {}),
+        **({"judged": preset.judged.table()} if preset.judged else {}),
+        **(
+            {"pitch_sets": [_table_of_set(pitch_set) for pitch_set in preset.pitch_sets]} if preset.pitch_sets else {}
+        ),
     }
     return tomli_w.dumps(_plain(document), multiline_strings=True)
 
 
-def preset_from_toml(text: str, folder: Path) -> Preset:
+def preset_from_toml(text: str, folder: Path, shipped: Path | None = None) -> Preset:
     """Read a preset from the text of a TOML file; models that it names lie in `folder`.
 
-    One for files that cannot be read is left out, which `Preset.warnings` says.
+    A real-time model that is not there may lie in `shipped`. One of these, or one for files, that cannot be read is
+    left out, which `Preset.warnings` says.
 
     Raises
     ------
     PresetError : not TOML, not of this format, an unknown or missing name, or a value out of range.
     ModelError : its model cannot be read.
     """
-    top = parse_toml(text, "a preset", FORMAT, PresetError)
+    top = parse_toml(text, "a preset", FORMAT, PresetError, _OLDER)
     try:
-        return _preset_of(top, folder)
+        return _preset_of(top, folder, shipped)
     except SettingsError as error:
         raise PresetError(str(error)) from error
 
 
-def _preset_of(top: StrictTable, folder: Path) -> Preset:
-    top.check_keys(_TABLES, (*_TEXTS, "live_model", "file_ear", *_AHEAD, *_OPTIONAL_TABLES))
+def _preset_of(top: StrictTable, folder: Path, shipped: Path | None) -> Preset:
+    top.check_keys(_TABLES, (*_TEXTS, "live_model", "file_model", *_AHEAD, *_OPTIONAL_TABLES))
     texts = {key: top.value(key, str) for key in _TEXTS if key in top}
     settings = _settings_of(top)
-    file_model, lost = _file_model_of(texts.get("file_model", ""), folder)
+    offline_model, lost = _offline_model_of(texts.get("offline_model", ""), folder)
     encoder_head, lost_too = _encoder_head_of(texts.get("encoder_head", ""), folder)
-    live_encoder, lost_three = _live_encoder_of(texts.get("live_encoder", ""), folder)
+    live_encoder, lost_three = _live_encoder_of(texts.get("live_encoder", ""), folder, shipped)
     preset = Preset(
         name=texts.get("name", "untitled"),
         settings=settings,
         variables=tuple(Variable(**entry.read(_VARIABLE, ("per",))) for entry in top.tables("variables")),
         recogniser=texts.get("recogniser", THESIS.name),
         model=_model_of(texts["model"], folder) if texts.get("model") else None,
-        file_model=file_model,
+        offline_model=offline_model,
         encoder_head=encoder_head,
         live_encoder=live_encoder,
-        live_model=top.value("live_model", Ear, Ear.ENCODER),
-        file_ear=top.value("file_ear", Ear, Ear.WHISPER),
+        live_model=top.value("live_model", ModelKind, ModelKind.ENCODER),
+        file_model=top.value("file_model", ModelKind, ModelKind.WHISPER),
         rules=tuple(_rule_of(entry) for entry in top.tables("rules")),
         templates=_templates_of_table(top.table("templates")) if "templates" in top else None,
         sensitivities=_sensitivities_of(top.table("sensitivities")),
         successors=_successors_of(top.table("successors")),
+        pitch_sets=tuple(_set_of_table(entry) for entry in top.tables("pitch_sets")),
         confidences=_curves_of(top.table("confidence")),
+        judged=judgement_of(top.table("judged")) if "judged" in top else None,
         notes=texts.get("notes", ""),
         warnings=lost + lost_too + lost_three,
     )
@@ -174,16 +187,16 @@ def _beside(name: str, folder: Path) -> Path:
     return folder / name
 
 
-def _file_model_of(name: str, folder: Path) -> tuple[Model | None, tuple[str, ...]]:
-    """Return the model for files, or none and why: whoever lacks it can hear files as all else."""
+def _offline_model_of(name: str, folder: Path) -> tuple[Model | None, tuple[str, ...]]:
+    """Return the offline model, or None and why it is missing: the real-time model takes its place."""
     if not name:
         return None, ()
     try:
         model = _model_of(name, folder)
     except ModelError as error:
-        return None, (f"{error}; until then files are heard as live sound is",)
+        return None, (f"{error}; until then the real-time model recognises files",)
     if not model.centred:
-        return None, (f"{name}: this model is not for files; files are heard as live sound is",)
+        return None, (f"{name}: this is no offline model; the real-time model recognises files",)
     return model, ()
 
 
@@ -194,36 +207,43 @@ def _encoder_head_of(name: str, folder: Path) -> tuple[EncoderHead | None, tuple
     try:
         return load_head(_beside(name, folder)), ()
     except ModelError as error:
-        return None, (f"{error}; until then files are heard without Whisper",)
+        return None, (f"{error}; until then files are recognised without Whisper",)
 
 
-def _live_encoder_of(name: str, folder: Path) -> tuple[LiveEncoder | None, tuple[str, ...]]:
+def _live_encoder_of(name: str, folder: Path, shipped: Path | None) -> tuple[LiveEncoder | None, tuple[str, ...]]:
     """Return the real-time model, or none and why."""
     if not name:
         return None, ()
+    beside = _beside(name, folder)
     try:
-        return load_live_encoder(_beside(name, folder)), ()
+        return load_live_encoder(beside if beside.exists() or shipped is None else shipped / name), ()
     except ModelError as error:
         return None, (f"{error}; until then the small network recognises live sound",)
 
 
+def _document_of_rule(rule: Rule) -> dict[str, Any]:
+    conditions = [f"{'' if c.enabled else _OFF}{c}" for c in rule.conditions]
+    return {"phoneme": rule.phoneme.label, "conditions": conditions, **({} if rule.enabled else {"enabled": False})}
+
+
 def _rule_of(entry: StrictTable) -> Rule:
-    values = entry.read(_RULE)
-    return Rule(values["phoneme"], tuple(_condition_of(text) for text in values["conditions"]))
+    values = entry.read(_RULE, ("enabled",))
+    conditions = tuple(_condition_of(text) for text in values["conditions"])
+    return Rule(values["phoneme"], conditions, values.get("enabled", True))
 
 
 def _condition_of(text: Any) -> Condition:
-    """Read a condition such as ``m_a1 < 3.5``."""
+    """Read a condition such as ``m_a1 < 3.5``; one that is switched off begins with ``#``."""
     found = _CONDITION.fullmatch(text) if isinstance(text, str) else None
     try:
-        limit = float(found[3]) if found else math.nan
+        limit = float(found[4]) if found else math.nan
     except ValueError:
         limit = math.nan
     if found is None or not abs(limit) <= LARGEST_FLOAT32:
         raise PresetError(
-            f"a condition of a rule is a variable, < or >, and a number, such as m_a1 < 3.5; found {shown(text)}"
+            f"a condition of a rule is a variable, a comparison and a number, such as m_a1 < 3.5; found {shown(text)}"
         )
-    return Condition(found[1], found[2], limit=limit)
+    return Condition(found[2], found[3], limit=limit, enabled=not found[1])
 
 
 def _table_of_sensitivities(preset: Preset) -> dict[str, float]:
@@ -235,12 +255,12 @@ def _sensitivities_of(table: StrictTable) -> dict[Phoneme, float]:
 
 
 def _table_of_curves(preset: Preset) -> dict[str, Any]:
-    return {ear: asdict(preset.confidences[ear]) for ear in Ear if ear in preset.confidences}
+    return {kind: asdict(preset.confidences[kind]) for kind in ModelKind if kind in preset.confidences}
 
 
-def _curves_of(table: StrictTable) -> dict[Ear, ConfidenceCurve]:
-    table.check_keys((), [ear.value for ear in Ear])
-    return {ear: _curve_of(table.table(ear)) for ear in Ear if ear in table}
+def _curves_of(table: StrictTable) -> dict[ModelKind, ConfidenceCurve]:
+    table.check_keys((), [*ModelKind, *OLD_MODEL_KINDS])
+    return {ModelKind(name): _curve_of(curve) for name, curve in table.tables_by_name()}
 
 
 def _curve_of(table: StrictTable) -> ConfidenceCurve:
@@ -259,6 +279,18 @@ def _templates_of_table(table: StrictTable) -> Templates:
     table.check_keys(_TEMPLATE_NUMBERS, _TEMPLATED)
     means = {phoneme: table.numbers(name) for name, phoneme in _TEMPLATED.items() if name in table}
     return Templates(means, table.numbers("spread"), table.value("silence_below", float))
+
+
+def _table_of_set(pitch_set: PitchSet) -> dict[str, Any]:
+    head = {name: getattr(pitch_set, name) for name in _PITCH_SET}
+    return {**head, "phoneme_data": asdict(pitch_set.data)}
+
+
+def _set_of_table(table: StrictTable) -> PitchSet:
+    """Return a set from an entry of [[pitch_sets]]: its name, its range, and its 21 numbers."""
+    table.check_keys((*_PITCH_SET, "phoneme_data"))
+    head: dict[str, Any] = {name: table.value(name, kind) for name, kind in _PITCH_SET.items()}
+    return PitchSet(**head, data=PhonemeData(**table.table("phoneme_data").read(_PHONEME_DATA)))
 
 
 def _successors_of(table: StrictTable) -> dict[Phoneme, Phoneme]:

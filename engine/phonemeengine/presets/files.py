@@ -4,24 +4,27 @@ import os
 import re
 import tomllib
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import suppress
 from dataclasses import dataclass, fields, replace
 from importlib import resources
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
 from phonemeengine.arrays import LARGEST_FLOAT32
 from phonemeengine.encoder.head import load_head, save_head
-from phonemeengine.encoder.live import load_live_encoder, save_live_encoder
+from phonemeengine.encoder.live import LiveEncoder, load_live_encoder, save_live_encoder
 from phonemeengine.errors import EngineError, ModelError, PresetError, remedy
 from phonemeengine.presets.document import FRONT_END, INTENSITY, STATISTICS, preset_from_toml, preset_to_toml
+from phonemeengine.presets.judgement import judgement_of
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.recognition.phoneme_data import LAYOUT, PhonemeData
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.storage.files import read_text_file, write_file
 from phonemeengine.storage.paths import presets_folder
+from phonemeengine.storage.strict_table import StrictTable
 
 # PhonemeData files: 21 numbers as text, the thesis's own format.
 
@@ -97,11 +100,18 @@ LARGEST_FILE = 1 << 20
 PHONEME_DATA_SUFFIXES = (".phonemedata", ".txt")
 MODEL_SUFFIXES = {
     "model": ".npz",
-    "file_model": ".files.npz",
+    "offline_model": ".files.npz",
     "encoder_head": ".whisper.npz",
     "live_encoder": ".encoder.onnx",
 }
 """What the files of a preset's models end in, by field."""
+_FILES: dict[str, tuple[Callable[[Path], Any], Callable[[Any, Path], None]]] = {
+    "model": (load_model, save_model),
+    "offline_model": (load_model, save_model),
+    "encoder_head": (load_head, save_head),
+    "live_encoder": (load_live_encoder, save_live_encoder),
+}
+"""What reads and writes them."""
 PRESET_SUFFIXES = (".toml", *PHONEME_DATA_SUFFIXES)
 
 
@@ -125,7 +135,7 @@ def load_preset(path: str | os.PathLike[str]) -> Preset:
     text = read_text_file(path, LARGEST_FILE, "a .toml or .phonemedata file", PresetError)
     try:
         if path.suffix.lower() == ".toml":
-            return preset_from_toml(text, path.parent)
+            return preset_from_toml(text, path.parent, FACTORY)
         return _of_phoneme_data(text, path.stem)
     except EngineError as error:
         raise PresetError(f"{path.name}: {error}") from error
@@ -135,9 +145,9 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     """Save a preset: as PhonemeData where the name ends in ``.phonemedata`` or ``.txt``, else as TOML.
 
     What a PhonemeData file cannot hold is lost there; `beyond_phoneme_data` says what that is. A model is saved
-    beside it, under the same name with ``.npz``, one for files with ``.files.npz``, what it knows of the speech
-    encoder with ``.whisper.npz``, and the real-time model with ``.encoder.onnx``. The old files stay until the new
-    ones are complete.
+    beside it, under the same name with ``.npz``, the offline model with ``.files.npz``, what it knows of the speech
+    encoder with ``.whisper.npz``, and the real-time model with ``.encoder.onnx``, unless it is one of those that ship
+    with the program, which is only named. The old files stay until the new ones are complete.
 
     Raises
     ------
@@ -147,30 +157,38 @@ def save_preset(preset: Preset, path: str | os.PathLike[str]) -> None:
     if is_phoneme_data(path):
         write_file(path, format_phoneme_data(preset.phoneme_data).encode(errors="replace"), PresetError)
         return
-    text = preset_to_toml(preset, _saved_beside(path, preset))
+    text = preset_to_toml(preset, save_models(preset, path))
     write_file(path, text.encode(errors="replace"), PresetError)
 
 
-def _saved_beside(path: Path, preset: Preset) -> dict[str, str]:
-    """Save a preset's models, unless they are there already; return the names of their files by field."""
+def save_models(preset: Preset, path: Path, shipped: Path = FACTORY) -> dict[str, str]:
+    """Save the models of a preset, unless they are there already; return the names of their files by field.
+
+    Parameters
+    ----------
+    preset : a preset.
+    path : its file; the models are saved beside it.
+    shipped : the folder of the presets that ship with the program, whose real-time models are not copied.
+    """
     found = {}
-    for field, model in (("model", preset.model), ("file_model", preset.file_model)):
-        if model is not None:
-            beside = path.with_suffix(MODEL_SUFFIXES[field])
-            if not _holds(beside, model, load_model):
-                save_model(model, beside)
-            found[field] = beside.name
-    if preset.encoder_head is not None:
-        beside = path.with_suffix(MODEL_SUFFIXES["encoder_head"])
-        if not _holds(beside, preset.encoder_head, load_head):
-            save_head(preset.encoder_head, beside)
-        found["encoder_head"] = beside.name
-    if preset.live_encoder is not None:
-        beside = path.with_suffix(MODEL_SUFFIXES["live_encoder"])
-        if not _holds(beside, preset.live_encoder, load_live_encoder):
-            save_live_encoder(preset.live_encoder, beside)
-        found["live_encoder"] = beside.name
+    for field, (load, save) in _FILES.items():
+        known = getattr(preset, field)
+        if known is None:
+            continue
+        beside = path.with_suffix(MODEL_SUFFIXES[field])
+        if field == "live_encoder" and _is_shipped(known, path.parent, shipped):
+            beside = shipped / Path(known.name).name
+        elif not _holds(beside, known, load):
+            save(known, beside)
+        found[field] = beside.name
     return found
+
+
+def _is_shipped(encoder: LiveEncoder, folder: Path, shipped: Path) -> bool:
+    """Return whether a real-time model ships with the program, and presets in a folder find it there by its name."""
+    name = Path(encoder.name).name
+    another = (folder / name).exists() and not _holds(folder / name, encoder, load_live_encoder)
+    return not another and _holds(shipped / name, encoder, load_live_encoder)
 
 
 def preset_path(name: str | os.PathLike[str]) -> Path:
@@ -223,12 +241,14 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
         "your variables": preset.variables != kept.variables,
         "rules": preset.rules != kept.rules,
         "the learned model": preset.model is not None,
-        "the model for files": preset.file_model is not None,
+        "the offline model": preset.offline_model is not None,
         "the real-time model": preset.live_encoder is not None,
-        "what Whisper hears": preset.encoder_head is not None,
+        "the head on Whisper": preset.encoder_head is not None,
         "templates": preset.templates is not None,
         "sensitivities": any(preset.sensitivities.values()),
+        "the pitch sets": bool(preset.pitch_sets),
         "the table of successors": dict(preset.successors) != dict(kept.successors),
+        "what it was judged by": preset.judged is not None,
         "notes": bool(preset.notes.strip()),
     }
     return tuple(words for words, is_lost in lost.items() if is_lost)
@@ -278,7 +298,7 @@ class PresetEntry:
 
 
 def preset_entries(paths: Iterable[Path]) -> tuple[PresetEntry, ...]:
-    """Return the entries of those files that look like presets; whoever loads one hears what is wrong with it."""
+    """Return the entries of those files that look like presets; loading one reports what is wrong with it."""
     return tuple(_entries(paths))
 
 
@@ -293,8 +313,16 @@ def _entries(paths: Iterable[Path]) -> Iterator[PresetEntry]:
             document = tomllib.loads(path.read_text(encoding="utf-8-sig"))
         except (OSError, ValueError, RecursionError):
             continue
-        notes = str(document.get("notes", "")).strip().partition("\n")[0]
-        yield PresetEntry(path, str(document.get("name", path.stem)), _shortened(notes))
+        summary = _judged(document) or _shortened(str(document.get("notes", "")).strip().partition("\n")[0])
+        yield PresetEntry(path, str(document.get("name", path.stem)), summary)
+
+
+def _judged(document: dict[str, Any]) -> str:
+    """Return what a preset was judged by, in one line; empty where that is not there, or damaged."""
+    with suppress(PresetError):
+        if "judged" in document:
+            return str(judgement_of(StrictTable(document, "a preset", PresetError).table("judged")))
+    return ""
 
 
 def _shortened(line: str) -> str:

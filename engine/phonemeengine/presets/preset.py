@@ -10,19 +10,24 @@ from phonemeengine.encoder.live import LiveEncoder
 from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_user_variables
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.judgement import Judgement
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
 from phonemeengine.recognition.model import Model
-from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, Thresholds
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet, Thresholds
 from phonemeengine.recognition.rules import Rule
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitivities
 from phonemeengine.recognition.smoothing import SUCCESSORS
-from phonemeengine.recognition.spec import THESIS, RecogniserConfig, check_recogniser
+from phonemeengine.recognition.spec import THESIS, RecogniserConfig, Tuning, check_recogniser, spec_of
 from phonemeengine.recognition.templates import Templates
-from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Ear
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, ModelKind
 
-NO_CURVES: Mapping[Ear, ConfidenceCurve] = MappingProxyType({})
-LIVE_EARS = (Ear.LIVE, Ear.ENCODER)
-"""What live sound may be recognised with."""
+NO_CURVES: Mapping[ModelKind, ConfidenceCurve] = MappingProxyType({})
+PRE_ROLL = 100
+"""Frames before a place in a sound that are analysed unseen, so that filters and networks know their past."""
+PITCH_PRE_ROLL = 1000
+"""The same where the pitch of the voice chooses a set, which takes a second of voice, and pauses lie between."""
+LIVE_KINDS = (ModelKind.REAL_TIME, ModelKind.ENCODER)
+"""Models for live sound."""
 _IN_BINS = ("high_pass_start", "high_pass_end")
 
 
@@ -39,26 +44,29 @@ class Preset(ShortRepr):
     recogniser : name of the recogniser.
     rules : what the recogniser of own rules asks, in this order; each condition compares a variable with a number.
     model : what the learned recogniser knows.
-    file_model : what it knows of sounds that are wholly known, a centred one; None where it hears files as all else.
-    encoder_head : what it knows of phonemes from a speech encoder, for the ear ``whisper``; None where it has none.
-    live_encoder : the real-time model that recognises live sound together with `model`; None where it has none.
-    live_model : ``encoder`` to use it where it can be had, or ``live`` for the small network alone; see
-        `phonemeengine.presets.ears.for_live_use`.
-    file_ear : the best that files are heard with, if it can be had; see `phonemeengine.presets.ears.for_files`.
-    ear : what is heard with now; only `for_files` and `for_live_use` give presets whose ear is another one than
-        ``live``.
+    offline_model : the offline model, a centred one; None if it has none.
+    encoder_head : the head on layer 4 of Whisper, for the model ``whisper``; None if it has none.
+    live_encoder : the encoder that recognises live sound together with `model`; None if it has none.
+    live_model : the model for live sound: ``encoder`` to use the encoder if possible, or ``real-time`` for the small
+        network alone; see `phonemeengine.presets.model_choice.for_live_use`.
+    file_model : the best model for files, if it can be used; see `phonemeengine.presets.model_choice.for_files`.
+    model_kind : the model in use; only `for_files` and `for_live_use` return presets with another one than
+        ``real-time``.
     templates : what the recogniser by templates compares with.
     sensitivities : by phoneme, log-odds in nats that recognisers by scores add to those of the phoneme, -10..10.
     successors : what replaces an unidentified frame after each phoneme.
-    confidences : by ear, how the scores of what is named become confidences; those without one take a score for what
-        it is, and rules say nothing.
+    pitch_sets : sets of PhonemeData that take the place of the preset's own numbers by the pitch of the voice; of
+        several whose range holds it, the first.
+    confidences : by model, the curve that turns scores into confidences; without one a score is its own confidence,
+        and rules have none.
+    judged : what a calibration gained on held-out speech; None for a preset that no calibration made.
     notes : free text.
     warnings : what of it could not be had, and what serves instead, a sentence each; two presets that differ in
         nothing else are equal.
 
     Raises
     ------
-    EngineError : a variable's name is taken, a rule asks for a variable that nobody measures, there is no such
+    EngineError : a variable's name is taken, a rule asks for a variable that is not measured, there is no such
         recogniser, or there are two, or it lacks rules, a model or templates.
     """
 
@@ -69,16 +77,18 @@ class Preset(ShortRepr):
     recogniser: str = THESIS.name
     rules: tuple[Rule, ...] = ()
     model: Model | None = None
-    file_model: Model | None = None
+    offline_model: Model | None = None
     encoder_head: EncoderHead | None = None
     live_encoder: LiveEncoder | None = None
-    live_model: Ear = Ear.ENCODER
-    file_ear: Ear = Ear.WHISPER
-    ear: Ear = Ear.LIVE
+    live_model: ModelKind = ModelKind.ENCODER
+    file_model: ModelKind = ModelKind.WHISPER
+    model_kind: ModelKind = ModelKind.REAL_TIME
     templates: Templates | None = None
     sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
     successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
-    confidences: Mapping[Ear, ConfidenceCurve] = field(default_factory=lambda: NO_CURVES)
+    pitch_sets: tuple[PitchSet, ...] = ()
+    confidences: Mapping[ModelKind, ConfidenceCurve] = field(default_factory=lambda: NO_CURVES)
+    judged: Judgement | None = None
     notes: str = ""
     warnings: tuple[str, ...] = field(default=(), compare=False)
 
@@ -86,31 +96,56 @@ class Preset(ShortRepr):
         check_user_variables(self.variables)
         check_recogniser(self.recogniser, self.config)
         check_sensitivities(self.sensitivities)
-        if self.live_model not in LIVE_EARS:
-            raise PresetError(f"live_model is one of {', '.join(LIVE_EARS)}, got {self.live_model}")
+        if self.live_model not in LIVE_KINDS:
+            raise PresetError(f"live_model is one of {', '.join(LIVE_KINDS)}, got {self.live_model}")
         _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
 
     @property
     def summary(self) -> str:
-        """What it is, in one line: the first one of its notes; empty where it has none."""
-        return self.notes.strip().partition("\n")[0]
+        """What it is, in one line: what it was judged by, or the first line of its notes; empty without both."""
+        return str(self.judged) if self.judged else self.notes.strip().partition("\n")[0]
 
     @property
     def config(self) -> RecogniserConfig:
         """What the recogniser is made from."""
-        model = self.model if self.ear in LIVE_EARS else self.file_model or self.model
+        model = self.model if self.model_kind in LIVE_KINDS else self.offline_model or self.model
         look_ahead = self.settings.look_ahead
-        return RecogniserConfig(self.thresholds, self.rules, model, self.templates, look_ahead, self.sensitivities)
+        return RecogniserConfig(
+            self.thresholds, self.rules, model, self.templates, look_ahead, self.sensitivities, self.pitch_sets
+        )
+
+    @property
+    def pre_roll(self) -> int:
+        """Frames before a place in a sound that are analysed unseen, so that it is recognised as in the whole."""
+        return PITCH_PRE_ROLL if self.pitch_ranges else PRE_ROLL
+
+    @property
+    def by_pitch(self) -> tuple["Preset", ...]:
+        """The presets between which the pitch of the voice chooses, each without sets.
+
+        The first one has its own numbers, which serve until the pitch is known and where no range holds it; the
+        others have those of each set. There is the first alone where the recogniser uses no sets.
+        """
+        own = replace(self, pitch_sets=()) if self.pitch_sets else self
+        if not self.pitch_sets or Tuning.PITCH_SETS not in spec_of(self.recogniser).tuned_by:
+            return (own,)
+        return (own, *(own.with_phoneme_data(pitch_set.data) for pitch_set in self.pitch_sets))
+
+    @property
+    def pitch_ranges(self) -> tuple[tuple[float, float], ...]:
+        """The ranges of the sets that its recogniser uses, Hz; empty where it uses none."""
+        uses_sets = len(self.by_pitch) > 1
+        return tuple((pitch_set.low, pitch_set.high) for pitch_set in self.pitch_sets) if uses_sets else ()
 
     @property
     def curve(self) -> ConfidenceCurve:
-        """How scores become confidences with the ear in use."""
-        return self.confidences.get(self.ear, UNFITTED)
+        """How scores become confidences of the model in use."""
+        return self.confidences.get(self.model_kind, UNFITTED)
 
     @property
     def is_measured(self) -> bool:
-        """Whether its confidence was measured on labelled speech, with the ear in use."""
-        return self.ear in self.confidences
+        """Whether its confidence was measured on labelled speech, of the model in use."""
+        return self.model_kind in self.confidences
 
     @property
     def phoneme_data(self) -> PhonemeData:
@@ -134,6 +169,6 @@ def _check_rules(rules: tuple[Rule, ...], known: set[str]) -> None:
         for condition in rule.conditions:
             if condition.variable not in known:
                 raise PresetError(
-                    f"a rule for {rule.phoneme.label} asks for the variable {condition.variable[:60]}, which nobody "
-                    "measures; add it, or change the rule"
+                    f"a rule for {rule.phoneme.label} asks for the variable {condition.variable[:60]}, which is not "
+                    "measured; add it, or change the rule"
                 )

@@ -1,1 +1,1 @@
-"""Evidence becomes a name: recognisers, and the statistics that calm them."""
+"""Evidence becomes a name: recognisers, and the smoothing of what they name."""

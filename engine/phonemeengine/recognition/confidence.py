@@ -1,6 +1,6 @@
-"""How sure an answer is: of frames that are said with a confidence of 0.8, eight in ten are right.
+"""The confidence of an answer: of frames with a confidence of 0.8, eight in ten are right.
 
-The probabilities of a recogniser are not that: it is surer than it is right, and what is named is calmed besides. A
+The probabilities of a recogniser are not that: they are too high, and what is named is smoothed besides. A
 rising curve, found by isotonic regression on speakers who took no part in the training, turns the one into the other.
 """
 
@@ -49,7 +49,7 @@ class ConfidenceCurve:
             )
 
     def of(self, scores: Float32Array) -> Float32Array:
-        """Return how sure answers with these scores are, 0..1, same shape."""
+        """Return the confidence of answers with these scores, 0..1, same shape."""
         return np.interp(scores, self.scores, self.shares).astype(np.float32)
 
 

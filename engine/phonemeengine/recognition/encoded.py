@@ -1,4 +1,4 @@
-"""The recogniser of whole files that hears with a speech encoder and the network together."""
+"""The recogniser of whole files by a speech encoder and the network together."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ from phonemeengine.recognition.scores import SCORES, ScoredRecogniser, Sensitivi
 from phonemeengine.settings import HOP, WINDOW
 
 STRETCH, OVERLAP = 2800, 100
-"""Frames that the encoder hears at once, and how many more of the sound on both sides; both even."""
+"""Frames that are encoded at once, and how many more of the sound on both sides; both even."""
 ENCODER_SHARE = 0.6
 """Of the encoder in the mean of the logarithms of both probabilities; the rest is the network's."""
 WEAKENED = 0.35
@@ -28,12 +28,12 @@ Hear = Callable[[Float32Array], Float32Array]
 class EncodedRecogniser(ScoredRecogniser):
     """Names what encoder and network together find likeliest: the weighted mean of their log-probabilities.
 
-    It holds frames back until it has a stretch of the sound, so it is for files.
+    It delays frames until it has an excerpt of the sound, so it is for files.
 
     Parameters
     ----------
     network : names phonemes and visemes, with no sensitivities.
-    hear : what the encoder and its head make of samples; called with stretches of a few seconds to half a minute.
+    hear : the probabilities by the encoder and its head; called with excerpts of a few seconds to half a minute.
     priors : shares of the phonemes and visemes in what both were trained on, shape (26,).
     sensitivity : log-odds that are added in the end.
     """
@@ -49,7 +49,7 @@ class EncodedRecogniser(ScoredRecogniser):
         self._shares: list[tuple[Float32Array, Float32Array]] = []
 
     def recognise(self, windows: Float32Array, _features: Features) -> Recognition:
-        """Take the next frames; what comes back is about stretches of the oldest, once there are any."""
+        """Take the next frames; what is returned is about excerpts of the oldest, once there are any."""
         # The middle 10 ms of each window, put together, are the sound again: the encoder takes samples, not frames.
         self._samples = np.concatenate((self._samples, windows[:, LEAD : LEAD + HOP].ravel()))
         self._follow(windows)
@@ -72,7 +72,7 @@ class EncodedRecogniser(ScoredRecogniser):
 
     def _answers(self, n: int) -> Recognition:
         """Name the oldest n frames; none, if n is not above 0."""
-        # The encoder attends to all of a stretch, so stretches are as long as it can take, and only whole ones are
+        # The encoder attends to all of an excerpt, so excerpts are as long as it can take, and only whole ones are
         # answered before the end.
         lengths = [min(STRETCH, n - first) for first in range(0, n, STRETCH)]
         parts = [(np.zeros((0, len(SCORES)), np.float32), np.zeros((0, N_VISEMES), np.float32))]
@@ -83,7 +83,7 @@ class EncodedRecogniser(ScoredRecogniser):
     def _stretch(self, n: int) -> tuple[Float32Array, Float32Array]:
         """Return how likely phonemes and visemes are in the oldest n frames, and forget them."""
         # The overlap before and after gives the frames at both edges their context; its answers are thrown away here,
-        # since the neighbouring stretch knows better.
+        # since the neighbouring excerpt knows better.
         end = (self._n_before + n + OVERLAP) * HOP
         heard = self._hear(self._samples[:end])[self._n_before :]
         heard = heard[np.minimum(np.arange(n), len(heard) - 1)]  # the last of an odd number has none of its own

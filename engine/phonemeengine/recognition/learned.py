@@ -45,7 +45,7 @@ def mixed(shares: Float32Array, weights: Float32Array) -> Float32Array:
 
 
 class VtlnMixer:
-    """Weighs what was heard with several vocal tracts, and remembers which of them were sure.
+    """Weighs the answers for several vocal tracts, and remembers which of them were confident.
 
     Parameters
     ----------
@@ -95,7 +95,7 @@ class LearnedRecogniser(ScoredRecogniser):
     ----------
     model : what it knows.
     look_ahead : seconds that it may wait for what comes after a frame; rounded down to what the model has. A centred
-        model waits for as much as it hears.
+        model waits for as much context as it uses.
     sensitivities : log-odds that are added to those of phonemes, nats.
 
     Attributes
@@ -148,7 +148,7 @@ class LearnedRecogniser(ScoredRecogniser):
         return log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS)
 
     def _without_early(self, found: Float32Array) -> Float32Array:
-        """Leave out what is found before the first frames of the sound, whose answers nobody wants."""
+        """Leave out what is found before the first frames of the sound, whose answers are not needed."""
         n_early = min(self._n_early, len(found))
         self._n_early -= n_early
         return found[n_early:]
@@ -160,7 +160,7 @@ class LearnedRecogniser(ScoredRecogniser):
     def recognise_with(
         self, others: Sequence["LearnedRecogniser"], windows: Sequence[Float32Array]
     ) -> list[Recognition]:
-        """Recognise the next frames of its own sound, and of those of others of its kin, as if each were alone.
+        """Recognise the next frames of several sounds with one network, its own first, as if each were alone.
 
         Parameters
         ----------

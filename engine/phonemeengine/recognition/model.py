@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.dsp.log_mel import N_BANDS
+from phonemeengine.encoder.head import HALVES, N_OUTPUTS
+from phonemeengine.encoder.live import LiveHead
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.phonemes import Phoneme
@@ -31,7 +33,7 @@ HEAD, VISEME_HEAD = "head", "viseme_head"
 MOST_FRAMES_AHEAD = 5
 """Frames of 10 ms that the longest look-ahead of a causal model has."""
 MOST_FRAMES_AROUND = 100
-"""Frames of 10 ms that a centred model hears before and after each, at most."""
+"""Frames of 10 ms that a centred model uses before and after each, at most."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -78,14 +80,15 @@ class Model(ShortRepr):
     ----------
     layers : the network.
     heads : one for each look-ahead, 0, 1, ... frames.
-    warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; what is heard with
-        each is mixed, see `phonemeengine.recognition.learned`.
-    anchors : stretches of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
+    warps : of the mel bands, as if the speaker's vocal tract were shorter (above 1) or longer; the answers for
+        each are mixed, see `phonemeengine.recognition.learned`.
+    anchors : excerpts of the speech that it was trained on, as `phonemeengine.dsp.log_mel` gives it,
         shape (n, n_frames, 40), so that an adaptation to one voice does not forget them; may be empty.
     about : what it was trained with, in words, for people: name, speakers, seed, figures.
     viseme_heads : the same as `heads` for the visemes of its set; empty where it knows none.
-    centred : whether it hears as far ahead as back, for sounds that are wholly known; it has one head then.
+    centred : whether it has as much context after a frame as before, for whole files; it has one head then.
     viseme_set : the visemes that it tells apart.
+    live_head : what the real-time model learned of the same voice; None where it learned none.
     """
 
     layers: tuple[Layer, ...]
@@ -96,9 +99,10 @@ class Model(ShortRepr):
     viseme_heads: tuple[OutputHead, ...] = ()
     centred: bool = False
     viseme_set: VisemeSet = STANDARD_VISEMES
+    live_head: LiveHead | None = None
 
     def frames_ahead(self, look_ahead: float) -> int:
-        """Return for how many frames after a frame it waits, where it may wait for so many seconds.
+        """Return for how many frames after a frame it waits, where it may wait for this many seconds.
 
         A centred model always waits for the sum of its dilations.
         """
@@ -125,7 +129,11 @@ class Model(ShortRepr):
         heads, viseme_heads = (
             tuple(OutputHead(_halved(h.weights), h.bias) for h in known) for known in (self.heads, self.viseme_heads)
         )
-        return replace(self, layers=layers, heads=heads, viseme_heads=viseme_heads, anchors=_halved(self.anchors))
+        live_head = self.live_head and replace(self.live_head, weights=_halved(self.live_head.weights))
+        anchors = _halved(self.anchors)
+        return replace(
+            self, layers=layers, heads=heads, viseme_heads=viseme_heads, anchors=anchors, live_head=live_head
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Model) and self.digest == other.digest
@@ -135,7 +143,7 @@ class Model(ShortRepr):
 
 
 def save_model(model: Model, path: Path) -> None:
-    """Write a model's file: weights as float16, which loses nothing that can be heard.
+    """Write a model's file: weights as float16, whose rounding changes almost no answer.
 
     The old file stays until the new one is complete.
 
@@ -193,6 +201,10 @@ def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
         for k, head in enumerate(heads):
             arrays[f"{name}_{k}_weights"] = head.weights.astype(np.float16)
             arrays[f"{name}_{k}_bias"] = head.bias.astype(np.float32)
+    if model.live_head is not None:
+        arrays["live_head_weights"] = model.live_head.weights.astype(np.float16)
+        arrays["live_head_bias"] = model.live_head.bias.astype(np.float32)
+        arrays["live_head_origin"] = np.frombuffer(model.live_head.origin.encode(), np.uint8)
     return arrays
 
 
@@ -233,9 +245,19 @@ def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
     about = _about_of(arrays["about"])
     centred = bool(arrays.get("centred", False))
     if centred and (n_heads > 1 or dilations.sum() > MOST_FRAMES_AROUND):
-        raise ModelError(f"a centred model has one head and hears {MOST_FRAMES_AROUND} frames around; get it anew")
+        raise ModelError(f"a centred model has one head and uses {MOST_FRAMES_AROUND} frames around; get it anew")
     # Weights are float16 in the file, half the size; they are worked on as float32, which processors are faster at.
-    return Model(tuple(layers), heads, _warps_of(arrays["warps"]), anchors, about, viseme_heads, centred, viseme_set)
+    return Model(
+        tuple(layers),
+        heads,
+        _warps_of(arrays["warps"]),
+        anchors,
+        about,
+        viseme_heads,
+        centred,
+        viseme_set,
+        _live_head_of(arrays),
+    )
 
 
 def _heads_of(
@@ -245,6 +267,14 @@ def _heads_of(
         OutputHead(_checked(arrays[f"{name}_{k}_weights"], shape), _checked(arrays[f"{name}_{k}_bias"], shape[1:]))
         for k in range(n_heads)
     )
+
+
+def _live_head_of(arrays: dict[str, NDArray[Any]]) -> LiveHead | None:
+    if "live_head_origin" not in arrays:
+        return None
+    n = HALVES * N_OUTPUTS
+    weights, bias = _checked(arrays["live_head_weights"], (None, n)), _checked(arrays["live_head_bias"], (n,))
+    return LiveHead(weights, bias, arrays["live_head_origin"].tobytes().decode())
 
 
 def _warps_of(array: NDArray[Any]) -> tuple[float, ...]:

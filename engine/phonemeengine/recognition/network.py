@@ -21,7 +21,7 @@ TAPS = 3
 ROOM = 64
 """Frames for which a layer keeps room, so that what it remembers is moved seldom."""
 FEW = 4
-"""Up to so many frames are worked on one by one: a matrix of all of them costs more."""
+"""Up to this many frames are worked on one by one: a matrix of all of them costs more."""
 CLEARLY = 0.85
 """Part of the time that is clearly less."""
 ZERO = np.zeros((), np.float32)
@@ -44,7 +44,7 @@ class Layer(ShortRepr):
 
     @property
     def reach(self) -> int:
-        """Frames before the newest one that it looks back to."""
+        """Frames before the newest one that it uses."""
         return (TAPS - 1) * self.dilation
 
 
@@ -61,7 +61,7 @@ def vectors_pay() -> bool:
 
 
 class StreamingLayer:
-    """One layer at work: remembers the frames that it looks back to.
+    """One layer at work: remembers the frames that it uses again.
 
     Parameters
     ----------
@@ -75,7 +75,7 @@ class StreamingLayer:
         self._vectors_pay = pay
         self._weights, self._bias = layer.weights, layer.bias
         self._reach, self._step = layer.reach, layer.dilation
-        # A layer with the dilation d looks back over 2 d frames and no further, so these are all it has to keep: a
+        # A layer with the dilation d uses 2 d frames of the past and no more, so these are all it has to keep: a
         # new frame costs one product, however long the sound is. There is room for more, so that the kept frames are
         # moved to the front once in `ROOM` frames only.
         self._seen = np.empty((self._reach + ROOM, *before.shape), np.float32)

@@ -1,8 +1,9 @@
-"""The thresholds of the thesis rules, and the 21 numbers of a PhonemeData file."""
+"""The thresholds of the thesis rules, the 21 numbers of a PhonemeData file, and sets of them for ranges of pitch."""
 
 from dataclasses import dataclass, fields
 
 from phonemeengine.arrays import LARGEST_FLOAT32
+from phonemeengine.dsp.pitch import HIGHEST, LOWEST
 from phonemeengine.errors import SettingsError
 
 RULE_FIELDS = (
@@ -64,3 +65,33 @@ class PhonemeData(Thresholds):
     high_pass_start: float = 5.0
     high_pass_end: float = 7.0
     denoise_threshold: float = 0.0
+
+
+@dataclass(frozen=True)
+class PitchSet:
+    """The 21 numbers for voices of a range of pitch, such as those of women (section 3.2 of the thesis).
+
+    Attributes
+    ----------
+    name : what people call it, such as "woman".
+    low, high : the range of the fundamental frequency, Hz; `low` belongs to it and `high` does not.
+    data : the numbers.
+
+    Raises
+    ------
+    SettingsError : it has no name, or the range is empty or lies outside 60..500 Hz.
+    """
+
+    name: str
+    low: float
+    high: float
+    data: PhonemeData
+
+    def __post_init__(self) -> None:
+        if not self.name.strip():
+            raise SettingsError("a pitch set needs a name, such as woman")
+        if not LOWEST <= self.low < self.high <= HIGHEST:
+            raise SettingsError(
+                f"the pitch set {self.name[:40]!r} must range upwards within {LOWEST:g}..{HIGHEST:g} Hz, got "
+                f"{self.low:g}..{self.high:g} Hz"
+            )

@@ -21,8 +21,13 @@ _UNASKED = np.zeros((0, N_OUTPUTS), np.float32)
 
 
 def real_time_look_ahead(look_ahead: float) -> int:
-    """Return how many frames the real-time model looks ahead where it may wait so many seconds; never less than 2."""
+    """Return how many frames the real-time model looks ahead within a limit in seconds; never less than 2."""
     return max((n for n in LOOK_AHEADS if n * FRAME_PERIOD <= look_ahead + 1e-6), default=LOOK_AHEADS[0])
+
+
+def states_ahead(look_ahead: float) -> int:
+    """Return how many states the first layer of the real-time model looks ahead then, 0 or 1."""
+    return LOOK_AHEADS.index(real_time_look_ahead(look_ahead))
 
 
 class RealTimeRecogniser(ScoredRecogniser):
@@ -31,9 +36,10 @@ class RealTimeRecogniser(ScoredRecogniser):
     Parameters
     ----------
     encoder : the real-time model.
-    model : of the small network.
+    model : of the small network; it may hold a head that was adapted to a voice.
     look_ahead : seconds that it may wait for what comes after a frame; it waits for 20 or 40 ms.
     sensitivity : log-odds that are added in the end.
+    states : of the whole sound, as `OpenEncoder.states_of` gives them, where they are known; None for what comes.
 
     Attributes
     ----------
@@ -42,14 +48,22 @@ class RealTimeRecogniser(ScoredRecogniser):
 
     most_together = ROOM
 
-    def __init__(self, encoder: OpenEncoder, model: Model, look_ahead: float, sensitivity: Sensitivity) -> None:
+    def __init__(
+        self,
+        encoder: OpenEncoder,
+        model: Model,
+        look_ahead: float,
+        sensitivity: Sensitivity,
+        states: Float32Array | None = None,
+    ) -> None:
         n_ahead = real_time_look_ahead(look_ahead)
         self._network = LearnedRecogniser(model, n_ahead * FRAME_PERIOD)
         self.look_ahead = max(n_ahead, self._network.look_ahead)
-        self._encoder, self._sensitivity = encoder, sensitivity
-        self._stream = EncoderStream(encoder, LOOK_AHEADS.index(n_ahead))
+        self._encoder, self._sensitivity, self._known = encoder, sensitivity, states
+        self._head = encoder.fitting(model.live_head)
+        self._stream = EncoderStream(encoder, states_ahead(look_ahead))
         own = self._network.kin
-        self.kin: object | None = None if own is None else (id(encoder), n_ahead, own)
+        self.kin: object | None = None if own is None or states is not None else (id(encoder), n_ahead, own)
         self._n_early = self.look_ahead  # frames that still come before the first answer
         self._by_encoder = self._by_network = _UNASKED  # what they said of frames that have no answer yet
 
@@ -60,7 +74,7 @@ class RealTimeRecogniser(ScoredRecogniser):
     def recognise_with(
         self, others: Sequence["RealTimeRecogniser"], windows: Sequence[Float32Array]
     ) -> list[Recognition]:
-        """Recognise the next frames of its own sound, and of those of others of its kin, as if each were alone.
+        """Recognise the next frames of several sounds with one network, its own first, as if each were alone.
 
         Parameters
         ----------
@@ -77,11 +91,14 @@ class RealTimeRecogniser(ScoredRecogniser):
     ) -> list[Recognition]:
         """Ask the encoder about the next frames of all sounds, and join what the network said of each."""
         recognisers = (self, *others)
-        ends = np.cumsum([len(block) for block in windows])[:-1]
-        logarithms = np.split(whisper_log_mels(np.concatenate(windows)), ends)
-        by_encoder = self._encoder.encode([each._stream for each in recognisers], logarithms)
-        told = zip(recognisers, windows, by_encoder, by_network, strict=True)
-        return [each._answer(len(block), logits, *known) for each, block, logits, known in told]
+        if self._known is None:
+            ends = np.cumsum([len(block) for block in windows])[:-1]
+            logarithms = np.split(whisper_log_mels(np.concatenate(windows)), ends)
+            states = self._encoder.encode([each._stream for each in recognisers], logarithms)
+        else:
+            states, self._known = [self._known], self._known[:0]  # all of them wait for what the network says
+        told = zip(recognisers, windows, states, by_network, strict=True)
+        return [each._answer(len(block), each._head.logits(of), *known) for each, block, of, known in told]
 
     def _answer(
         self, n_came: int, logits: Float32Array, shares: Float32Array, visemes: Float32Array | None

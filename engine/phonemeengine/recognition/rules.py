@@ -3,13 +3,17 @@
 The thesis rules are a table here, compared with the preset's thresholds; extended rules are the preset's own.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array, IndexArray, UInt8Array
 from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import PITCH_SET_COLUMNS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.recognition import Recognition, RuleComparison, Trace
@@ -25,12 +29,14 @@ class Condition:
     sign : ``<`` or ``>``.
     threshold : name of a threshold; empty where `limit` is the number.
     limit : the number.
+    enabled : whether it is asked; one that is switched off is kept, and always holds.
     """
 
     variable: str
     sign: str
     threshold: str = ""
     limit: float = 0.0
+    enabled: bool = True
 
     def __str__(self) -> str:
         return f"{self.variable} {self.sign} {self.threshold or self.limit}"
@@ -38,10 +44,11 @@ class Condition:
 
 @dataclass(frozen=True)
 class Rule:
-    """A phoneme, and the conditions that must all hold for it."""
+    """A phoneme, and the conditions that must all hold for it; one that is switched off is kept, and never fires."""
 
     phoneme: Phoneme
     conditions: tuple[Condition, ...]
+    enabled: bool = True
 
 
 def _rule(phoneme: Phoneme, *conditions: str) -> Rule:
@@ -82,6 +89,29 @@ DEFAULT_RULE = Rule(Phoneme.UNIDENTIFIED, ())
 """What fires where no other rule does."""
 
 _SIGNS = {">": 1, "<": -1}
+Answer = TypeVar("Answer", np.uint8, np.float32)
+
+
+def active_rules(rules: Sequence[Rule]) -> tuple[Rule, ...]:
+    """Return what is asked of some rules: those that are switched on, with the conditions that are."""
+    return tuple(
+        replace(rule, conditions=tuple(c for c in rule.conditions if c.enabled)) for rule in rules if rule.enabled
+    )
+
+
+def rule_labels(rules: Sequence[Rule]) -> tuple[str, ...]:
+    """Return what traces call each rule: its phoneme, with a number where several active rules have the same.
+
+    One that is switched off has an empty label.
+    """
+    totals = Counter(rule.phoneme for rule in rules if rule.enabled)
+    seen: Counter[Phoneme] = Counter()
+    labels = []
+    for rule in rules:
+        seen[rule.phoneme] += rule.enabled
+        number = f" {seen[rule.phoneme]}" if totals[rule.phoneme] > 1 else ""
+        labels.append(f"{rule.phoneme.label}{number}" if rule.enabled else "")
+    return tuple(labels)
 
 
 class RuleRecogniser:
@@ -91,7 +121,7 @@ class RuleRecogniser:
 
     Parameters
     ----------
-    rules : in the order in which they apply.
+    rules : in the order in which they apply; what is switched off in them is left out.
     thresholds : the numbers that conditions name.
     """
 
@@ -101,14 +131,14 @@ class RuleRecogniser:
     def __init__(self, rules: Sequence[Rule], thresholds: Thresholds) -> None:
         # A block is recognised without a loop over frames or rules: column c of a matrix says whether condition c
         # fails, and `members` adds these up for each rule.
-        self._rules = (*rules, DEFAULT_RULE)
+        self._rules = (*active_rules(rules), DEFAULT_RULE)
         self._conditions = tuple(dict.fromkeys(c for rule in rules for c in rule.conditions))
-        self._limits_of = {c: _limit_of(c, thresholds) for c in self._conditions}
+        self._limits_of = {c: limit_of(c, thresholds) for c in self._conditions}
         self._condition_columns = self._columns_of_rules()
         members = np.zeros((len(self._conditions) + 1, len(self._rules)), np.float32)
         members[self._condition_columns.T, np.arange(len(self._rules))] = 1
         self._members = members[:-1]
-        self._labels = [self._label_of(number) for number in range(len(self._rules))]
+        self._labels = rule_labels(self._rules)
         self._phonemes = np.array([rule.phoneme for rule in self._rules], np.uint8)
         self._by_phoneme = np.argsort(self._phonemes, kind="stable")
         self._named, self._firsts = np.unique(self._phonemes[self._by_phoneme], return_index=True)
@@ -196,12 +226,6 @@ class RuleRecogniser:
             columns[k, : len(rule.conditions)] = [numbers[c] for c in rule.conditions]
         return columns
 
-    def _label_of(self, number: int) -> str:
-        """Return the phoneme's name, with a number where several rules have the same."""
-        phoneme = self._rules[number].phoneme
-        same = [k for k, rule in enumerate(self._rules) if rule.phoneme is phoneme]
-        return phoneme.label if len(same) == 1 else f"{phoneme.label} {same.index(number) + 1}"
-
     def _compared(self, features: Features) -> Float32Array:
         """Return what must exceed the limits for a comparison to hold: values, those of `<` with their sign turned.
 
@@ -226,5 +250,47 @@ class ThesisRules(RuleRecogniser):
         super().__init__(RULES, thresholds)
 
 
-def _limit_of(condition: Condition, thresholds: Thresholds) -> float:
+class PitchSetRules(ThesisRules):
+    """The thesis rules with the thresholds of that set of PhonemeData which the pitch of the voice chooses.
+
+    Parameters
+    ----------
+    thresholds : where no set is chosen.
+    sets : the thresholds of each set; a column of the features tells which one a frame has, from 1 on.
+    """
+
+    def __init__(self, thresholds: Thresholds, sets: Sequence[Thresholds]) -> None:
+        super().__init__(thresholds)
+        self.by_set = (ThesisRules(thresholds), *map(ThesisRules, sets))
+
+    def phonemes_of(self, features: Features) -> UInt8Array:
+        """Return which phoneme each frame's variables are, shape (n_frames,)."""
+        return self._chosen(features, lambda rules: rules.phonemes_of(features))
+
+    def deficits(self, features: Features) -> Float32Array:
+        """Return by what share the limits in use fall short of naming each phoneme, shape (n_frames, n_phonemes)."""
+        return self._chosen(features, lambda rules: rules.deficits(features))
+
+    def explain(self, features: Features, k: int) -> Trace:
+        """Return why frame `k` of a block is recognised as it is, with the limits of the set in use."""
+        return self.by_set[int(self._numbers(features)[k])].explain(features, k)
+
+    def _chosen(self, features: Features, answer: Callable[[RuleRecogniser], NDArray[Answer]]) -> NDArray[Answer]:
+        numbers = self._numbers(features)
+        answers = answer(self.by_set[0])
+        for number in np.unique(numbers[numbers > 0]).tolist():
+            chosen = numbers == number
+            answers[chosen] = answer(self.by_set[int(number)])[chosen]
+        return answers
+
+    @staticmethod
+    def _numbers(features: Features) -> Float32Array:
+        """Return which set each frame has; none where that was not measured."""
+        name = PITCH_SET_COLUMNS[1]
+        found = features[name] if name in features.names else np.zeros(len(features.values), np.float32)
+        return np.nan_to_num(found)
+
+
+def limit_of(condition: Condition, thresholds: Thresholds) -> float:
+    """Return what a condition compares with."""
     return float(getattr(thresholds, condition.threshold) if condition.threshold else condition.limit)

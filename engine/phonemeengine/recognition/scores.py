@@ -12,7 +12,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.errors import SettingsError
 from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import SCORES
+from phonemeengine.features.variables import DEFICITS, SCORES
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
 
@@ -105,11 +105,26 @@ def deficits_of(scores: Float32Array, phoneme: Phoneme) -> Float32Array:
 
 
 def scores_in(features: Features) -> Float32Array | None:
-    """Return the columns of the scores, shape (n_frames, n_phonemes), or None where nobody has measured them yet."""
+    """Return the columns of the scores, shape (n_frames, n_phonemes), or None where they were not measured yet."""
     if SCORES[0] not in features.names:
         return None
     first = features.names.index(SCORES[0])
     return features.values[:, first : first + len(SCORES)]
+
+
+def values_of(features: Features, variable: str, sensitivities: Mapping[Phoneme, float]) -> Float32Array | None:
+    """Return what was measured of a variable, or a phoneme's deficit; shape (n_frames,), None where it was not.
+
+    Parameters
+    ----------
+    features : the variables, with the scores as they are with the sensitivities.
+    sensitivities : of all phonemes; a deficit is that without the phoneme's own.
+    """
+    scores = scores_in(features)
+    if variable not in DEFICITS or scores is None:
+        return features[variable] if variable in features.names else None
+    phoneme = Phoneme(DEFICITS.index(variable))
+    return deficits_of(scores, phoneme) + np.float32(sensitivities.get(phoneme, 0.0))
 
 
 def separations_of(deficits: Float32Array, phonemes: UInt8Array) -> Float32Array:

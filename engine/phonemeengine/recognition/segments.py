@@ -1,4 +1,4 @@
-"""Stretches of equal phonemes, as time lines and mouth cues need them."""
+"""Segments of equal phonemes, as time lines and mouth cues need them."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -40,7 +40,7 @@ SEGMENT_COLUMNS = ("start_s", "end_s", "phoneme", "intensity", "confidence")
 
 @dataclass(frozen=True, slots=True)  # ten hours have half a million
 class Segment:
-    """A stretch of one phoneme.
+    """A segment of one phoneme.
 
     Attributes
     ----------
@@ -48,7 +48,7 @@ class Segment:
     phoneme : what is said.
     intensity : mean intensity, 0..1.
     phone : its symbol in the International Phonetic Alphabet; empty where only the phoneme is known.
-    confidence : the mean share of such answers that are right, 0..1; 1 where nobody recognised it, None where it is
+    confidence : the mean share of such answers that are right, 0..1; 1 where it was not recognised, None where it is
         not known.
     """
 
@@ -85,7 +85,7 @@ class SegmentBuilder:
         Parameters
         ----------
         phones : what is known of each frame besides its phoneme; segments of one phoneme are parted by them.
-        confidences : how sure each frame is, 0..1; sure, where nobody says so.
+        confidences : of each frame, 0..1; 1 where none are given.
         """
         ended = []
         phones = [""] * len(phonemes) if phones is None else phones
@@ -131,7 +131,7 @@ def segments_of(blocks: Iterable[Frames], duration: float) -> Iterator[Segment]:
 
 
 def labels_of_segments(segments: Iterable[Segment]) -> tuple[Label, ...]:
-    """Return stretches of recognised phonemes, in order of time, as labels."""
+    """Return segments of recognised phonemes, in order of time, as labels."""
     return tuple(Label(s.start, s.end, s.phoneme.label, s.phoneme) for s in segments)
 
 

@@ -92,7 +92,7 @@ class PhonemeSmoother:
         out = []
         # Plain integers and no arrays: each step depends on the one before, and NumPy scalars are several times
         # slower. An unidentified frame becomes what likely follows the last identified one; after a change no other
-        # may follow for the minimum hold, however often the wish changes in between.
+        # may follow for the minimum duration, however often the wish changes in between.
         for raw in phonemes.tolist():
             identified = identified if raw == unidentified else raw
             wanted = self._successors[identified] if raw == unidentified else raw
@@ -111,7 +111,7 @@ MARGIN = 0.2
 
 
 class VisemeSmoother:
-    """Follows a stream of phonemes with the visemes that are heard; looks only back."""
+    """Follows a stream of phonemes with the recognised visemes; uses only the past."""
 
     def __init__(self) -> None:
         self._phoneme = self._viseme = -1

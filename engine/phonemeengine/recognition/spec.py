@@ -18,10 +18,10 @@ from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
-from phonemeengine.recognition.phoneme_data import Thresholds
+from phonemeengine.recognition.phoneme_data import PitchSet, Thresholds
 from phonemeengine.recognition.plug_ins import PlugIn, call_foreign, package_of, plug_ins
 from phonemeengine.recognition.recognition import Recognition, Trace
-from phonemeengine.recognition.rules import RULES, Rule, RuleRecogniser, ThesisRules
+from phonemeengine.recognition.rules import RULES, PitchSetRules, Rule, RuleRecogniser, ThesisRules
 from phonemeengine.recognition.scores import NO_SENSITIVITIES, SCORES
 from phonemeengine.recognition.templates import TemplateRecogniser, Templates
 
@@ -38,6 +38,7 @@ class RecogniserConfig:
     templates : what the recogniser by templates compares with.
     look_ahead : seconds after a frame that it may wait for.
     sensitivities : log-odds that recognisers by scores add to those of phonemes, nats.
+    pitch_sets : numbers that take the place of the thresholds by the pitch of the voice.
     """
 
     thresholds: Thresholds = field(default_factory=Thresholds)
@@ -46,6 +47,7 @@ class RecogniserConfig:
     templates: Templates | None = None
     look_ahead: float = 0.0
     sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
+    pitch_sets: tuple[PitchSet, ...] = ()
 
 
 class Recogniser(Protocol):
@@ -56,7 +58,7 @@ class Recogniser(Protocol):
     """
 
     look_ahead: int
-    """Frames after a frame that it waits for; so many frames the answers are behind."""
+    """Frames after a frame that it waits for; the answers are delayed by as many."""
 
     scores: tuple[str, ...]
     """Names of what it measures itself, such as how likely each phoneme is; they become columns of the features."""
@@ -89,7 +91,7 @@ class Recogniser(Protocol):
 
 @runtime_checkable
 class Finishing(Protocol):
-    """What a `Recogniser` is besides that hears a sound by stretches, and so holds frames back until it has one.
+    """What a `Recogniser` is besides that works on excerpts of a sound, and so delays frames until it has one.
 
     Its answers are about the oldest frames of which it has said nothing. Its `look_ahead` is above 0.
     """
@@ -104,13 +106,13 @@ class Joining(Protocol):
     """What a `Recogniser` is besides that can be asked together with those of other sounds, which costs less."""
 
     kin: object | None
-    """Equal to that of those that may be asked with it, since they differ in their sounds alone; None: nobody may."""
+    """Equal to that of those that may be asked with it, since they differ in their sounds alone; None for none."""
 
     most_together: int
     """Frames of a sound that may be asked at once."""
 
     def recognise_with(self, others: Sequence[Any], windows: Sequence[Float32Array]) -> list[Recognition]:
-        """Recognise the next frames of its own sound, and of those of others of its kin, as if each were alone.
+        """Recognise the next frames of several sounds with one network, its own first, as if each were alone.
 
         Parameters
         ----------
@@ -131,6 +133,7 @@ class Tuning(StrEnum):
     MODEL = "model"
     TEMPLATES = "templates"
     SENSITIVITIES = "sensitivities"
+    PITCH_SETS = "pitch_sets"
 
 
 _INDISPENSABLE = {Tuning.RULES: "rules", Tuning.MODEL: "a model", Tuning.TEMPLATES: "templates"}
@@ -210,9 +213,15 @@ def _by_templates(config: RecogniserConfig) -> Recogniser:
     return TemplateRecogniser(config.templates, config.sensitivities)
 
 
+def _thesis(config: RecogniserConfig) -> Recogniser:
+    sets = [pitch_set.data for pitch_set in config.pitch_sets]
+    return PitchSetRules(config.thresholds, sets) if sets else ThesisRules(config.thresholds)
+
+
 THESIS = RecogniserSpec(
     name="thesis",
-    make=lambda config: ThesisRules(config.thresholds),
+    make=_thesis,
+    tuned_by=frozenset({Tuning.THRESHOLDS, Tuning.PITCH_SETS}),
     uses_own_variables=False,
     has_deficits=True,
     rules=lambda _config: RULES,

@@ -1,1 +1,1 @@
-"""The ear that is shipped: a preset as one file, and the C that listens with it."""
+"""The runtime that is shipped: a preset as one file, and the C that recognises with it."""

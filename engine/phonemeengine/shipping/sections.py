@@ -24,7 +24,7 @@ from phonemeengine.features.variables import (
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import with_small_network
+from phonemeengine.presets.model_choice import with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
@@ -38,7 +38,7 @@ from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filt
 
 MAGIC = b"EAR\x1a"
 VERSION = 2
-"""Of the layout; an ear refuses newer ones. A file without visemes of its own is of the first."""
+"""Of the layout; the runtime refuses newer ones. A file without visemes of its own is of the first."""
 OWN_VISEMES = "VISM"
 """The section that only files of the second version have."""
 
@@ -72,7 +72,7 @@ class SectionWriter:
         self._padded(content)
 
     def filters(self, bank: ArrayLike) -> None:
-        """Write filters, shape (n_bins, n_filters): of each the stretch of bins that it weighs."""
+        """Write filters, shape (n_bins, n_filters): of each the range of bins that it weighs."""
         for weights in np.asarray(bank, np.float32).T:
             weighed = np.flatnonzero(weights)
             first, stop = (int(weighed[0]), int(weighed[-1]) + 1) if len(weighed) else (0, 0)
@@ -107,7 +107,7 @@ SIDES = ("Right", "Left")
 
 
 def mouth_section(name: str, table: MouthTable, visemes: VisemeSet = STANDARD_VISEMES) -> tuple[str, SectionWriter]:
-    """Return the section of a table that an ear knows by a name; the visemes are those that the ear names."""
+    """Return the section of a table that the runtime finds by a name; the visemes are those of the runtime."""
     section = SectionWriter()
     shapes = list(table.shapes)
     section.text(name)
@@ -159,18 +159,23 @@ ZERO_CROSSINGS, VOLUME, NOTHING, BAND = range(4)
 SOURCES = (Spectrum.RAW, Spectrum.FILTERED, Spectrum.NORMALISED, Spectrum.MEL)
 KINDS = (Kind.SUM, Kind.MAX, Kind.MEAN)
 WHOLE_FRAME = {"zero_crossings": ZERO_CROSSINGS, "volume": VOLUME, "f0": NOTHING}
-"""What is no band; the fundamental frequency is measured by no ear, so it reads 0, as live."""
+"""What is no band; the runtime does not measure the fundamental frequency, so it reads 0, as live."""
 
 Section = tuple[str, SectionWriter]
 
 
 def recogniser_sections(preset: Preset) -> Iterator[Section]:
-    """Give the sections of all that a preset hears with live.
+    """Give the sections of all that a preset recognises live sound with.
 
     Raises
     ------
-    PresetError : its recogniser is another package's, or hears files alone.
+    PresetError : its recogniser is another package's, works on files alone, or chooses sets by the pitch.
     """
+    if preset.pitch_ranges:
+        raise PresetError(
+            f"the preset {preset.name[:60]!r} has pitch sets, and the runtime cannot choose by pitch; ship one "
+            "preset for each set"
+        )
     live, spec = with_small_network(preset), spec_of(preset.recogniser)
     config = live.config
     if Tuning.MODEL in spec.tuned_by and config.model is not None:
@@ -196,7 +201,7 @@ def recogniser_sections(preset: Preset) -> Iterator[Section]:
 
 
 def viseme_set_of(preset: Preset) -> VisemeSet:
-    """Return the visemes that an ear of a preset tells apart."""
+    """Return the visemes that the runtime distinguishes with a preset."""
     model = preset.config.model if Tuning.MODEL in spec_of(preset.recogniser).tuned_by else None
     return STANDARD_VISEMES if model is None else model.viseme_set
 
@@ -216,7 +221,9 @@ def viseme_sections(visemes: VisemeSet) -> Iterator[Section]:
 
 def _live_model(model: Model) -> Model:
     if model.centred:
-        raise PresetError("the preset's model hears files alone, and an ear listens live; choose another preset")
+        raise PresetError(
+            "this preset's model recognises files only, the runtime live sound only; choose another preset"
+        )
     return model.rounded()
 
 

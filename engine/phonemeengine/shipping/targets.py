@@ -20,6 +20,7 @@ from phonemeengine.errors import ExportError, remedy
 from phonemeengine.mouth.exports.glb import shipped_glb
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import ModelKind
 from phonemeengine.shipping.sections import (
     is_ear_file,
     join_sections,
@@ -30,7 +31,7 @@ from phonemeengine.shipping.sections import (
 )
 from phonemeengine.storage.files import atomic_write, reason_of
 
-# The door to npm, which fetches the library that draws the demo page's head.
+# The way to npm, which fetches the library that draws the demo page's head.
 
 THREE = "three@0.187.0"
 DIGEST = (
@@ -80,7 +81,7 @@ def _contents(package: bytes) -> dict[str, bytes]:
         return {name: file.read() for name, file in found.items() if file is not None}
 
 
-# The door to zig, a C compiler that builds for all systems and for WebAssembly.
+# The way to zig, a C compiler that builds for all systems and for WebAssembly.
 
 COMPILE_TIMEOUT = 900.0
 """Seconds; its first call for a system compiles the C library, too."""
@@ -98,11 +99,11 @@ _SYSTEMS = {
         for processor in ("x86_64", "aarch64")
     ),
 }
-"""What zig is told, once for each processor."""
+"""Options of zig, once for each processor."""
 
 
 def shared_libraries() -> dict[str, bytes]:
-    """Return the ear as a shared library for Linux, Windows and macOS, by file name.
+    """Return the runtime as a shared library for Linux, Windows and macOS, by file name.
 
     Raises
     ------
@@ -136,7 +137,7 @@ def compile_ear(flags: tuple[str, ...], name: str) -> bytes:
         made = Path(folder) / name
         if done.returncode or not made.exists():
             why = next((line for line in done.stderr.splitlines() if "error" in line), "no reason given")
-            raise ExportError(f"the compiler zig cannot compile the ear ({why:.200}); install a newer one")
+            raise ExportError(f"the compiler zig cannot compile the runtime ({why:.200}); install a newer one")
         return made.read_bytes()
 
 
@@ -177,7 +178,7 @@ _LICENCE = next(folder for folder in (_HERE, _HERE.parents[2]) if (folder / "LIC
 """Of the program, and so of all that is shipped: beside this module where it is installed, as in a checkout."""
 _WORKLET_PLACE = 'const WORKLET = "";'
 
-DESCRIPTION = "Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them."
+DESCRIPTION = "Recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them."
 
 Files = dict[str, bytes]
 
@@ -217,7 +218,7 @@ class ShipTarget:
 
 
 def _web_module() -> Files:
-    """Return the ear as WebAssembly, and what makes a package of the folder."""
+    """Return the runtime as WebAssembly, and what makes a package of the folder."""
     package = {
         "name": "phoneme-ear",
         "version": phonemeengine.__version__,
@@ -272,48 +273,54 @@ def _json(document: object) -> bytes:
 
 
 TARGETS: Mapping[str, ShipTarget] = {
-    "c": ShipTarget("C99, for programs of all kinds", {"c": ""}),
+    "c": ShipTarget("C99 source for any program", {"c": ""}),
     "web": ShipTarget(
-        "WebAssembly and an AudioWorklet, and a page with a talking head",
+        "WebAssembly and AudioWorklet, with a page that shows a talking head",
         {"web": "", "web_demo": "demo"},
         (_web_module, _demo_page),
     ),
-    "web-module": ShipTarget("the same without the page, as an npm package", {"web": ""}, (_web_module,)),
+    "web-module": ShipTarget("the same as an npm package, without the page", {"web": ""}, (_web_module,)),
     "unity": ShipTarget(
-        "a package for Unity: C#, a talking face and a talking sprite",
+        "Unity package: C#, a talking face and a talking sprite",
         {"unity": "", "csharp": "Runtime"},
         (_unity_package,),
         "preset.bytes",
         "LICENSE.md",  # which Unity shows
     ),
     "godot": ShipTarget(
-        "an add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (shared_libraries,)
+        "add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (shared_libraries,)
     ),
 }
 """What can be shipped for, by name."""
 
 
-# A folder with an ear that builds and runs as it is: the preset, the sources, examples and how to go on.
+# A folder with a runtime that builds and runs as it is: the preset, the sources, examples and how to go on.
 
 USUAL_TABLES = ("arkit", "rhubarb")
-SMALL_NETWORK_SERVES = (
-    "programs without Python recognise with the preset's small network; the real-time model with the encoder needs "
-    "Python and onnxruntime"
-)
 MOST_TABLES = 16
 
 
+def without_real_time_model(preset: Preset) -> str:
+    """Return what is to be known of a preset that is shipped without its real-time model; empty if there is none."""
+    if preset.live_encoder is None or preset.live_model is ModelKind.REAL_TIME:
+        return ""
+    return (
+        "programs without Python recognise with the preset's small network; the real-time model with the encoder "
+        "needs Python and onnxruntime"
+    )
+
+
 def format_ear(preset: Preset, tables: Iterable[str | os.PathLike[str]] = USUAL_TABLES) -> bytes:
-    """Return a preset as an ``.ear`` file: all that it hears with live, and mouth tables.
+    """Return a preset as an ``.ear`` file: all that it recognises live sound with, and mouth tables.
 
     Parameters
     ----------
     preset : what to recognise with.
-    tables : the mouth tables that go with it, by name or file; the ear knows each by its name without an ending.
+    tables : the mouth tables that go with it, by name or file; the runtime knows each by its name without an ending.
 
     Raises
     ------
-    PresetError : its recogniser is another package's, or hears files alone.
+    PresetError : its recogniser is another package's, or works on files alone.
     MouthError : a table cannot be used.
     ExportError : there are too many tables, or two of one name.
     """
@@ -321,7 +328,7 @@ def format_ear(preset: Preset, tables: Iterable[str | os.PathLike[str]] = USUAL_
     names = {Path(table).stem: table for table in paths}
     if len(names) < len(paths) or len(names) > MOST_TABLES:
         raise ExportError(
-            f"an ear has at most {MOST_TABLES} mouth tables, each with a name of its own, got {len(paths)}; "
+            f"a folder has at most {MOST_TABLES} mouth tables, each with a name of its own, got {len(paths)}; "
             "leave some out"
         )
     visemes, recogniser = viseme_set_of(preset), recogniser_sections(preset)
@@ -337,7 +344,7 @@ def ship(
     tables: Sequence[str | os.PathLike[str]] = USUAL_TABLES,
     overwrite: bool = False,
 ) -> tuple[Path, ...]:
-    """Write a folder with which a program without Python hears as a preset does live; return its files.
+    """Write a folder with which a program without Python recognises as a preset does live; return its files.
 
     Parameters
     ----------
@@ -349,7 +356,7 @@ def ship(
 
     Raises
     ------
-    PresetError : its recogniser is another package's, or hears files alone.
+    PresetError : its recogniser is another package's, or works on files alone.
     MouthError : a table cannot be used.
     ExportError : there is no such target, what makes its files is missing, another file is there, or one cannot be
         written.
@@ -367,7 +374,7 @@ def ship(
 
 
 def _check_free(path: Path, content: bytes) -> None:
-    """Refuse to replace what somebody changed; a preset that was shipped before gives way to the new one."""
+    """Refuse to replace what was changed by hand; a preset that was shipped before gives way to the new one."""
     try:
         there = path.read_bytes() if path.exists() else content
     except OSError as error:

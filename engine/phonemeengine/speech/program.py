@@ -68,7 +68,7 @@ def speak_by_program(
     Parameters
     ----------
     template : the command.
-    text : what nobody can speak is left out, see `speakable`.
+    text : what cannot be spoken is left out, see `speakable`.
     language : of the text, such as ``en-us``; only a program that writes a TextGrid does without.
     lexicon : how words are pronounced that a voice reads otherwise.
     literal : have the program speak the notation of scripts, too.
@@ -95,7 +95,7 @@ def speak_by_program(
             words = words_of(cleaned, language, lexicon, literal=True)
             said = align(output, words, load_preset(DEFAULT_PRESET), language=language)
     if not said.words:
-        raise VoiceError(f"{printable(_words_of(template)[0])}: nobody speaks in its sound; try it by itself")
+        raise VoiceError(f"{printable(_words_of(template)[0])}: there is no speech in its sound; try it by itself")
     return SpokenSentence(samples, said.words, cleaned, said.skipped)
 
 

@@ -27,7 +27,7 @@ ENGLISH = "en-us"
 
 @dataclass(frozen=True, eq=False)
 class SilentText:
-    """A text that nobody speaks.
+    """A text without a voice.
 
     Parameters
     ----------
@@ -134,7 +134,7 @@ class SilentText:
 
 @dataclass(frozen=True)
 class SilentSpeech:
-    """What is said in a text that nobody speaks, and its plan."""
+    """What is said in a text without a voice, and its plan."""
 
     utterance: Utterance
     plan: Plan

@@ -1,4 +1,4 @@
-"""Speech that is heard while it is still being made: a sound that grows on the disk, and can be played at once.
+"""Speech that plays while it is still being made: a sound that grows on the disk, and can be played at once.
 
 One thread speaks, sentence by sentence, and stays a while ahead of what is read; who reads waits only where nothing
 is there yet. What is said is known before its sound can be read, and is forgotten some time after it was.
@@ -32,7 +32,7 @@ _log = logging.getLogger(__name__)
 
 @dataclass(frozen=True)
 class SentenceTrack:
-    """What is said in a stretch of spooled speech.
+    """What is said in a section of spooled speech.
 
     Attributes
     ----------

@@ -38,7 +38,7 @@ _STEP = VOICE_RATE // 500
 
 
 def closure_before(samples: Int16Array, phone: int, burst: int, symbol: str) -> int:
-    """Return how many samples before its burst a stop closes: the quiet stretch there, at most half a phone.
+    """Return how many samples before its burst a stop closes: the quiet part there, at most half a phone.
 
     Parameters
     ----------
@@ -161,7 +161,7 @@ def _timed(
 
 
 def _without_gaps(phones: Sequence[Event], longest: int) -> Iterator[Event]:
-    """Return phones and pauses, without the gaps of so many samples at most before phones, in which nobody pauses."""
+    """Return phones and pauses, without gaps of at most this many samples before phones, which are no pauses."""
     runs = [(spoken, list(run)) for spoken, run in groupby(phones, lambda event: bool(symbols_of(event.name)))]
     for k, (spoken, run) in enumerate(runs):
         if spoken or k == len(runs) - 1 or runs[k + 1][1][0].sample - run[0].sample > longest:

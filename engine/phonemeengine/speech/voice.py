@@ -41,7 +41,7 @@ class SpokenSentence:
     samples : float32, shape (n,), mono at 44.1 kHz, ±1.
     words : what is said, in seconds from the sentence's beginning; may be none.
     text : as it is written.
-    skipped : words of the text that were not said: by a program, or of Chinese characters that nobody can read.
+    skipped : words of the text that were not said: by a program, or Chinese characters without a known reading.
     unheeded : words that the voice cannot say as the lexicon has them, and said as it reads them.
     """
 

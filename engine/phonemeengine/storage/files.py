@@ -274,6 +274,12 @@ def is_portable(name: str) -> bool:
     return name.isprintable() and len(name.encode(errors="replace")) <= LONGEST_NAME
 
 
+def portable_name(name: str) -> str:
+    """Return a name with which all systems can write a file: as it is, or with hyphens for what they refuse."""
+    made = "".join(c if c.isprintable() else "-" for c in _UNPORTABLE.sub("-", name)).strip(" .-")[:80]
+    return made if made and is_portable(made) else f"curve {made}".strip()
+
+
 def reason_of(error: OSError | ValueError) -> str:
     """Return the system's own words for an error."""
     return (error.strerror if isinstance(error, OSError) else None) or str(error)

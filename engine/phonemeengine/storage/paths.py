@@ -1,4 +1,4 @@
-"""Where recordings, presets and copies go: folders and free names. The only door to platformdirs."""
+"""Where recordings, presets and copies go: folders and free names. The only module that imports platformdirs."""
 
 from datetime import datetime
 from pathlib import Path

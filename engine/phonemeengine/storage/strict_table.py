@@ -7,6 +7,7 @@ import tomllib
 from collections.abc import Callable, Collection, Iterator, Mapping
 from enum import Enum
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, TypeVar, cast
 
 from phonemeengine.arrays import LARGEST_FLOAT32
@@ -52,7 +53,7 @@ class StrictTable:
         return self._error(f"{self._prefix}{key} must be {must}, found {shown(value)}; correct it")
 
     def check_keys(self, required: Collection[str], optional: Collection[str] = ()) -> None:
-        """Refuse entries that nobody knows, and the lack of one that is required."""
+        """Refuse unknown entries, and the lack of one that is required."""
         known = [*required, *optional]
         for key in self.entries:
             if key not in known:
@@ -132,18 +133,29 @@ class StrictTable:
 
     def _member(self, key: str, value: Any, kind: type[Any]) -> Any:
         names = PHONEMES_BY_LABEL if kind is Phoneme else {member.value: member for member in kind}
-        if not isinstance(value, str) or value not in names:
-            raise self.refusal(key, f"one of {', '.join(names)}", value)
-        return names[value]
+        try:
+            if isinstance(value, str):
+                return names[value] if kind is Phoneme else kind(value)  # an enumeration may know older names
+        except (KeyError, ValueError):
+            pass
+        raise self.refusal(key, f"one of {', '.join(names)}", value)
 
 
-def parse_toml(text: str, name: str, form: str, error: type[EngineError]) -> StrictTable:
+def parse_toml(
+    text: str,
+    name: str,
+    form: str,
+    error: type[EngineError],
+    older: Mapping[str, Mapping[str, str]] = MappingProxyType({}),
+) -> StrictTable:
     """Return the top of a TOML file of one of our formats.
 
     Parameters
     ----------
     name : what such a file is called in a sentence, such as ``a preset``.
     form : what its entry ``format`` must say.
+    older : older formats that are read too, each with the entries of its top that have another name now: the new name
+        by the old one.
 
     Raises
     ------
@@ -153,11 +165,10 @@ def parse_toml(text: str, name: str, form: str, error: type[EngineError]) -> Str
         document = tomllib.loads(text)
     except (ValueError, RecursionError) as cause:
         raise error(f"this is no TOML file ({cause}); correct it there") from cause
-    if document.get("format") != form:
-        raise error(
-            f"{name} begins with format = {form!r}, found {shown(document.get('format'))}; choose another file"
-        )
-    return StrictTable({key: value for key, value in document.items() if key != "format"}, name, error)
+    found, names = document.pop("format", None), {form: {}, **older}
+    if not isinstance(found, str) or found not in names:
+        raise error(f"{name} begins with format = {form!r}, found {shown(found)}; choose another file")
+    return StrictTable({names[found].get(key, key): value for key, value in document.items()}, name, error)
 
 
 def load_text(

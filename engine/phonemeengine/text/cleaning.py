@@ -75,7 +75,7 @@ _EMOJI = re.compile(
     "[\U0001f000-\U0001fbff\u2300-\u23ff\u25a0-\u27bf\u2b00-\u2bff\u20e3\u200d\ufe0e\ufe0f\U000e0020-\U000e007f]*"
 )
 _SILENT = frozenset("\u00ad\u200b\u2060\ufeff\u200e\u200f\ufe0e\ufe0f")
-"""Characters of layout, which nobody misses."""
+"""Characters of layout, which change nothing that is spoken."""
 _UNSPEAKABLE = frozenset({"Cc", "Cf", "Cs", "Co", "Cn"})
 _JOINERS = frozenset("\u200c\u200d")
 """Of Persian and the scripts of India."""

@@ -1,8 +1,8 @@
-"""Voices and pronunciations by espeak-ng: the only door to its library.
+"""Voices and pronunciations by espeak-ng: the only module that loads its library.
 
 The library is one global object that the whole process shares: it is loaded when it is first asked for something, and
 a lock lets one thread in at a time. It ends a text at a NUL, obeys control characters, and reads ``[[`` as phonemes
-where it is told to, so only what `cleaning.speakable` let through may come here.
+where its input says so, so only what `cleaning.speakable` let through may come here.
 """
 
 import ctypes
@@ -318,7 +318,7 @@ class _Library:
     def __init__(self, installed: Installation) -> None:
         self.lock = threading.RLock()
         self._library = _loaded(installed.library)
-        # Without the data, the library would end the process unless it is told not to.
+        # Without the data, the library would end the process unless its flags forbid that.
         options = _PHONEME_EVENTS | _IN_IPA | _DO_NOT_EXIT
         data = None if installed.data is None else os.fsencode(short_path(installed.data, cache_folder()))
         if self._library.espeak_Initialize(_SYNCHRONOUS, 0, data, options) != VOICE_RATE:
@@ -345,7 +345,7 @@ class _Library:
 
     def translated(self, text: str, *, phonemes: bool) -> Iterator[str]:
         """Return the names of the phones of a text, clause by clause."""
-        if phonemes is not self._reads_phonemes:  # which is told only with something to speak
+        if phonemes is not self._reads_phonemes:  # a setting that needs something to speak
             self.speak("", lambda _samples, _events: True, NORMAL_RATE, phonemes=phonemes)
         content = ctypes.create_string_buffer(text.encode())
         rest = ctypes.c_void_p(ctypes.addressof(content))

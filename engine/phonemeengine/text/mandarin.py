@@ -1,4 +1,4 @@
-"""Chinese characters as pinyin, and how a voice is asked for it: the only door to pypinyin.
+"""Chinese characters as pinyin, and how a voice is asked for it: the only module that imports pypinyin.
 
 pypinyin knows phrases, so that characters with several readings come right.
 """
@@ -228,7 +228,7 @@ class PinyinWord:
     ----------
     text : as it is written.
     syllables : pinyin with the tone behind it, ``ü`` written, 5 for the neutral one, such as ``lü4``; none of a
-        character that nobody can read.
+        character without a known reading.
     """
 
     text: str
@@ -289,7 +289,7 @@ def spelt_for_voice(pinyin: str) -> str:
 def pinyin_of(hanzi: str) -> list[str]:
     """Return the pinyin of each character, with its tone as a digit (5 is neutral) and ü, such as ``lü4``.
 
-    What stands for a character that nobody knows is that character.
+    What stands for an unknown character is that character.
 
     Parameters
     ----------

@@ -15,7 +15,7 @@ from phonemeengine.text.lexicon import Lexicon
 from phonemeengine.text.syllables import SpokenSyllable, syllables_of
 
 BREAK = "\u200b"
-"""Before each word of English, it keeps the voice from melting words together, such as *of the*; nobody hears it.
+"""Before each word of English, it keeps the voice from melting words together, such as *of the*; it is inaudible.
 
 Other languages do without: it would part a preposition from the word that voices it.
 """
@@ -75,7 +75,7 @@ def words_of(
 
     Parameters
     ----------
-    text : of any length; what nobody can speak is left out, see `speakable`.
+    text : of any length; what cannot be spoken is left out, see `speakable`.
     language : such as ``en-us`` or ``de``; see `espeak.languages`.
     lexicon : goes before the voice.
     literal : take the notation of scripts as words, too.

@@ -1,4 +1,4 @@
-"""A tone in place of a sound file: a stream at 44.1 kHz that has no end and can be changed while it is heard."""
+"""A tone in place of a sound file: a stream at 44.1 kHz that has no end and can be changed while it plays."""
 
 from dataclasses import dataclass
 
@@ -77,7 +77,7 @@ class _Change:
 class ToneReader:
     """Gives a tone as a stream, in the manner of `SoundReader`.
 
-    `set_tone` may be called from another thread than the rest. Until a tone is changed, what is heard at a sample
+    `set_tone` may be called from another thread than the rest. Until a tone is changed, the value of a sample
     depends on the sample only, however the stream was cut and wherever it was entered.
 
     Attributes

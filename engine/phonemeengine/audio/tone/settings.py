@@ -1,4 +1,4 @@
-"""Tones that can take the place of a sound: what is to be heard, as values that check themselves."""
+"""Tones that can take the place of a sound: their settings, as values that check themselves."""
 
 from dataclasses import dataclass
 from enum import StrEnum
@@ -82,7 +82,7 @@ class Tone:
 
     Parameters
     ----------
-    kind : what is heard.
+    kind : the kind of the tone.
     level : the highest peak, -80..0 dB below full scale, whatever the kind. The RMS of a sine and of a sweep lies
         3 dB below it, that of the noises, which reach it once in twelve seconds, about 14 dB.
     frequency : of the sine, 20..20000 Hz.

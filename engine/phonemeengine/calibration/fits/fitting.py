@@ -2,7 +2,7 @@
 
 The thesis rules get new thresholds and successors by `ThresholdSearch`, from several random starts; from there, or
 from what was there before, their limits move on by `LimitSearch`, as do those of a preset's own rules. The front end
-and the variables stay. How the fit does on voices that it has not heard is told by leaving each speaker out in turn;
+and the variables stay. How well the fit does on unknown voices is measured by leaving each speaker out in turn;
 where there is one speaker only, takes are left out instead. The preset that was there before is kept where the fit is
 not better on its own recordings. What that one had been fitted to is not left out: where it knows these speakers
 already, such as a factory preset on the recordings that it was made from, the figures flatter.
@@ -14,6 +14,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.calibration.fits.limit_search import LimitSearch
 from phonemeengine.calibration.fits.threshold_search import ThresholdSearch
@@ -21,11 +22,16 @@ from phonemeengine.calibration.scores.confusion import Confusion, confusion_betw
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.scoring import Scores
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.dsp.pitch import HIGHEST, LOWEST
 from phonemeengine.errors import CorpusError, RecogniserError
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import PITCH
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.controls import with_number
 from phonemeengine.presets.preset import Preset
+from phonemeengine.presets.rule_text import with_own_rules
+from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PitchSet
 from phonemeengine.recognition.rules import RULES, Condition, Rule
 from phonemeengine.recognition.spec import spec_of
 
@@ -35,7 +41,7 @@ Fitted = TypeVar("Fitted")
 
 
 def groups_of(names: Sequence[str], most: int) -> list[list[str]]:
-    """Put equal names into one group, and into at most so many groups all of them."""
+    """Put equal names into one group, and all of them into this many groups at most."""
     different = list(dict.fromkeys(names))
     n = min(most, len(different))
     return [different[k::n] for k in range(n)]
@@ -60,7 +66,7 @@ def cross_validate(
 
 
 MOST_FOLDS = 8
-"""Speakers, or takes, are left out in at most so many groups; up to so many speakers each one by itself."""
+"""Speakers, or takes, are left out in this many groups at most; fewer speakers each form a group of their own."""
 N_STARTS = 16
 """Random starts of the search for all recordings."""
 N_FOLD_STARTS = 8
@@ -77,7 +83,7 @@ class FitReport:
     before, after : the figures of the preset before and of this one, on all recordings.
     held_out : the figures where each recording is recognised with what was fitted without its speaker (or without
         it); None where there is a single recording.
-    left_out : what was left out, in words: "speaker", "take", or nothing.
+    left_out : what was left out, in words: "speaker", "take", "part", or nothing.
     """
 
     preset: Preset
@@ -99,6 +105,7 @@ def fit_preset(
     *,
     seed: int = 1,
     leave_out: bool = True,
+    keep_successors: bool = False,
 ) -> FitReport:
     """Search for better thresholds, or for better limits of the preset's own rules.
 
@@ -111,6 +118,7 @@ def fit_preset(
     progress : called with the share that is done, 0..1.
     seed : of every random choice.
     leave_out : whether to fit anew without each speaker, or take, which takes most of the time.
+    keep_successors : whether the table of successors stays, so that the numbers of PhonemeData alone are fitted.
 
     Raises
     ------
@@ -119,9 +127,9 @@ def fit_preset(
     Cancelled : `progress` did not want to go on.
     """
     labelled = labelled.clone_for_thread()
-    fitter = _Fitter(labelled, preset, seed)
+    fitter = _Fitter(labelled, preset, seed, keep_successors=keep_successors)
     everything = np.ones(len(labelled.utterances), bool)
-    left_out, names = _left_out(labelled)
+    left_out, names = left_out_of(labelled)
     groups = groups_of(names, MOST_FOLDS) if left_out and leave_out else []
     first = 1 / (1 + len(groups) * N_FOLD_STARTS / N_STARTS)
     fitted = fitter.fit(everything, N_STARTS, subrange(progress, 0.0, first))
@@ -148,6 +156,7 @@ class FitTask:
     macro_f1_of : gives how right a preset is in these recordings.
     n_starts : random starts of a search that has some.
     seed : of every random choice.
+    keep_successors : whether the table of successors stays, which a PhonemeData file cannot hold.
     """
 
     features: Features
@@ -156,6 +165,7 @@ class FitTask:
     macro_f1_of: Callable[[Preset], float]
     n_starts: int
     seed: int
+    keep_successors: bool = False
 
     def better_of(self, found: Preset, before: Preset) -> Preset:
         """Return what was found, if it answers better in these recordings."""
@@ -169,7 +179,9 @@ Fit = Callable[[Preset, FitTask, Progress], Preset]
 class _Fitter:
     """Fits one preset to some of the recordings."""
 
-    def __init__(self, labelled: LabelledFeatures, preset: Preset, seed: int) -> None:
+    def __init__(
+        self, labelled: LabelledFeatures, preset: Preset, seed: int, *, keep_successors: bool = False
+    ) -> None:
         spec = spec_of(preset.recogniser)
         if not spec.fit:
             raise CorpusError(
@@ -181,11 +193,11 @@ class _Fitter:
             raise CorpusError("there is nothing to fit to; load recordings with labelled phonemes")
         self._labelled = labelled
         self._preset = preset
-        self._seed = seed
+        self._seed, self._keep_successors = seed, keep_successors
 
     def fit(self, chosen: BoolArray, n_starts: int, progress: Progress) -> Preset:
         """Fit to the chosen recordings; gives the preset as it was where nothing better was found."""
-        task = self._task(chosen, n_starts)
+        task = self.task(chosen, n_starts)
         found = self._fit(self._preset, task, progress)
         if not isinstance(found, Preset):
             raise RecogniserError(
@@ -212,7 +224,8 @@ class _Fitter:
     def _answers_fitted_to(self, chosen: BoolArray, progress: Progress) -> UInt8Array:
         return self.confusion(self.fit(chosen, N_FOLD_STARTS, progress)).predicted
 
-    def _task(self, chosen: BoolArray, n_starts: int) -> FitTask:
+    def task(self, chosen: BoolArray, n_starts: int) -> FitTask:
+        """Return what a fit to the chosen recordings gets."""
         edges = self._labelled.edges
         begins = np.zeros(edges[-1] + 1, bool)
         begins[edges[:-1]] = True
@@ -226,16 +239,114 @@ class _Fitter:
             macro_f1_of=lambda preset: self.confusion(preset).scores(recordings).macro_f1,
             n_starts=n_starts,
             seed=self._seed,
+            keep_successors=self._keep_successors,
         )
 
 
 def fit_thresholds(preset: Preset, task: FitTask, progress: Progress) -> Preset:
     """Fit the thresholds of the thesis rules: search for them from random starts, then move their limits on."""
-    search = ThresholdSearch(task.features, task.phonemes, task.begins)
+    kept = preset.successors if task.keep_successors else None
+    search = ThresholdSearch(task.features, task.phonemes, task.begins, kept)
     fit = search.best_of(task.n_starts, np.random.default_rng(task.seed), subrange(progress, 0.0, 0.5))
     found = task.better_of(replace(preset, thresholds=fit.thresholds, successors=fit.successors), preset)
-    rules = _limits_moved(_with_numbers(found), found, task, subrange(progress, 0.5, 1.0))
+    rules = _limits_moved(with_own_rules(found).rules, found, task, subrange(progress, 0.5, 1.0))
     return task.better_of(_with_thresholds_of(rules, found), found)
+
+
+FILTER_CANDIDATES: dict[str, tuple[float, ...]] = {
+    "time_smooth": (0.0, 0.15, 0.3, 0.45, 0.6),
+    "frequency_smooth": (0.0, 0.2, 0.4, 0.6, 0.8),
+    "high_pass_start": (0.0, 2.0, 3.0, 4.0, 5.0, 7.0),
+    "high_pass_end": (3.0, 5.0, 7.0, 10.0, 14.0),
+    "denoise_threshold": (0.0, 0.0002, 0.0005, 0.001, 0.002),
+}
+"""What a number of a filter is fitted to, in the units of PhonemeData."""
+
+
+def fit_number(
+    labelled: LabelledFeatures, preset: Preset, name: str, progress: Progress = no_progress
+) -> tuple[Preset, float]:
+    """Return the preset with the best value of one number of PhonemeData, all others as they are, and its macro F1.
+
+    The preset stays as it is where no other value is better. A number of a filter changes what is measured, so the
+    recordings are measured anew for each of its `FILTER_CANDIDATES`.
+
+    Parameters
+    ----------
+    labelled : the recordings, measured with the preset's front end.
+    preset : one whose recogniser compares with the number.
+    name : of the number, such as ``a_a1``.
+    progress : called with the share that is done, 0..1.
+
+    Raises
+    ------
+    CorpusError : the preset has no thresholds, or the recordings hold nothing to fit to.
+    Cancelled : `progress` did not want to go on.
+    """
+    fitter = _Fitter(labelled.clone_for_thread(), preset, seed=1)
+    everything = fitter.task(np.ones(len(labelled.utterances), bool), n_starts=0)
+    if name in FILTER_FIELDS:
+        found = _best_filter(preset, name, everything, progress)
+    else:
+        rules = tuple(Rule(r.phoneme, tuple(_freed(c, name, preset) for c in r.conditions)) for r in RULES)
+        moved = [c for rule in _limits_moved(rules, preset, everything, progress) for c in rule.conditions]
+        limit = next(c.limit for c in moved if not c.threshold)
+        found = replace(preset, thresholds=replace(preset.thresholds, **{name: limit}))
+    better = everything.better_of(found, preset)
+    return better, everything.macro_f1_of(better)
+
+
+PITCH_REACH = 2 ** (4 / 12)
+"""A set for one speaker reaches from the speaker's pitch by this factor up and down, four semitones."""
+
+
+def fit_pitch_set(
+    labelled: LabelledFeatures, preset: Preset, name: str, progress: Progress = no_progress
+) -> PitchSet:
+    """Return a set of PhonemeData for the speaker of some recordings: fitted to them, around their median pitch.
+
+    Parameters
+    ----------
+    labelled : the recordings of one speaker, measured with `preset`.
+    preset : the numbers to begin with; its table of successors stays.
+    name : of the set.
+    progress : called with the share that is done, 0..1.
+
+    Raises
+    ------
+    CorpusError : the recordings hold nothing to fit to, or no voiced sound.
+    Cancelled : `progress` did not want to go on.
+    """
+    fitted = fit_preset(labelled, preset, subrange(progress, 0.0, 0.8), leave_out=False, keep_successors=True)
+    voiced = []
+    for utterance in labelled.utterances:
+        report_progress(progress, 0.9)
+        with utterance.opened() as reader:
+            for analysis in analyse_file(reader, Preset(), pitch=True):
+                f0 = analysis.features[PITCH.name]
+                voiced.append(f0[f0 > 0])
+    pitches = np.concatenate([np.zeros(0), *voiced])
+    if not len(pitches):
+        raise CorpusError(f"there is no voiced sound of {name[:40]}; record vowels or a sentence")
+    pitch = float(np.median(pitches))
+    low, high = max(LOWEST, pitch / PITCH_REACH), min(HIGHEST, pitch * PITCH_REACH)
+    return PitchSet(name, float(round(low)), float(round(high)), fitted.preset.phoneme_data)
+
+
+def _freed(condition: Condition, name: str, preset: Preset) -> Condition:
+    """Return a comparison with a number in place of the threshold of this name; others stay."""
+    if condition.threshold != name:
+        return condition
+    return Condition(condition.variable, condition.sign, limit=getattr(preset.thresholds, name))
+
+
+def _best_filter(preset: Preset, name: str, task: FitTask, progress: Progress) -> Preset:
+    """Return the preset with the candidate for a number of the filters that answers best."""
+    found, candidates = [preset], FILTER_CANDIDATES[name]
+    for k, value in enumerate(candidates):
+        report_progress(progress, k / len(candidates))
+        found.append(with_number(preset, name, value))
+    return max(found, key=task.macro_f1_of)
 
 
 def fit_limits(preset: Preset, task: FitTask, progress: Progress) -> Preset:
@@ -266,26 +377,13 @@ def _limits_moved(rules: tuple[Rule, ...], preset: Preset, task: FitTask, progre
     return search.improve(rules, progress)
 
 
-def _left_out(labelled: LabelledFeatures) -> tuple[str, list[str]]:
+def left_out_of(labelled: LabelledFeatures) -> tuple[str, list[str]]:
     """Return what is left out in turn, and to what of that kind each recording belongs."""
     speakers = [u.speaker for u in labelled.utterances]
     if len(set(speakers)) > 1:
         return "speaker", speakers
     takes = [str(k) for k in range(len(speakers))]
     return ("take" if len(takes) > 1 else ""), takes
-
-
-def _with_numbers(preset: Preset) -> tuple[Rule, ...]:
-    """Write the thesis rules with a preset's thresholds as numbers."""
-    return tuple(
-        Rule(
-            rule.phoneme,
-            tuple(
-                Condition(c.variable, c.sign, limit=getattr(preset.thresholds, c.threshold)) for c in rule.conditions
-            ),
-        )
-        for rule in RULES
-    )
 
 
 def _with_thresholds_of(rules: tuple[Rule, ...], preset: Preset) -> Preset:

@@ -24,7 +24,7 @@ from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, active_rules
 
 N_CANDIDATES = 32
 """Few, since finer ones only fit better to the speakers that are there, not to others."""
@@ -66,7 +66,7 @@ class LimitSearch:
         self._table = np.array([successors.get(p, p) for p in Phoneme], np.uint8)
 
     def improve(self, rules: Sequence[Rule], progress: Progress = no_progress) -> tuple[Rule, ...]:
-        """Return the rules with better limits, or as they are; `progress` is told how far it is.
+        """Return the rules with better limits, or as they are; `progress` is called with the share that is done.
 
         Raises
         ------
@@ -92,7 +92,7 @@ class LimitSearch:
         """Return the best candidate for one limit, all others as they are."""
         values = self._values[limit[0]]
         taken = [number for variable, number in _limits_of(rules) if variable == limit[0]]
-        candidates = np.setdiff1d(_candidates_of(values[self._known]), np.array(taken, np.float32))
+        candidates = np.setdiff1d(candidate_limits(values[self._known]), np.array(taken, np.float32))
         below, above = (self._answers_as_if(limit, rules, fillers, sign) for sign in "<>")
         open_ = self._known & (below != above)
         if not (open_.any() and len(candidates)):
@@ -100,15 +100,15 @@ class LimitSearch:
         settled = confusion_of(self._truth[self._known & ~open_], below[self._known & ~open_])
         ranks = np.searchsorted(candidates, values[open_], side="right")
         truth = self._truth[open_]
-        under = _counted(ranks, truth, below[open_], len(candidates) + 1).cumsum(axis=0)
-        over = _counted(ranks, truth, above[open_], len(candidates) + 1).cumsum(axis=0)
+        under = counts_by_rank(ranks, truth, below[open_], len(candidates) + 1).cumsum(axis=0)
+        over = counts_by_rank(ranks, truth, above[open_], len(candidates) + 1).cumsum(axis=0)
         scores = macro_f1_of(settled + under[:-1] + over[-1] - over[:-1], SCORED_PHONEMES)
         return float(str(candidates[int(scores.argmax())]))
 
     def _answers_as_if(self, limit: Limit, rules: tuple[Rule, ...], fillers: UInt8Array, sign: str) -> UInt8Array:
         """Recognise as if all values of a variable were on one side of a limit."""
         kept = []
-        for rule in rules:
+        for rule in active_rules(rules):
             others = [c for c in rule.conditions if _limit_of(c) != limit]
             if all(c.sign == sign for c in rule.conditions if _limit_of(c) == limit):
                 kept.append(Rule(rule.phoneme, tuple(others)))
@@ -130,7 +130,7 @@ class LimitSearch:
 
 
 def _limits_of(rules: Sequence[Rule]) -> list[Limit]:
-    found = [_limit_of(c) for rule in rules for c in rule.conditions]
+    found = [_limit_of(c) for rule in active_rules(rules) for c in rule.conditions]
     return list(dict.fromkeys(limit for limit in found if limit is not None))
 
 
@@ -140,19 +140,19 @@ def _limit_of(condition: Condition) -> Limit | None:
 
 
 def _moved(rules: Sequence[Rule], limit: Limit, number: float) -> tuple[Rule, ...]:
-    return tuple(
-        Rule(rule.phoneme, tuple(replace(c, limit=number) if _limit_of(c) == limit else c for c in rule.conditions))
-        for rule in rules
-    )
+    def with_number(c: Condition) -> Condition:
+        return replace(c, limit=number) if _limit_of(c) == limit else c
+
+    return tuple(replace(rule, conditions=tuple(map(with_number, rule.conditions))) for rule in rules)
 
 
-def _counted(ranks: IndexArray, truth: UInt8Array, answers: UInt8Array, n_ranks: int) -> Int64Array:
+def counts_by_rank(ranks: IndexArray, truth: UInt8Array, answers: UInt8Array, n_ranks: int) -> Int64Array:
     """Count frames by rank, label and answer, shape (n_ranks, 11, 11)."""
     cells = (ranks * N_CODES + truth) * N_CODES + answers
     return np.bincount(cells, minlength=n_ranks * N_CODES**2).reshape(n_ranks, N_CODES, N_CODES)
 
 
-def _candidates_of(values: Float32Array) -> Float32Array:
+def candidate_limits(values: Float32Array) -> Float32Array:
     """Spread limits evenly over the ranks of the values, rounded so that a file shows few digits."""
     spread = np.quantile(values, np.linspace(0.005, 0.995, N_CANDIDATES))
     return np.unique(np.array([float(f"{value:.{SIGNIFICANT_DIGITS}g}") for value in spread], np.float32))

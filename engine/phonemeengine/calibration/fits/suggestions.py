@@ -87,7 +87,7 @@ def sampled_spectra(
 
 
 def _wanted(labels: Sequence[FrameLabels]) -> list[IndexArray]:
-    """Choose the frames of each recording: of each phoneme every so many one."""
+    """Choose every n-th frame of each phoneme in each recording."""
     lengths = [len(part.phonemes) for part in labels]
     phonemes = np.concatenate([np.zeros(0, np.uint8), *(part.phonemes for part in labels)])
     certain = np.concatenate([np.zeros(0, bool), *(part.certain for part in labels)])
@@ -120,7 +120,7 @@ def _finished(filtered: Float32Array, settings: AnalysisSettings) -> Float32Arra
 
 
 N_EDGES = 44
-"""Frequencies between which ranges are tried, equally far apart for the ear (in mel)."""
+"""Frequencies between which ranges are tried, equally spaced in mel."""
 MOST_SUGGESTIONS = 8
 LEAST_SEPARATION = 0.55
 """A variable that parts no better is not worth a suggestion."""
@@ -236,9 +236,8 @@ def _sides_of(
     sides = {source: (_some(sample.of(source, [one])), _some(sample.of(source, others))) for source in sample.spectra}
     for side, names in zip(next(iter(sides.values())), ([one], others), strict=True):
         if not len(side):
-            raise CorpusError(
-                f"no frame of the recordings is surely {' or '.join(p.label for p in names)}; load some that hold it"
-            )
+            wanted = " or ".join(p.label for p in names)
+            raise CorpusError(f"no frame of the recordings is certainly {wanted}; load some that have it")
     filtered, normalised = sides[Spectrum.FILTERED][0], sides[Spectrum.NORMALISED][0]
     if np.array_equal(filtered, normalised):
         del sides[Spectrum.FILTERED]

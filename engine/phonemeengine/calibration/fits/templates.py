@@ -1,6 +1,6 @@
 """Templates from labelled recordings or takes.
 
-Of each stretch with a certain label the middle third counts, so that neither the transition from the sound before
+Of each segment with a certain label the middle third counts, so that neither the transition from the sound before
 nor that to the next one blurs the template; each speaker counts alike.
 """
 
@@ -45,7 +45,7 @@ class LogMelsByPhoneme:
 
 
 def templates_of(utterances: Iterable[LabelledUtterance], base: Templates | None = None) -> Templates:
-    """Make templates; those of phonemes that nobody says are taken from `base`.
+    """Make templates; those of phonemes that are not spoken are taken from `base`.
 
     Raises
     ------
@@ -98,7 +98,7 @@ def log_mels_by_phoneme(utterances: Iterable[LabelledUtterance]) -> dict[str, Lo
 
 
 def templates_from(voices: Mapping[str, LogMelsByPhoneme], base: Templates | None = None) -> Templates:
-    """Make templates from what was heard of each speaker, all of whom count alike."""
+    """Make templates from the spectra of each speaker, all of whom count alike."""
     means: dict[Phoneme, Float32Array] = {}
     spreads = []
     for phoneme in (p for p in Phoneme if p not in UNTEMPLATED):
@@ -109,7 +109,7 @@ def templates_from(voices: Mapping[str, LogMelsByPhoneme], base: Templates | Non
         elif base is not None and phoneme in base.means:
             means[phoneme] = np.array(base.means[phoneme], np.float32)
     if not spreads:
-        raise CorpusError("there is not enough of any phoneme to make a template of; record takes of 1 s each")
+        raise CorpusError("no phoneme has enough speech for a template; record takes of 1 s each")
     spread = np.sqrt(np.mean(spreads, axis=0)) if base is None else np.array(base.spread)
     return rounded_templates(means, spread, _silence_below(voices, -50.0 if base is None else base.silence_below))
 

@@ -104,10 +104,18 @@ class ThresholdSearch:
     features : what was measured.
     truth : codes of `Phoneme`, shape (n_frames,); frames labelled unidentified are not scored.
     first : bool, shape (n_frames,): where a recording begins; nothing is remembered from before.
+    successors : the table that stays, where it is not to be counted anew.
     """
 
-    def __init__(self, features: Features, truth: UInt8Array, first: BoolArray) -> None:
+    def __init__(
+        self,
+        features: Features,
+        truth: UInt8Array,
+        first: BoolArray,
+        successors: Mapping[Phoneme, Phoneme] | None = None,
+    ) -> None:
         self._first = first
+        self._kept = None if successors is None else np.array([successors.get(p, p) for p in Phoneme], np.uint8)
         self._known = truth != Phoneme.UNIDENTIFIED
         self._truth = truth[self._known].astype(np.int64)
         self._totals = np.bincount(self._truth, minlength=N_CODES)
@@ -120,7 +128,7 @@ class ThresholdSearch:
         }
 
     def best_of(self, n_starts: int, generator: np.random.Generator, progress: Progress = no_progress) -> Fit:
-        """Search from some random starts and give the best end; `progress` is told how far it is.
+        """Search from some random starts and return the best end; `progress` is called with the share that is done.
 
         Raises
         ------
@@ -159,7 +167,9 @@ class ThresholdSearch:
         answers = _ANSWERS[_masks_of(self._all_values, limits)]
         last = last_identified(answers, self._first)[self._known]
         unidentified = answers[self._known] == Phoneme.UNIDENTIFIED
-        table = counted_table(last[unidentified], self._truth[unidentified], self._totals)
+        table = self._kept
+        if table is None:
+            table = counted_table(last[unidentified], self._truth[unidentified], self._totals)
         return table, (table[last] + N_CODES).astype(np.uint8)
 
     def _score(self, masks: UInt32Array, fillers: UInt8Array) -> float:

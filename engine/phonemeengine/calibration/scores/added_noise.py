@@ -23,7 +23,7 @@ LOWEST_HEARD = 20.0
 SEAM = SAMPLE_RATE // 2
 """Samples over which the end of music goes over into its beginning."""
 NOT_IN_TRAINING = 14
-"""Goes into the seed, so that no training heard the same music."""
+"""Goes into the seed, so that no training used the same music."""
 VOICES = 8
 """Voices that babble at most."""
 POOL = 24
@@ -50,7 +50,7 @@ class AddedNoise:
     Attributes
     ----------
     kind : what noise.
-    snr : by how much the stretches labelled as speech are above it, mean power to mean power, -30..80 dB.
+    snr : by how much the segments labelled as speech are above it, mean power to mean power, -30..80 dB.
     seed : of what is drawn at random, 0 or more.
 
     Raises
@@ -72,7 +72,7 @@ class AddedNoise:
 
 
 class NoiseAdder:
-    """Adds noise to recordings; the same recording always gets the same, whatever else is heard.
+    """Adds noise to recordings; the same recording always gets the same, whatever else is analysed.
 
     Parameters
     ----------
@@ -97,7 +97,7 @@ class NoiseAdder:
         Raises
         ------
         AudioError : the sound cannot be read.
-        CorpusError : babble is asked for, and nobody else speaks.
+        CorpusError : babble is asked for, and there is no other speaker.
         """
         period = self._period(utterance.speaker)
         gain = speech_level_of(utterance) * 10 ** (-self.noise.snr / 20)
@@ -123,7 +123,7 @@ class NoiseAdder:
 
 
 def speech_level_of(utterance: LabelledUtterance) -> float:
-    """Return the RMS of those stretches of a recording that are labelled as speech, 0 where there is none.
+    """Return the RMS of those segments of a recording that are labelled as speech, 0 where there is none.
 
     Raises
     ------

@@ -9,18 +9,19 @@ import numpy as np
 from phonemeengine.arrays import Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions
-from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
+from phonemeengine.calibration.scores.gains import Gains, gains_of
+from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES, confusion_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 MOST_SEGMENTS = 20
-"""Stretches that are told of each preset."""
+"""Segments that are listed for each preset."""
 
 
 @dataclass(frozen=True)
 class DifferingSegment:
-    """A stretch of one label in which one preset is right and the other always gives the same wrong answer.
+    """A segment of one label in which one preset is right and the other always gives the same wrong answer.
 
     Attributes
     ----------
@@ -62,25 +63,29 @@ class PresetComparison:
     Attributes
     ----------
     one, other : the presets' scores.
+    changed : int64, shape (11, 11): frames by what the first answers (row) and what the other answers (column).
     both, only_one, only_other, neither : int64, shape (11,): frames that they get right, by the label's code.
     differences : those of all recordings, the greatest first.
+    gains : what the other one gains, with the range that chance would give.
     stretches_one, stretches_other : what only the first gets right, and only the second: the longest of the ten
         classes, the longest first.
     """
 
     one: CorpusScores
     other: CorpusScores
+    changed: Int64Array
     both: Int64Array
     only_one: Int64Array
     only_other: Int64Array
     neither: Int64Array
     differences: tuple[Difference, ...]
+    gains: Gains
     stretches_one: tuple[DifferingSegment, ...]
     stretches_other: tuple[DifferingSegment, ...]
 
 
 def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_SEGMENTS) -> PresetComparison:
-    """Compare two presets on the same recordings; `most` stretches are told of each.
+    """Compare two presets on the same recordings; `most` segments are listed for each preset.
 
     Raises
     ------
@@ -97,11 +102,13 @@ def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_SEGMENTS
     return PresetComparison(
         one=one,
         other=other,
+        changed=confusion_of(*(np.concatenate([a.phonemes for a in s.predictions]) for s in (one, other))),
         both=_counted(truth[first & second]),
         only_one=_counted(truth[first & ~second]),
         only_other=_counted(truth[second & ~first]),
         neither=_counted(truth[~first & ~second]),
         differences=tuple(differences),
+        gains=gains_of([(a.labels.phonemes, a.phonemes, b.phonemes) for a, b in pairs]),
         stretches_one=_longest((s for a, b in pairs for s in _stretches(a, b)), most),
         stretches_other=_longest((s for a, b in pairs for s in _stretches(b, a)), most),
     )
@@ -128,7 +135,7 @@ def _difference(one: Predictions, other: Predictions) -> Difference:
 
 
 def _stretches(right: Predictions, wrong: Predictions) -> Iterator[DifferingSegment]:
-    """Return the stretches of the ten classes in which the first is right and the second is not."""
+    """Return the segments of the ten classes in which the first is right and the second is not."""
     truth = right.labels.phonemes
     gained = right.right & ~wrong.right & np.isin(truth, SCORED_PHONEMES)
     kinds = np.where(gained, truth.astype(int) * N_CODES + wrong.phonemes + 1, 0)

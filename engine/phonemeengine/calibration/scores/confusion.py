@@ -7,20 +7,14 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, IndexArray, Int64Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
-from phonemeengine.calibration.scores.scoring import (
-    SCORED_PHONEMES,
-    Scores,
-    confusion_of,
-    macro_f1_of,
-    scores_of,
-)
+from phonemeengine.calibration.scores.scoring import Agreement, Scores, confusion_of, scores_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
 
 @dataclass(frozen=True)
 class ConfusedSegment:
-    """A stretch of a recording.
+    """A segment of a recording.
 
     Attributes
     ----------
@@ -50,31 +44,10 @@ class Confusion:
     predicted: UInt8Array
     edges: IndexArray
 
-    @property
-    def accuracy(self) -> float:
-        """Share of right answers on frames labelled as one of the ten classes; NaN where there is none."""
-        known = self.counts[list(SCORED_PHONEMES)]
-        n = known.sum()
-        return float(known[:, list(SCORED_PHONEMES)].trace() / n) if n else float("nan")
-
-    @property
-    def macro_f1(self) -> float:
-        """Mean F1 of those of the ten classes that the labels hold; NaN where they hold none."""
-        return float(macro_f1_of(self._known, SCORED_PHONEMES))
-
-    def f1_of(self, phoneme: Phoneme) -> float:
-        """Return the F1 of one class; NaN where it is not labelled, or is none of the ten."""
-        return float(macro_f1_of(self._known, (phoneme,)))
-
-    @property
-    def changes_per_s(self) -> float:
-        """Changes of the answer in a second; NaN where nothing was heard."""
-        return self._changes_per_s(self.predicted)
-
-    @property
-    def label_changes_per_s(self) -> float:
-        """Changes of the label in a second; NaN where nothing was heard."""
-        return self._changes_per_s(self.labels.phonemes)
+    @cached_property
+    def agreement(self) -> Agreement:
+        """The figures of all recordings that follow from the counts."""
+        return Agreement(self.counts, self._changes_of(self.predicted), self._changes_of(self.labels.phonemes))
 
     @property
     def n_recordings(self) -> int:
@@ -113,13 +86,6 @@ class Confusion:
         )
 
     @cached_property
-    def _known(self) -> Int64Array:
-        """What counts for figures: frames labelled as one of the ten classes."""
-        known = self.counts.copy()
-        known[Phoneme.UNIDENTIFIED] = 0
-        return known
-
-    @cached_property
     def _is_first(self) -> BoolArray:
         first = np.zeros(len(self.predicted), bool)
         first[self.edges[:-1][self.edges[:-1] < len(first)]] = True
@@ -128,11 +94,8 @@ class Confusion:
     def _frames_of(self, recording: int) -> slice:
         return slice(int(self.edges[recording]), int(self.edges[recording + 1]))
 
-    def _changes_per_s(self, codes: UInt8Array) -> float:
-        if not len(codes):
-            return float("nan")
-        changes = np.count_nonzero((codes[1:] != codes[:-1]) & ~self._is_first[1:])
-        return float(changes / (len(codes) * FRAME_PERIOD))
+    def _changes_of(self, codes: UInt8Array) -> int:
+        return int(np.count_nonzero((codes[1:] != codes[:-1]) & ~self._is_first[1:]))
 
 
 def confusion_between(labels: FrameLabels, answers: UInt8Array, edges: IndexArray) -> Confusion:
@@ -149,7 +112,7 @@ ERROR_COLUMNS = ("start_s", "end_s", "said", "recognised")
 
 @dataclass(frozen=True)
 class LabelError:
-    """A stretch in which something else was recognised than was said.
+    """A segment in which something else was recognised than was said.
 
     Attributes
     ----------
@@ -172,7 +135,15 @@ class LabelError:
 
 
 def label_errors(said: FrameLabels, recognised: UInt8Array, *, least: float = LEAST) -> list[LabelError]:
-    """Return where something else was recognised than the labels surely say.
+    """Return where something else was recognised than the labels surely say; see `error_spans` for the parameters."""
+    return [
+        _error(first, said.phonemes[first:last], recognised[first:last])
+        for first, last in error_spans(said, recognised, least=least).tolist()
+    ]
+
+
+def error_spans(said: FrameLabels, recognised: UInt8Array, *, least: float = LEAST) -> IndexArray:
+    """Return the frames of `label_errors`, shape (n_errors, 2): the first one, and the one after the last.
 
     Frames whose label is not a core one, or names an unidentified sound, are no errors, as in `score`; nor are those
     that no label covers.
@@ -187,11 +158,8 @@ def label_errors(said: FrameLabels, recognised: UInt8Array, *, least: float = LE
     asked = said.certain[:n] & (said.phonemes[:n] != Phoneme.UNIDENTIFIED)
     wrong = np.concatenate(([False], asked & (said.phonemes[:n] != recognised[:n]), [False]))
     edges = np.flatnonzero(wrong[1:] != wrong[:-1])
-    return [
-        _error(first, said.phonemes[first:last], recognised[first:last])
-        for first, last in zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True)
-        if (last - first) * FRAME_PERIOD >= least - 1e-9
-    ]
+    spans = edges.reshape(-1, 2)
+    return np.asarray(spans[(spans[:, 1] - spans[:, 0]) * FRAME_PERIOD >= least - 1e-9])
 
 
 def _error(first: int, said: UInt8Array, recognised: UInt8Array) -> LabelError:

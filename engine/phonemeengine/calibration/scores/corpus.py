@@ -37,7 +37,7 @@ __all__ = [
 ]
 
 OnSkipped = Callable[[AudioError], None]
-"""What is told of a sound that cannot be read."""
+"""Called with each sound that cannot be read, and why."""
 
 MANIFEST = "manifest.csv"
 MANIFEST_COLUMNS = ("corpus", "speaker", "wav", "labels")
@@ -89,7 +89,7 @@ class FrameLabels:
     ----------
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
     certain : bool, shape (n_frames,): whether the label is a core one.
-    visemes : uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME` where nobody knows, or people disagree.
+    visemes : uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME` where it is unknown or disputed.
     """
 
     phonemes: UInt8Array
@@ -124,9 +124,9 @@ def read_corpus(
 ) -> tuple[LabelledUtterance, ...]:
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
-    `channel` is what will be analysed of sounds that have several. `on_skipped` is told of each sound that cannot be
-    read, which is then left out; None refuses it. Rows that name no label file are left out too, unless `unlabelled`
-    asks for them: a teacher may know what is said there.
+    `channel` is what will be analysed of sounds that have several. `on_skipped` is called for each sound that cannot
+    be read, which is then left out; None refuses it. Rows that name no label file are left out too, unless
+    `unlabelled` asks for them: a teacher may know what is said there.
 
     Raises
     ------
@@ -167,7 +167,7 @@ def read_recordings(
     source : a folder with a manifest, or one in which, however deep, sounds lie beside label files of the same name
         (.TextGrid, .csv, .txt; of takes, the .csv counts), or one sound with its label file. Where a recording is
         there as x.wav and x.flac, it counts once.
-    mapping : what names stand for that nobody knows.
+    mapping : what unknown names stand for.
     speaker : who speaks, unless a manifest says it; where it is None, the folder of the sound tells.
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
     channel : what will be analysed of sounds that have several.
@@ -190,6 +190,11 @@ def read_recordings(
             "put a .TextGrid, .csv or .txt file of the same name beside each sound"
         )
     return _utterances_of(pairs, mapping, printable_name(source), tier, on_skipped)
+
+
+def is_labelled(source: Path) -> bool:
+    """Return whether a folder has a manifest, or any sound in it a label file beside it."""
+    return (source / MANIFEST).is_file() or next(_pairs_beside(source, None, Channel.MIX), None) is not None
 
 
 def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
@@ -217,7 +222,7 @@ def _utterances_of(
     tier: str | None = None,
     on_skipped: OnSkipped | None = None,
 ) -> tuple[LabelledUtterance, ...]:
-    """Read all label files before any name is given a meaning, so that all unknown ones are told at once."""
+    """Read all label files before any name is given a meaning, so that all unknown ones are reported at once."""
     read = []
     for pair in pairs:
         try:

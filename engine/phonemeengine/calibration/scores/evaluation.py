@@ -52,7 +52,7 @@ class Predictions:
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`; silence where the sound has ended before its labels.
     intensities : float32, shape (n_frames,): 0..1.
     visemes : uint8, shape (n_frames,): codes of `Viseme`; None where they are those of the phonemes.
-    confidences : float32, shape (n_frames,): how sure the answers are, 0..1; None where the words were known.
+    confidences : float32, shape (n_frames,): confidence of the answers, 0..1; None where the words were known.
     """
 
     utterance: LabelledUtterance
@@ -205,7 +205,7 @@ def predict(
         analyses = analyse_blocks(blocks, preset, recogniser=recogniser)
         found = _answers(analyses, None if words is None else words(utterance), reader.duration)
     late, n = math.floor(delay / FRAME_PERIOD + 0.5 + ROUNDING), len(labels.phonemes)
-    phonemes, intensities, visemes, confidences = (_shifted(values, late, n) for values in found)
+    phonemes, intensities, visemes, confidences = (shifted_frames(values, late, n) for values in found)
     return Predictions(utterance, labels, phonemes, intensities, visemes, confidences if words is None else None)
 
 
@@ -214,7 +214,7 @@ def _answers(
 ) -> tuple[UInt8Array, Float32Array, UInt8Array, Float32Array]:
     """Return the phonemes of a sound's frames, as they are recognised or aligned, and what else is known of them.
 
-    That is: their intensities, their visemes, and how sure the recogniser was.
+    That is: their intensities, their visemes, and the recogniser's confidence.
     """
     n_in_sound = math.ceil(duration / FRAME_PERIOD - 0.5)  # frames whose middle lies in the sound
     nothing = np.zeros(0, np.uint8)
@@ -280,7 +280,7 @@ def _calibration_of(predictions: Iterable[Predictions]) -> tuple[float, float]:
 
 
 def _confidences_in(predictions: Iterable[Predictions]) -> tuple[Float32Array, BoolArray]:
-    """Return how sure answers are, NaN where nobody knows, and whether they are right, where labels are certain."""
+    """Return the confidence of answers, NaN where unknown, and whether they are right, where labels are certain."""
     sure, right = [np.zeros(0, np.float32)], [np.zeros(0, bool)]
     for prediction in predictions:
         if prediction.confidences is not None:
@@ -290,7 +290,7 @@ def _confidences_in(predictions: Iterable[Predictions]) -> tuple[Float32Array, B
 
 
 def confidence_of(predictions: Iterable[Predictions]) -> ConfidenceCurve:
-    """Fit how sure answers are, where labels are certain; scores are taken for what they are if there are none."""
+    """Fit the confidence of answers, where labels are certain; without any, scores are used unchanged."""
     sure, right = _confidences_in(predictions)
     known = ~np.isnan(sure)
     return fit_confidence(sure[known], right[known]) if known.any() else UNFITTED
@@ -309,8 +309,8 @@ def _by(name_of: Callable[[Predictions], str], predictions: Iterable[Predictions
     return {name: group_scores_of(groups[name]) for name in sorted(groups)}
 
 
-def _shifted(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
-    """Give `n` values of which the first is number `late`, zero (silence) where there is none."""
+def shifted_frames(values: NDArray[Any], late: int, n: int) -> NDArray[Any]:
+    """Return `n` values of frames, of which the first is number `late`; zero (silence) where there is none."""
     shifted = np.zeros(n, values.dtype)
     first, last = max(0, late), min(len(values), late + n)
     if last > first:

@@ -4,6 +4,7 @@ Accuracy and F1 are averaged so that no figure hides a rare class: a macro F1 is
 the labels hold.
 """
 
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -46,7 +47,7 @@ class Scores:
     false_silence : share of spoken frames called silence.
     changes_per_s, label_changes_per_s : changes of the phoneme in a second, recognised and labelled.
     minutes : how much was scored.
-    fine_viseme_accuracy : share of right answers on frames of which nobody doubts which of fifteen visemes they show.
+    fine_viseme_accuracy : share of right answers on frames whose viseme, of fifteen, is undisputed.
     """
 
     accuracy: float
@@ -60,6 +61,111 @@ class Scores:
     label_changes_per_s: float
     minutes: float
     fine_viseme_accuracy: float
+
+
+@dataclass(frozen=True, eq=False)
+class Agreement:
+    """How often which label has which answer, and the figures that follow; agreements of recordings add up.
+
+    Attributes
+    ----------
+    counts : int64, shape (11, 11): frames by label (row) and answer (column), both by the code of `Phoneme`.
+    changes, label_changes : how often the answer, and the label, becomes another within a recording.
+    """
+
+    counts: Int64Array
+    changes: int
+    label_changes: int
+
+    def __add__(self, other: "Agreement") -> "Agreement":
+        """Return the agreement in the frames of both."""
+        return Agreement(
+            self.counts + other.counts, self.changes + other.changes, self.label_changes + other.label_changes
+        )
+
+    @property
+    def seconds(self) -> float:
+        """How much was labelled."""
+        return float(self.counts.sum() * FRAME_PERIOD)
+
+    @property
+    def classes(self) -> tuple[Phoneme, ...]:
+        """Those of the ten classes that the labels hold: macro F1 is of these."""
+        return tuple(p for p in SCORED_PHONEMES if self.counts[p].any())
+
+    @property
+    def accuracy(self) -> float:
+        """Share of right answers on frames labelled as one of the ten classes; NaN where there is none."""
+        return _ratio(self._known.trace(), self._known.sum())
+
+    @property
+    def macro_f1(self) -> float:
+        """Mean F1 of those of the ten classes that the labels hold; NaN where they hold none."""
+        return float(macro_f1_of(self._known, SCORED_PHONEMES))
+
+    def f1_of(self, phoneme: Phoneme) -> float:
+        """Return the F1 of one class; NaN where it is not labelled, or is none of the ten."""
+        return float(macro_f1_of(self._known, (phoneme,)))
+
+    @property
+    def viseme_accuracy(self) -> float:
+        """Share of frames with the right one of six mouths; NaN where there is no frame."""
+        return _ratio(self.mouth_counts.trace(), self.counts.sum())
+
+    @property
+    def silence_recall(self) -> float:
+        """Share of silent frames called silence; NaN where none is silent."""
+        return _ratio(self.counts[Phoneme.SILENCE, Phoneme.SILENCE], self.counts[Phoneme.SILENCE].sum())
+
+    @property
+    def false_silence(self) -> float:
+        """Share of spoken frames called silence; NaN where nothing is spoken."""
+        spoken = np.delete(self.counts, Phoneme.SILENCE, axis=0)
+        return _ratio(spoken[:, Phoneme.SILENCE].sum(), spoken.sum())
+
+    @property
+    def changes_per_s(self) -> float:
+        """Changes of the answer in a second; NaN where there is no frame."""
+        return _ratio(self.changes, self.seconds)
+
+    @property
+    def label_changes_per_s(self) -> float:
+        """Changes of the label in a second; NaN where there is no frame."""
+        return _ratio(self.label_changes, self.seconds)
+
+    @property
+    def mouth_counts(self) -> Int64Array:
+        """The counts by mouth in place of phoneme, shape (6, 6)."""
+        of_mouths = (MOUTH_CODES[:, None] == np.arange(len(_MOUTHS))).astype(np.int64)
+        return np.asarray(of_mouths.T @ self.counts @ of_mouths, np.int64)
+
+    def gains_over(self, before: "Agreement") -> dict[Phoneme, float]:
+        """Return by how much the F1 of each class has risen (above 0) or fallen, the greatest gain first."""
+        gains = {p: self.f1_of(p) - before.f1_of(p) for p in self.classes if before.counts[p].any()}
+        return dict(sorted(gains.items(), key=lambda gain: -gain[1]))
+
+    def worst_confusions(self, most: int) -> list[tuple[Phoneme, Phoneme, int]]:
+        """Return which label has which wrong answer in the most frames, and in how many, the worst first."""
+        wrong = self._known.copy()
+        np.fill_diagonal(wrong, 0)
+        worst = np.argsort(-wrong, axis=None, kind="stable")[:most].tolist()
+        pairs = [divmod(place, N_CODES) for place in worst]
+        return [(Phoneme(p), Phoneme(q), int(wrong[p, q])) for p, q in pairs if wrong[p, q]]
+
+    @property
+    def _known(self) -> Int64Array:
+        """What counts for accuracy and F1: frames labelled as one of the ten classes."""
+        known = self.counts.copy()
+        known[Phoneme.UNIDENTIFIED] = 0
+        return known
+
+
+def agreement_of(truth: UInt8Array, guess: UInt8Array) -> Agreement:
+    """Count the answers in one recording against its labels; both are codes of `Phoneme`, shape (n_frames,)."""
+    return Agreement(confusion_of(truth, guess), count_changes(guess), count_changes(truth))
+
+
+NOTHING_SCORED = Agreement(np.zeros((N_CODES, N_CODES), np.int64), 0, 0)
 
 
 Answers = tuple[FrameLabels, UInt8Array] | tuple[FrameLabels, UInt8Array, UInt8Array]
@@ -79,28 +185,25 @@ def scores_of(answers: Iterable[Answers]) -> Scores:
     truth = np.concatenate([labels.phonemes for labels, _ in parts])
     guess = np.concatenate([codes for _, codes in parts])
     certain = np.concatenate([labels.certain for labels, _ in parts])
-    known, silent = truth != Phoneme.UNIDENTIFIED, truth == Phoneme.SILENCE
-    right = truth == guess
-    mouths, guessed_mouths = MOUTH_CODES[truth], MOUTH_CODES[guess]
-    seconds = len(truth) * FRAME_PERIOD
+    agreement = sum((agreement_of(labels.phonemes, codes) for labels, codes in parts), NOTHING_SCORED)
     return Scores(
-        accuracy=_share(right[known]),
-        macro_f1=float(macro_f1_of(confusion_of(truth[known], guess[known]), SCORED_PHONEMES)),
-        vowel_accuracy=_share(right[np.isin(truth, VOWELS) & certain]),
-        viseme_accuracy=_share(mouths == guessed_mouths),
-        viseme_f1=float(macro_f1_of(confusion_of(mouths, guessed_mouths), range(len(_MOUTHS)))),
-        silence_recall=_share(guess[silent] == Phoneme.SILENCE),
-        false_silence=_share(guess[~silent] == Phoneme.SILENCE),
-        changes_per_s=sum(count_changes(codes) for _, codes in parts) / seconds,
-        label_changes_per_s=sum(count_changes(labels.phonemes) for labels, _ in parts) / seconds,
-        minutes=seconds / 60,
+        accuracy=agreement.accuracy,
+        macro_f1=agreement.macro_f1,
+        vowel_accuracy=_share((truth == guess)[np.isin(truth, VOWELS) & certain]),
+        viseme_accuracy=agreement.viseme_accuracy,
+        viseme_f1=float(macro_f1_of(agreement.mouth_counts, range(len(_MOUTHS)))),
+        silence_recall=agreement.silence_recall,
+        false_silence=agreement.false_silence,
+        changes_per_s=agreement.changes_per_s,
+        label_changes_per_s=agreement.label_changes_per_s,
+        minutes=agreement.seconds / 60,
         fine_viseme_accuracy=_share((shown == visemes)[shown != NO_VISEME]),
     )
 
 
 def confusion_of(truth: UInt8Array, guess: UInt8Array) -> Int64Array:
     """Count frames by label (row) and answer (column), shape (11, 11)."""
-    pairs = np.bincount(truth.astype(np.int64) * N_CODES + guess, minlength=N_CODES**2)
+    pairs = np.bincount(truth * np.uint8(N_CODES) + guess, minlength=N_CODES**2)  # 120 at most, which bytes hold
     return pairs.reshape(N_CODES, N_CODES)
 
 
@@ -127,4 +230,8 @@ def _fitted(codes: UInt8Array, n: int) -> UInt8Array:
 
 
 def _share(hits: BoolArray) -> float:
-    return float(hits.mean()) if len(hits) else float("nan")
+    return float(hits.mean()) if len(hits) else math.nan
+
+
+def _ratio(part: float, whole: float) -> float:
+    return float(part / whole) if whole else math.nan

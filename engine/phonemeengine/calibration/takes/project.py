@@ -90,8 +90,8 @@ class TakeProject(Closing):
         speaker : who said it.
         phoneme : what was said.
         rate : Hz.
-        report : what the check found: its steady stretch counts, and the take is excluded where nothing or too
-            little is heard; where it is None, everything counts.
+        report : what the check found: its steady segment counts, and the take is excluded where nothing or too
+            little is found; where it is None, everything counts.
         device : the microphone, or the file that the sound is from.
         time : when it was recorded; now, where it is None.
 
@@ -127,11 +127,11 @@ class TakeProject(Closing):
         return take
 
     def trim(self, take: Take, start: float, end: float) -> Take:
-        """Let another stretch of a take count, in seconds; its sound stays as it is.
+        """Let another segment of a take count, in seconds; its sound stays as it is.
 
         Raises
         ------
-        TakeError : there is no such stretch, or no such take.
+        TakeError : there is no such segment, or no such take.
         CorpusError : the disk refuses; nothing has changed. So do all other changes.
         """
         return self._change("trim", take, replace(self._disk.current(take), start=start, end=end))
@@ -231,7 +231,7 @@ class TakeProject(Closing):
 
 
 def _stretch_of(report: TakeReport | None, duration: float) -> tuple[float, float, float, float]:
-    """Return start, end, onset and offset of what counts; all of the sound where nothing was heard in it."""
+    """Return start, end, onset and offset of what counts; all of the sound where none was found in it."""
     if report is None or report.start >= min(report.end, duration):
         return 0.0, duration, 0.0, duration
     start, end, onset, offset = (min(t, duration) for t in (report.start, report.end, report.onset, report.offset))

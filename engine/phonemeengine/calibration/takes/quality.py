@@ -1,4 +1,4 @@
-"""Is a take good enough to calibrate with, what is to be done if not, and which stretch of it is steady sound."""
+"""Is a take good enough to calibrate with, what is to be done if not, and which segment of it is steady sound."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -15,9 +15,9 @@ from phonemeengine.settings import FRAME_PERIOD, HOP
 LEAST_SOUND = 0.3
 """Seconds of sound that a take needs."""
 SILENT_BELOW = -60.0
-"""Where the loudest 10 ms stay below this level, nothing is heard; dB below full scale (RMS)."""
+"""Where the loudest 10 ms stay below this level, there is no sound; dB below full scale (RMS)."""
 LOUDER_THAN_ROOM = 6.0
-"""What is heard lies this much above the room, dB."""
+"""A sound lies this much above the background noise, dB."""
 SOFTEST_PART = 30.0
 """What lies this much below the loudest 10 ms is not part of the sound, dB."""
 MOST_CLIPPED = 0.0005
@@ -71,9 +71,9 @@ class TakeReport:
     Attributes
     ----------
     faults : what is wrong, the worst first; for each a sentence that says what to do.
-    onset, offset : where something is heard, seconds; both 0 where nothing is.
-    start, end : the stretch of steady sound, seconds; what should count of the take.
-    level : of that stretch, dB below full scale (RMS).
+    onset, offset : where the sound begins and ends, seconds; both 0 where there is none.
+    start, end : the segment of steady sound, seconds; what should count of the take.
+    level : of that segment, dB below full scale (RMS).
     noise : of the room, in the same; -inf where it is not known.
     snr : how far the sound lies above the room, dB; inf where the room is not known.
     clipped : share of samples at full scale, 0..1.
@@ -98,11 +98,11 @@ class TakeReport:
 
     @property
     def too_little(self) -> bool:
-        """Whether nothing is heard, or too short a sound to count by itself."""
+        """Whether there is no sound, or one too short to count by itself."""
         return bool(TOO_LITTLE & set(self.faults))
 
     def within(self, start: float, duration: float) -> "TakeReport":
-        """Return the report of this take, as a part of a longer sound in which something is heard throughout."""
+        """Return the report of this take, as a part of a longer sound without silence."""
         first, last = (self.start, self.end) if self.start < self.end else (0.0, duration)
         pauses = tuple((start + a, start + b) for a, b in self.pauses)
         return replace(self, onset=0.0, offset=math.inf, start=start + first, end=start + last, pauses=pauses)
@@ -145,40 +145,40 @@ def _faults_of_sound(report: TakeReport, loudest: float, phoneme: Phoneme) -> It
     if report.offset <= report.onset or _decibels(loudest) < SILENT_BELOW:
         yield (
             Fault.SILENT,
-            f"Nothing was heard (the loudest part lies at {_decibels(loudest):.0f} dB); check that the microphone is "
-            "on and say it again, louder or closer.",
+            f"No sound was recorded: the loudest part is at {_decibels(loudest):.0f} dBFS. Check that the microphone "
+            "is on and say it again, louder or closer.",
         )
         return
     if report.clipped > MOST_CLIPPED:
         yield (
             Fault.CLIPPED,
-            f"It was too loud for the microphone ({report.clipped:.1%} of the samples are at full scale); say it "
-            "again, a little further from the microphone, or turn its level down.",
+            f"The recording is clipped: {100 * report.clipped:.1f} % of the samples are at full scale. Say it again, "
+            "a little further from the microphone, or turn its level down.",
         )
     if report.offset - report.onset < LEAST_SOUND:
         yield (
             Fault.TOO_SHORT,
-            f"It lasted {report.offset - report.onset:.2f} s and should last {LEAST_SOUND:g} s or more; say it again "
-            "and hold it.",
+            f"The sound lasted only {report.offset - report.onset:.2f} s; {LEAST_SOUND:g} s or more are needed. Say "
+            "it again and hold it.",
         )
     least = LEAST_SNR[phoneme in VOWELS]
     if report.snr < least and report.noise > LOUD_ROOM:
         yield (
             Fault.TOO_NOISY,
-            f"It lies {report.snr:.0f} dB above the room and should lie {least:g} dB above it, and the room is "
-            f"loud ({report.noise:.0f} dB); make it quieter or come closer to the microphone, and say it again.",
+            f"The sound is {report.snr:.0f} dB above the background noise, which is loud ({report.noise:.0f} dBFS); "
+            f"{least:g} dB or more are needed. Reduce the noise or move closer to the microphone, and say it again.",
         )
     elif report.snr < least:
         yield (
             Fault.TOO_QUIET,
-            f"It lies {report.snr:.0f} dB above the room and should lie {least:g} dB above it; say it again, "
-            "louder or closer to the microphone.",
+            f"The sound is {report.snr:.0f} dB above the background noise; {least:g} dB or more are needed. Say it "
+            "again, louder or closer to the microphone.",
         )
     elif report.level < LEAST_LEVEL:
         yield (
             Fault.TOO_QUIET,
-            f"It reached {report.level:.0f} dB and should reach {LEAST_LEVEL:g} dB; say it again, louder or "
-            "closer, or turn the microphone's level up.",
+            f"The sound reached only {report.level:.0f} dBFS; {LEAST_LEVEL:g} dBFS or more are needed. Say it again, "
+            "louder or closer, or turn the microphone's level up.",
         )
 
 
@@ -186,15 +186,15 @@ def _faults_of_silence(report: TakeReport, loudest: float) -> Iterator[tuple[Fau
     if report.end - report.start < LEAST_SOUND:
         yield (
             Fault.TOO_SHORT,
-            f"The silence lasted {report.end - report.start:.2f} s and should last {LEAST_SOUND:g} s or more; keep "
+            f"The silence lasted only {report.end - report.start:.2f} s; {LEAST_SOUND:g} s or more are needed. Keep "
             "quiet for longer.",
         )
     usual = report.noise if np.isfinite(report.noise) else LOUD_ROOM
     if _decibels(loudest) > usual + LOUDEST_SILENCE:
         yield (
             Fault.NOT_SILENT,
-            f"Something was heard in the silence ({_decibels(loudest):.0f} dB, where the room has {usual:.0f} dB); "
-            "keep quiet and record it again.",
+            f"There is a sound of {_decibels(loudest):.0f} dBFS in the silence, whose background noise is at "
+            f"{usual:.0f} dBFS. Keep quiet and record it again.",
         )
 
 
@@ -208,7 +208,7 @@ def _levels_of(samples: Float32Array) -> Float64Array:
 
 
 def _sounding_in(levels: Float64Array, noise: float, *, bridged: bool) -> slice:
-    """Return the longest stretch of sound, over short pauses; over all of them where they belong to the sound."""
+    """Return the longest segment of sound, over short pauses; over all of them where they belong to the sound."""
     least = max(
         noise * _ratio(LOUDER_THAN_ROOM), levels.max(initial=0.0) * _ratio(-SOFTEST_PART), _ratio(SILENT_BELOW)
     )

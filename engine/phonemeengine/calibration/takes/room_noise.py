@@ -1,6 +1,6 @@
-"""What a room sounds like while nobody speaks, and what tells it from speech, whatever recognises.
+"""Background noise: what a microphone records while there is no speech, and what distinguishes it from speech.
 
-The denoise threshold is set for every recogniser. Silence is told by the thresholds of the thesis rules; a preset
+The denoise threshold is set for every recogniser. Silence is found by the thresholds of the thesis rules; a preset
 with rules of its own gets one before them; recognisers by templates or scores get what `silence_level_for` or
 `sensitivity_for` finds.
 """
@@ -140,13 +140,13 @@ class SilenceAccuracy:
 
     def __str__(self) -> str:
         speech = self.speech_silent
-        lost = "" if speech is None else f", and {_in_words(speech)} of the speech in the takes"
-        return f"{_in_words(self.room_silent)} of the room is called silence{lost}"
+        lost = "" if speech is None else f"; speech in the takes: {_in_words(speech)}"
+        return f"Background noise recognised as silence: {_in_words(self.room_silent)}{lost}"
 
 
 @dataclass(frozen=True)
 class RoomNoise:
-    """The noise of a room, as a preset's front end hears it.
+    """The background noise as a preset's front end measures it.
 
     Attributes
     ----------
@@ -163,8 +163,13 @@ class RoomNoise:
     notes: tuple[str, ...]
     samples: Float32Array = field(repr=False, compare=False)
 
+    @property
+    def decibels(self) -> float:
+        """RMS level of the room, dB below full scale."""
+        return float(20 * np.log10(max(self.level, SILENT)))
+
     def __str__(self) -> str:
-        return f"{20 * np.log10(max(self.level, SILENT)):.0f} dB, heard for {self.seconds:.1f} s"
+        return f"{self.decibels:.0f} dBFS, measured for {self.seconds:.1f} s"
 
     def set_silence(self, preset: Preset, speech: Float32Array | None = None) -> Preset:
         """Return the preset that takes the room for silence, otherwise the same.
@@ -222,7 +227,7 @@ class RoomNoise:
 
 
 def measure_room(samples: Float32Array, preset: Preset) -> RoomNoise:
-    """Measure a room while nobody speaks, with the front end of a preset.
+    """Measure the background noise with the front end of a preset.
 
     Parameters
     ----------
@@ -236,10 +241,13 @@ def measure_room(samples: Float32Array, preset: Preset) -> RoomNoise:
     seconds = len(samples) / SAMPLE_RATE
     if seconds < LEAST_SECONDS:
         raise TakeError(
-            f"the room must be heard for {LEAST_SECONDS:g} s or more, got {seconds:.2f} s; keep quiet for two seconds"
+            f"background noise must be measured for {LEAST_SECONDS:g} s or more, got {seconds:.2f} s; keep quiet for "
+            "two seconds"
         )
     if not np.isfinite(samples).all():
-        raise TakeError("the room's sound must be finite numbers, got NaN or infinity; record the silence again")
+        raise TakeError(
+            "the samples of background noise must be finite numbers, got NaN or infinity; record the silence again"
+        )
     features = _features_of(samples, preset)
     least = _least_thresholds(preset)
     bounds = {name: _bound_of(features[variable], least[name]) for name, variable in MEASURED.items()}
@@ -297,7 +305,7 @@ def _share_silent(samples: Float32Array, preset: Preset) -> ConfidenceInterval:
 
 
 def _in_words(share: ConfidenceInterval) -> str:
-    return f"{share.value:.0%} ({share.low:.0%}..{share.high:.0%})"
+    return f"{100 * share.value:.0f} % ({100 * share.low:.0f}–{100 * share.high:.0f} %)"
 
 
 def _notes(samples: Float32Array) -> list[str]:
@@ -306,13 +314,15 @@ def _notes(samples: Float32Array) -> list[str]:
     parts = samples[: n_frames * frame].reshape(n_frames, frame).astype(np.float64)
     powers = np.mean((parts - samples.mean(dtype=np.float64)) ** 2, axis=1)
     if np.abs(samples).max() < SILENT:
-        return ["The microphone delivers nothing at all; check that it is on, else the thresholds mean nothing."]
+        return [
+            "The microphone delivers digital silence, which sets no thresholds; check that it is on and not muted."
+        ]
     usual = 10 * np.log10(max(float(np.median(powers)), SILENT**2))
     if usual > LOUDEST:
-        return [f"The room was as loud as a voice ({usual:.0f} dB); keep quiet and measure it again."]
+        return [f"The background noise was as loud as a voice ({usual:.0f} dBFS); keep quiet and measure it again."]
     above = 10 * np.log10(powers.max() / max(float(np.median(powers)), SILENT**2))
     if above > DISTURBED:
-        return [f"Something was heard that lies {above:.0f} dB above the room; keep quiet and measure it again."]
+        return [f"A sound stood {above:.0f} dB above the background noise; keep quiet and measure it again."]
     return []
 
 
@@ -323,7 +333,7 @@ BRIEF = frozenset({Phoneme.P, Phoneme.UNIDENTIFIED})
 
 
 def room_in(takes: Sequence[LabelledUtterance]) -> Float32Array | None:
-    """Return the sound of the newest take in which nobody speaks, float32, shape (n,), 44.1 kHz; None without one.
+    """Return the sound of the newest take without speech, float32, shape (n,), 44.1 kHz; None without one.
 
     Raises
     ------

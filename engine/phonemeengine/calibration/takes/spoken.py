@@ -1,6 +1,6 @@
-"""A sentence that somebody read, kept beside his takes: sound and labels, which no manifest names.
+"""A sentence that a speaker read, kept beside their takes: sound and labels, which no manifest names.
 
-Who reads the project as a corpus gets the takes alone. What was read to learn from, and what was held back to judge
+Reading the project as a corpus gives the takes alone. What was read to learn from, and what was held out to judge
 by, lie in folders of their own.
 """
 
@@ -19,7 +19,7 @@ from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.table import format_table, write_text
 from phonemeengine.storage.files import free_path, printable_name, reason_of
 
-# When a voice begins in what a microphone hears, and whether it has ended.
+# When a voice begins in the microphone's signal, and whether it has ended.
 
 PERIOD = 0.01
 QUIET_FRAMES, LOUD_FRAMES = 8, 5

@@ -32,7 +32,7 @@ from phonemeengine.storage.files import atomic_write, free_path, printable_name,
 
 # Label files for other programs beside the sounds of takes: copies of what the corpus format says there.
 #
-# A copy follows its take. What somebody else put or changed there is left alone, but for a copy that is asked for:
+# A copy follows its take. Files that others put or changed there stay, but for a copy that is asked for:
 # then it is kept under another name.
 
 COPY_SUFFIXES = (".TextGrid", ".txt")

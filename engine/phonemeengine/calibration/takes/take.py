@@ -1,4 +1,4 @@
-"""A take: somebody says one sound, and a stretch of it counts."""
+"""A take: one speaker says one sound, and a segment of it counts."""
 
 import math
 import re
@@ -12,7 +12,7 @@ from phonemeengine.phonemes import PHONEMES_BY_LABEL, Phoneme
 from phonemeengine.storage.strict_table import StrictTable, shown
 
 TRIMMED = "trimmed"
-"""The certainty of what lies outside the stretch that counts."""
+"""The certainty of what lies outside the segment that counts."""
 
 TAKES, DELETED = "takes", "deleted"
 """The folders of sounds in a project."""
@@ -36,7 +36,7 @@ class Take:
     phoneme : what was said.
     duration : length of the sound file, seconds.
     start, end : what counts of it, seconds.
-    onset, offset : where something is heard in it, seconds; what lies before and after is the room.
+    onset, offset : where the sound begins and ends; what lies before and after is background noise.
     device : the microphone, or the file that the sound is from.
     time : when it was recorded, in ISO 8601.
     excluded : whether it counts for nothing, for now.
@@ -69,7 +69,7 @@ class Take:
         if not (all(map(math.isfinite, times)) and inside):
             raise TakeError(
                 f"{self.name}: what counts of a take must lie in its {self.duration:g} s, got "
-                f"{self.start:g}..{self.end:g} s; choose a stretch of the sound"
+                f"{self.start:g}..{self.end:g} s; choose a segment of the sound"
             )
         paused = [time for pause in self.pauses for time in pause]
         if paused != sorted(paused) or not all(0 <= time <= self.duration for time in paused):
@@ -93,7 +93,7 @@ class Take:
     def to_labels(self) -> tuple[Label, ...]:
         """Return the labels of the whole sound; pauses in it are silence.
 
-        What lies outside the stretch that counts is not certain: where nothing is heard it is silence, elsewhere
+        What lies outside the segment that counts is not certain: where there is no sound it is silence, elsewhere
         it is unidentified, which no figure over the ten classes counts.
         """
         room, other, own = (Phoneme.SILENCE, TRIMMED), (Phoneme.UNIDENTIFIED, TRIMMED), (self.phoneme, CORE)

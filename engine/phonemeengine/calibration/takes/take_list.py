@@ -51,7 +51,7 @@ def read_take_list(folder: Path) -> TakeList:
 
     Raises
     ------
-    TakeError : a newer version of the program wrote the list, or the folder holds somebody else's corpus.
+    TakeError : a newer version of the program wrote the list, or the folder holds a corpus that is not the program's.
     CorpusError : the list is there and cannot be read.
     """
     listed, damage = _listed(folder)

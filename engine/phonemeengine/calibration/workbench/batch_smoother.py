@@ -16,7 +16,7 @@ from phonemeengine.settings import FRAME_PERIOD
 # Count the table of successors: what a frame truly is where the rules say nothing, after each phoneme.
 
 PRIOR = 50
-"""The table begins as if so many frames had been seen after each phoneme, spread as all unidentified frames are; so
+"""The table begins as if this many frames had been seen after each phoneme, spread as all unidentified frames are; so
 a phoneme after which few were seen gets what is likeliest after any."""
 
 
@@ -105,7 +105,7 @@ class BatchSmoother:
         return filled
 
     def minimum_hold(self, codes: UInt8Array, minimum_hold: float) -> UInt8Array:
-        """Let each phoneme stay at least so many seconds before another follows."""
+        """Let each phoneme stay at least this many seconds before another follows."""
         least = max(1, round(minimum_hold / FRAME_PERIOD))
         if least == 1 or not self._n:
             return codes
@@ -120,7 +120,7 @@ class BatchSmoother:
         return self._drawn(codes, np.where(silent, run_ends[self._firsts], self._firsts), following)
 
     def _runs_of(self, codes: UInt8Array) -> tuple[IndexArray, IndexArray]:
-        """Return where stretches of equal codes start and end; none goes beyond its recording."""
+        """Return where runs of equal codes start and end; none goes beyond its recording."""
         changes = self._first.copy()
         changes[1:] |= codes[1:] != codes[:-1]
         starts = np.flatnonzero(changes)
@@ -129,7 +129,7 @@ class BatchSmoother:
     def _leaving(self, may_stay: BoolArray, frames: IndexArray) -> IndexArray:
         """Return for each frame the first one from it on, in which a phoneme must give way to what is named there.
 
-        While it is named itself it gives way to nobody, so it matters only where its run has ended.
+        While it is named itself it is replaced by none, so it matters only where its run has ended.
         """
         leaves = np.zeros(self._n + 1, bool)
         leaves[:-1] = ~may_stay
@@ -156,12 +156,12 @@ class BatchSmoother:
 def _leapt(begun: IndexArray, ends: IndexArray, following: IndexArray) -> BoolArray:
     """Return where the changes of all recordings are, shape (n_frames,).
 
-    Leaps that begin at different frames soon meet. So from the start of each stretch all leaps are made at once, and
-    then only those one by one that lead from one stretch into the leaps of the next.
+    Leaps that begin at different frames soon meet. So from the start of each run all leaps are made at once, and
+    then only those one by one that lead from one run into the leaps of the next.
     """
     n = len(following)
     met, left = _leapt_through(following)
-    joined = np.full(len(left), n, np.intp)  # from where on a stretch's leaps count
+    joined = np.full(len(left), n, np.intp)  # from where on a run's leaps count
     changes = []
     is_met, next_one, next_stretch = met.data, following.data, left.data
     for place, end in zip(begun.tolist(), ends.tolist(), strict=True):
@@ -179,7 +179,7 @@ def _leapt(begun: IndexArray, ends: IndexArray, following: IndexArray) -> BoolAr
 
 
 def _leapt_through(following: IndexArray) -> tuple[BoolArray, IndexArray]:
-    """Leap through every stretch from its first frame; gives the frames that are met, and where each is left."""
+    """Leap through every run from its first frame; return the frames that are met, and where each is left."""
     n = len(following)
     places = np.arange(0, n, STRETCH)
     ends = np.minimum(places + STRETCH, n)

@@ -1,6 +1,6 @@
 """How a variable is distributed over the frames of each phoneme, and how well it tells them apart."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 
@@ -11,7 +11,7 @@ from phonemeengine.calibration.scores.scoring import N_CODES, SCORED_PHONEMES
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.features.variables import UNITS
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import NO_PHONEME, Phoneme
 from phonemeengine.recognition.scores import NO_SENSITIVITIES
 
 # How well a number tells phonemes apart.
@@ -188,27 +188,44 @@ def ranked_variables(
 ) -> tuple[RankedVariable, ...]:
     """Rank all measured variables by how well they separate the ten phonemes, or one pair; the best one first.
 
-    Variables that are the same in all frames come last, such as ``f0`` while nobody measures it.
+    Variables that are the same in all frames come last, such as ``f0`` while it is not measured.
 
     Raises
     ------
     Cancelled : `progress` did not want to go on.
     """
-    certain = labelled.labels.certain
-    phonemes = labelled.labels.phonemes[certain]
-    wanted = SCORED_PHONEMES if pair is None else pair
+    labels = labelled.labels
+    phonemes = np.where(labels.certain, labels.phonemes, NO_PHONEME).astype(np.uint8)
+    return ranked_in(labelled.variables, labelled.values, phonemes, pair, progress)
+
+
+def ranked_in(
+    variables: Iterable[str],
+    values_of: Callable[[str], Float32Array],
+    phonemes: UInt8Array,
+    pair: Pair | None = None,
+    progress: Progress = no_progress,
+) -> tuple[RankedVariable, ...]:
+    """Rank variables by how well they separate the ten phonemes, or one pair; the best one first.
+
+    Parameters
+    ----------
+    values_of : gives the values of a variable, shape (n_frames,).
+    phonemes : codes of what is said or recognised, shape (n_frames,); frames of other codes do not count.
+
+    Raises
+    ------
+    Cancelled : `progress` did not want to go on.
+    """
+    names, wanted = tuple(variables), SCORED_PHONEMES if pair is None else pair
     chosen = np.isin(phonemes, wanted)
+    codes = phonemes[chosen]
     ranked = []
-    for k, name in enumerate(labelled.variables):
-        report_progress(progress, k / len(labelled.variables))
-        separation = _separation(labelled.values(name)[certain][chosen], phonemes[chosen], wanted)
-        ranked.append(RankedVariable(name, separation))
+    for k, name in enumerate(names):
+        report_progress(progress, k / len(names))
+        ranked.append(RankedVariable(name, mean_separability(separabilities(values_of(name)[chosen], codes), wanted)))
     report_progress(progress, 1.0)
     return tuple(sorted(ranked, key=lambda r: -np.nan_to_num(r.separation, nan=0.0)))
-
-
-def _separation(values: Float32Array, phonemes: UInt8Array, wanted: tuple[Phoneme, ...]) -> float:
-    return mean_separability(separabilities(values, phonemes), wanted)
 
 
 def _spread_of(values: Float32Array, edges: Float64Array) -> Quartiles:

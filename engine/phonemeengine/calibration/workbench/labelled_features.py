@@ -142,7 +142,7 @@ class LabelledFeatures:
     def needs_measuring(self, preset: Preset) -> bool:
         """Return whether a preset measures differently, so that the recordings must be measured anew.
 
-        Thresholds, rules, sensitivities, successors, minimum hold and hysteresis need none. Another front end or
+        Thresholds, rules, sensitivities, successors, minimum duration and hysteresis need none. Another front end or
         other variables do, and a recogniser that works without rules, if the recordings were not measured with it.
         """
         if front_end_key(preset) != self._front_end:

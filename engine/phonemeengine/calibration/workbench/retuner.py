@@ -1,36 +1,38 @@
-"""Measured frames that are recognised anew, with other thresholds, rules, sensitivities or another calm, at once."""
+"""Measured frames that are recognised anew, with other thresholds, rules, sensitivities or smoothing, at once."""
 
 import math
+from collections import defaultdict
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import partial, reduce
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import BoolArray, Float32Array, IndexArray, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.calibration.workbench.batch_smoother import BatchSmoother
 from phonemeengine.execution import Progress, no_progress, report_progress
-from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.features.variables import BUILT_IN_NAMES, PITCH_SET_COLUMNS
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Rule, RuleRecogniser
+from phonemeengine.recognition.rules import PitchSetRules, Rule, RuleRecogniser
 from phonemeengine.recognition.scores import Sensitivity, scores_in
 from phonemeengine.recognition.spec import Tuning, spec_of
-from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings, Ear
+from phonemeengine.settings import FRAME_PERIOD, AnalysisSettings, ModelKind
 
 # Rules asked of the same frames again and again: what a new limit does not touch is remembered.
 #
-# It gives exactly what `RuleRecogniser` gives, but keeps for each comparison what it says of every frame. A limit
-# that is dragged changes one comparison, so only that and the rules that ask it are worked out anew.
+# It gives exactly what `RuleRecogniser` gives, but keeps for each comparison what it says of every frame, a bit for
+# each. A limit that is dragged changes one comparison, so only that and the rules that ask it are worked out anew.
 
 
-@dataclass(frozen=True)
-class _ConditionKey:
+class _ConditionKey(NamedTuple):
     """A comparison of a variable with a limit: ``>``, ``<``, or whether its margin is more or not less than a share.
 
     Attributes
@@ -65,11 +67,14 @@ class RuleCache:
     def recognised(self, recogniser: RuleRecogniser) -> UInt8Array:
         """Return the codes that `RuleRecogniser.recognise` gives, shape (n_frames,)."""
         self._holding.begin()
-        codes = np.full(self._n_frames, Phoneme.UNIDENTIFIED, np.uint8)
-        for rule in reversed(recogniser.rules):
-            holds = self._all(self._holding, _condition_keys(rule, recogniser)).view(np.uint8)
-            codes *= 1 - holds  # far quicker than to choose frame by frame
-            codes += holds * np.uint8(rule.phoneme)
+        named, free = self._bits_by_phoneme(), self._all_set()
+        for rule in recogniser.rules:
+            holds = self._all(self._holding, _condition_keys(rule, recogniser))
+            named[rule.phoneme] |= holds & free
+            free &= ~holds
+        codes = np.zeros(self._n_frames, np.uint8)
+        for phoneme in Phoneme:
+            codes += np.unpackbits(named[phoneme], count=self._n_frames) * np.uint8(phoneme)
         return codes
 
     def may_stay(self, recogniser: RuleRecogniser, hysteresis: float) -> BoolArray:
@@ -79,26 +84,34 @@ class RuleCache:
         that one holds by more.
         """
         self._near_misses.begin()
-        stays = np.zeros((len(Phoneme), self._n_frames), bool)
-        free = np.ones(self._n_frames, bool)
+        stays, free = self._bits_by_phoneme(), self._all_set()
         for rule in recogniser.rules:
             nearly = self._all(self._near_misses, _condition_keys(rule, recogniser, -hysteresis))
             stays[rule.phoneme] |= nearly & free
             free &= ~self._all(self._near_misses, _condition_keys(rule, recogniser, hysteresis, beyond=True))
-        return stays
+        return np.unpackbits(stays, axis=1, count=self._n_frames).view(bool)
 
-    def _all(self, memory: "_Memory", keys: tuple[_ConditionKey, ...]) -> BoolArray:
-        """Return where all of these hold."""
+    def _all_set(self) -> UInt8Array:
+        return np.full(-(-self._n_frames // 8), 255, np.uint8)
+
+    def _bits_by_phoneme(self) -> UInt8Array:
+        return np.zeros((len(Phoneme), -(-self._n_frames // 8)), np.uint8)
+
+    def _all(self, memory: "_Memory", keys: tuple[_ConditionKey, ...]) -> UInt8Array:
+        """Return where all of these hold, a bit for each frame."""
         if not keys:
-            return np.ones(self._n_frames, bool)
+            return self._all_set()
 
-        def answered() -> BoolArray:
-            answer: BoolArray = np.logical_and.reduce([memory.recall(k, partial(self._answer, k)) for k in keys])
-            return answer
+        def answered() -> UInt8Array:
+            first, *others = (memory.recall(k, partial(self._answer, k)) for k in keys)
+            return reduce(np.bitwise_and, others, first)
 
         return memory.recall(keys, answered)
 
-    def _answer(self, key: _ConditionKey) -> BoolArray:
+    def _answer(self, key: _ConditionKey) -> UInt8Array:
+        return np.packbits(self._compared(key))
+
+    def _compared(self, key: _ConditionKey) -> BoolArray:
         values, limit = self._values[key.variable], np.float32(key.limit)
         if key.least is None:
             return np.asarray(values > limit if key.sign == ">" else values < limit)
@@ -110,14 +123,14 @@ class _Memory:
     """Remembers what was worked out for the last question of each kind, and forgets what is no longer asked."""
 
     def __init__(self) -> None:
-        self._before: dict[Hashable, BoolArray] = {}
-        self._now: dict[Hashable, BoolArray] = {}
+        self._before: dict[Hashable, UInt8Array] = {}
+        self._now: dict[Hashable, UInt8Array] = {}
 
     def begin(self) -> None:
         """Keep only what has been asked since the last beginning."""
         self._before, self._now = self._now, {}
 
-    def recall(self, key: Hashable, work_out: Callable[[], BoolArray]) -> BoolArray:
+    def recall(self, key: Hashable, work_out: Callable[[], UInt8Array]) -> UInt8Array:
         """Return what was said of the same, or work it out."""
         answer = self._now.get(key)
         if answer is None:
@@ -176,13 +189,15 @@ class Measurement:
 
 def names_of(preset: Preset) -> tuple[str, ...]:
     """Return the measured variables, in the order of `Measurement.values`."""
-    return (*BUILT_IN_NAMES, *(v.name for v in preset.variables))
+    of_sets = PITCH_SET_COLUMNS if preset.pitch_ranges else ()
+    return (*BUILT_IN_NAMES, *(v.name for v in preset.variables), *of_sets)
 
 
 def front_end_key(preset: Preset) -> object:
     """Return all on which the variables depend: where it is equal, nothing need be measured anew."""
     kept = {name: getattr(_PLAIN, name) for name in AFTER_MEASURING}
-    return replace(preset.settings, **kept), preset.variables
+    settings = tuple(replace(p.settings, **kept) for p in preset.by_pitch)
+    return settings, preset.pitch_ranges, preset.variables
 
 
 def recogniser_key(preset: Preset) -> object:
@@ -196,7 +211,11 @@ def recogniser_key(preset: Preset) -> object:
 def rules_in(preset: Preset) -> RuleRecogniser | None:
     """Return the preset's recogniser if it works by rules."""
     rules_of = spec_of(preset.recogniser).rules
-    return None if rules_of is None else RuleRecogniser(rules_of(preset.config), preset.thresholds)
+    if rules_of is None:
+        return None
+    if preset.pitch_ranges:
+        return PitchSetRules(preset.thresholds, [pitch_set.data for pitch_set in preset.pitch_sets])
+    return RuleRecogniser(rules_of(preset.config), preset.thresholds)
 
 
 def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_progress) -> Measurement:
@@ -219,7 +238,7 @@ def measure(path: Path, preset: Preset, n_frames: int, progress: Progress = no_p
     values = np.zeros((n_names, n_frames), np.float32)
     recognised = np.zeros(n_frames, np.uint8)
     scores = None
-    preset = for_files(preset, Ear.LIVE)  # what is tuned is what hears live
+    preset = for_files(preset, ModelKind.REAL_TIME)  # what is tuned is what recognises live sound
     preset = replace(preset, settings=replace(preset.settings, statistics=False), sensitivities={})
     has_scores = Tuning.SENSITIVITIES in spec_of(preset.recogniser).tuned_by
     with SoundReader(path) as reader:
@@ -261,7 +280,9 @@ class Retuner:
     ) -> None:
         self._values, self._codes, self._scores = values, codes, scores
         self._smoother = BatchSmoother(edges)
-        self._rule_cache = RuleCache(values, int(edges[-1]))
+        n_frames = int(edges[-1])
+        self._numbers = np.nan_to_num(values.get(PITCH_SET_COLUMNS[1], np.zeros(n_frames, np.float32)))
+        self._rule_caches: defaultdict[int, RuleCache] = defaultdict(lambda: RuleCache(values, n_frames))
 
     def scores(self, preset: Preset) -> Float32Array | None:
         """Return the probabilities with the sensitivities of a preset, shape (n_phonemes, n_frames), or None."""
@@ -282,12 +303,22 @@ class Retuner:
 
     def _recognised(self, rules: RuleRecogniser | None, scores: Float32Array | None) -> UInt8Array:
         if rules is not None:
-            return self._rule_cache.recognised(rules)
+            return self._by_rules(rules, RuleCache.recognised)
         return self._codes if scores is None else scores.argmax(axis=0).astype(np.uint8)
 
     def _may_stay(
         self, rules: RuleRecogniser | None, scores: Float32Array | None, hysteresis: float
     ) -> BoolArray | None:
         if rules is not None:
-            return self._rule_cache.may_stay(rules, hysteresis)
+            return self._by_rules(rules, lambda cache, one: cache.may_stay(one, hysteresis))
         return None if scores is None else np.asarray(scores.max(axis=0) - scores <= hysteresis)
+
+    def _by_rules(
+        self, rules: RuleRecogniser, ask: Callable[[RuleCache, RuleRecogniser], NDArray[Any]]
+    ) -> NDArray[Any]:
+        """Ask the rules, or those of each pitch set about its frames; frames are the last axis."""
+        of_sets = rules.by_set if isinstance(rules, PitchSetRules) else (rules,)
+        answers = ask(self._rule_caches[0], of_sets[0])
+        for number, one in enumerate(of_sets[1:], 1):
+            answers = np.where(self._numbers == number, ask(self._rule_caches[number], one), answers)
+        return answers

@@ -1,6 +1,6 @@
 """Projects of Papagayo and Papagayo-NG, version 1: voice, phrases, words and phonemes on the frames of a film.
 
-A phrase stands for each stretch between two silences. Its words are those of the script; without one it is one word
+A phrase stands for the speech between two silences. Its words are those of the script; without one it is one word
 that spells our phonemes. Frames count from 0, and Papagayo shows the mouth at rest wherever there is no phrase. The
 sound is named with all its folders: any other name is looked for in the folder of the project.
 """

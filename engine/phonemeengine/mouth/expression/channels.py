@@ -24,7 +24,7 @@ class ExpressionChannels:
     ----------
     names : the movestates, in the order of all weights.
     speech : the class weight of speech cS of each, 0..1, float32, shape (n_channels,); that of expressions is 1 - cS.
-    reductions : how much of an expression goes while somebody speaks, 0..1, shape (n_channels,).
+    reductions : how much of an expression goes during speech, 0..1, shape (n_channels,).
     """
 
     names: tuple[str, ...]

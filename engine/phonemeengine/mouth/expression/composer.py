@@ -33,7 +33,7 @@ class InhibitionTimes:
 
     Attributes
     ----------
-    onset : seconds from the start of speech until expressions are held back wholly.
+    onset : seconds from the start of speech until expressions are inhibited wholly.
     release : seconds from its end until they are free.
     pause : silences that are shorter, seconds, do not end speech.
     """
@@ -44,7 +44,7 @@ class InhibitionTimes:
 
 
 class Inhibition:
-    """Follows speech: 0 in silence, 1 while somebody speaks, along half a cosine from wherever it stands.
+    """Follows speech: 0 in silence, 1 during speech, along half a cosine from wherever it stands.
 
     Times are seconds of one clock, and never go back.
 
@@ -63,7 +63,7 @@ class Inhibition:
     def expect(self, speech: Iterable[tuple[float, float]]) -> None:
         """Take all speech that there will be, as start and end of what is said, in order: it ends when it ends.
 
-        What is heard from then on says nothing new.
+        What follows says nothing new.
         """
         joined: list[list[float]] = []
         for start, end in speech:
@@ -75,7 +75,7 @@ class Inhibition:
         self._coming = deque((time, goal) for start, end in joined for time, goal in ((start, 1.0), (end, 0.0)))
 
     def hear(self, time: float, *, speaks: bool) -> None:
-        """Take whether somebody speaks from a time on: speech has ended once nobody has spoken for a pause."""
+        """Take whether there is speech from a time on: speech has ended once there was none for a pause."""
         if self._knows_all:
             return
         if speaks:
@@ -89,7 +89,7 @@ class Inhibition:
                 self._speaks = False
 
     def at(self, time: float) -> float:
-        """Return how far expressions are held back, 0..1."""
+        """Return how far expressions are inhibited, 0..1."""
         if self._speaks and time - self._silent_since >= self._times.pause:
             self._coming.append((self._silent_since + self._times.pause, 0.0))
             self._speaks = False

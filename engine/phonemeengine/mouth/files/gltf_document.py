@@ -58,7 +58,7 @@ def chunks_of(content: bytes) -> tuple[bytes, memoryview]:
 
 
 def document_of(text: bytes, largest: int) -> Table:
-    """Read the JSON of a glTF, of so many bytes at most.
+    """Read the JSON of a glTF, of this many bytes at most.
 
     Raises
     ------

@@ -84,11 +84,13 @@ class _Pieces:
         self._at += 4
         if n > most or n * size > self._left:
             room = min(most, self._left // size)
-            raise MeshError(f"{what} is said to be {n}, and there is room for {room}; it is damaged, export it again")
+            raise MeshError(
+                f"{what} is said to be {n}, and there is space for {room}; it is damaged, export it again"
+            )
         return int(n)
 
     def bytes(self, what: str, most: int) -> bytes:
-        """Read a length and so many bytes."""
+        """Read a length and as many bytes."""
         n = self.count(f"the length of {what}", most, 1)
         self._at += n
         return self._content[self._at - n : self._at]

@@ -103,7 +103,7 @@ class _Lines:
         room = min(most, (self._size - self._text.tell()) // SHORTEST_ROW + 1)
         if int(word) > room:
             raise MeshError(
-                f"line {self._number}: '{caption}' is said to be {word}, and there is room for {room}; correct it"
+                f"line {self._number}: '{caption}' is said to be {word}, and there is space for {room}; correct it"
             )
         return int(word)
 

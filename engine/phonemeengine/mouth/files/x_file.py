@@ -70,7 +70,9 @@ class Tokenizer:
         n = self.whole(most)
         room = (len(self._text) - self._at) // (SHORTEST_NUMBER * numbers_each) + 1
         if n > room:
-            raise MeshError(f"{self.place}: {n} entries are announced, and there is room for {room}; export it again")
+            raise MeshError(
+                f"{self.place}: {n} entries are announced, and there is space for {room}; export it again"
+            )
         return n
 
     def numbers(self, n: int, width: int) -> Float64Array:

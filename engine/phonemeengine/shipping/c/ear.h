@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * ear: hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them.
+ * ear: recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them.
  *
  * C99; needs nothing but the standard library. A preset that was calibrated with PhonemeAnalyser comes as the bytes of
  * an .ear file (read it, link it in, download it: this library opens no file). An ear_model is made of them once; any
- * number of ears listen with it, each to one stream of sound. Nothing is global, and nothing is allocated after an
- * ear was opened: ear_push may be called in an audio callback.
+ * number of recognisers (type ear) share it, each for one stream of sound. Nothing is global, and nothing is allocated
+ * after ear_open: ear_push may be called in an audio callback.
  *
  *     ear_model *model;
  *     ear *listener;
@@ -16,8 +16,8 @@
  *     ear_push(listener, samples, 480, frames, sizeof frames / sizeof *frames, &n);
  *     for (k = 0; k < n; k++) printf("%s\n", ear_phoneme_name(frames[k].phoneme));
  *
- * Threads: a model is only read once it is open, so ears of one model may live on threads of their own. One ear, or
- * one mouth, belongs to one thread at a time.
+ * Threads: an open model is only read, so recognisers of one model may run on threads of their own. A recogniser, and a
+ * mouth, belongs to one thread at a time.
  *
  * Where a function takes `memory`, it may be NULL: then the memory is allocated, and freed by the close. Else it is
  * the caller's, at least as many bytes as the function that ends in _size says, aligned as malloc aligns, and stays
@@ -49,7 +49,7 @@ enum {
     EAR_VISEME_SIL, EAR_VISEME_PP, EAR_VISEME_FF, EAR_VISEME_TH, EAR_VISEME_DD, EAR_VISEME_KK, EAR_VISEME_CH,
     EAR_VISEME_SS, EAR_VISEME_NN, EAR_VISEME_RR, EAR_VISEME_AA, EAR_VISEME_E, EAR_VISEME_IH, EAR_VISEME_OH,
     EAR_VISEME_OU,
-    EAR_NO_VISEME = 255 /* nobody knows: the preset hears no visemes, and the phoneme has several */
+    EAR_NO_VISEME = 255 /* unknown: the preset recognises no visemes, and the phoneme has several */
 };
 
 /* What a function returns; ear_error_text says it in a sentence. */
@@ -75,7 +75,7 @@ typedef struct {
     int32_t viseme;             /* EAR_VISEME_SIL to EAR_VISEME_OU or one of the model's own, or EAR_NO_VISEME */
     float intensity;            /* how loud, 0..1; 0 in silence */
     float confidence;           /* the share of such answers that are right, 0..1; NaN where nobody knows */
-    float scores[EAR_PHONEMES]; /* how likely each phoneme is, before calming; all 0 with rules, which name one only */
+    float scores[EAR_PHONEMES]; /* how likely each phoneme is, before smoothing; all 0 with rules, which name one only */
 } ear_frame;
 
 /* At least as many frames as come of n samples at a rate, at once. */
@@ -106,7 +106,7 @@ EAR_API int ear_model_look_ahead(const ear_model *model);
 EAR_API int ear_model_visemes(const ear_model *model);
 EAR_API const char *ear_model_viseme(const ear_model *model, int viseme);
 
-/* -- An ear: follows one sound, mono, float, full scale +-1, at any rate of 1..768 kHz. -- */
+/* -- A recogniser of one stream: mono, float, full scale +-1, at any rate of 1..768 kHz. -- */
 
 EAR_API int ear_size(const ear_model *model, uint32_t rate, size_t *size);
 EAR_API int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t size, ear **listener);

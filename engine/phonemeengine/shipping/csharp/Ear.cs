@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: the functions of ear.h.
+// Recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them: the functions of ear.h.
 //
-// A model may be listened with by any number of ears, each on a thread of its own. An ear, and a mouth, belongs to one
-// thread at a time. Push and Weights allocate nothing, so the thread of the sound may call them. What was disposed of,
-// or whose model was, throws an ObjectDisposedException.
+// Any number of recognisers (Ear) share a model, each on a thread of its own. A recogniser, and a mouth, belongs to one
+// thread at a time. Push and Weights allocate nothing, so the audio thread may call them. An object that was disposed
+// of, or whose model was, throws an ObjectDisposedException.
 
 using System;
 using System.Collections.Generic;
@@ -15,7 +15,7 @@ namespace PhonemeEar
     /// <summary>What a frame can be.</summary>
     public enum Phoneme { Silence, Unidentified, Sz, Sch, M, P, I, A, E, U, O }
 
-    /// <summary>What lips and tongue show; None where nobody knows.</summary>
+    /// <summary>What lips and tongue show; None where it is unknown.</summary>
     public enum Viseme { Sil, PP, FF, TH, DD, KK, CH, SS, NN, RR, AA, E, IH, OH, OU, None = 255 }
 
     /// <summary>What cannot be done, in a sentence.</summary>
@@ -128,7 +128,7 @@ namespace PhonemeEar
         }
     }
 
-    /// <summary>Listens to one sound, mono, +-1, at any rate of 1..768 kHz.</summary>
+    /// <summary>Recognises one stream of sound, mono, +-1, at any rate of 1..768 kHz.</summary>
     public sealed class Ear : IDisposable
     {
         private IntPtr handle;
@@ -163,7 +163,7 @@ namespace PhonemeEar
             return (int)count;
         }
 
-        /// <summary>The sound is over: give its last frames, at most 32. Then the ear is as new.</summary>
+        /// <summary>The sound is over: give its last frames, at most 32. Then the recogniser is as new.</summary>
         public int Finish(Frame[] frames)
         {
             Native.Check(Native.ear_finish(Handle, frames, (UIntPtr)frames.Length, out var count));

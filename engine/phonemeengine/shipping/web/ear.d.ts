@@ -29,7 +29,7 @@ export function readFrame(bytes: Uint8Array): Frame;
 /** Fetch the module (ear.wasm) and a preset (preset.ear), and open them. */
 export function loadModel(wasm: string | URL, preset: string | URL): Promise<EarModel>;
 
-/** A preset, with the memory of all that listens with it. */
+/** A preset, with the memory of its recognisers. */
 export class EarModel {
   /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file. */
   constructor(module: WebAssembly.Module, preset: Uint8Array);
@@ -42,19 +42,19 @@ export class EarModel {
   readonly visemes: readonly string[];
   /** The names of its mouth tables. */
   readonly tables: readonly string[];
-  /** Open an ear that listens to one sound of a sample rate, 1000..768000 Hz. */
+  /** Open a recogniser for one stream of a sample rate, 1000..768000 Hz. */
   ear(rate: number): Ear;
-  /** What a worklet of your own needs to listen at a sample rate; see ear-worklet.js. */
+  /** What a worklet of your own needs to recognise at a sample rate; see ear-worklet.js. */
   forWorklet(rate: number): WorkletOptions;
   /** Open a mouth that moves by a table; equal seeds make equal mouths. */
   mouth(table: string, seed?: number): Mouth;
   /** The blend shapes that a table moves. */
   movestates(table: string): string[];
-  /** The name of the shape that a table has for what was heard, such as "B". */
+  /** The name of the shape that a table has for a frame, such as "B". */
   shapeOf(table: string, heard: Pick<Frame, "phoneme" | "viseme">): string;
 }
 
-/** The module, and a memory in which an ear is open: `ear` and what follows are places in it, `room` is in frames. */
+/** The module, and a memory in which a recogniser is open: `ear` and what follows are places in it, `room` is in frames. */
 export interface WorkletOptions {
   readonly module: WebAssembly.Module;
   readonly memory: ArrayBuffer;
@@ -67,18 +67,18 @@ export interface WorkletOptions {
   readonly count: number;
 }
 
-/** Listens to one sound; made by EarModel.ear. Once it is closed, it throws an EarError. */
+/** Recognises one stream of sound; made by EarModel.ear. Once it is closed, it throws an EarError. */
 export class Ear {
   private constructor();
-  /** From the middle of a frame to when it is known, on the average, seconds. */
+  /** Mean time from the middle of a frame until it is recognised, seconds. */
   readonly latency: number;
   /** The bytes of the frames that `take` found, for readFrame. */
   readonly slots: readonly Uint8Array[];
-  /** Take samples, at most 4096 (more throw an EarError), and return how many frames became known. Allocates nothing. */
+  /** Take samples, at most 4096 (more throw an EarError), and return how many frames were recognised. Allocates nothing. */
   take(samples: Float32Array): number;
-  /** Take samples, as many as you like, and return the frames that became known. */
+  /** Take samples, as many as you like, and return the frames that were recognised. */
   push(samples: Float32Array): Frame[];
-  /** The sound is over: return its last frames. Then the ear is as new. */
+  /** The sound is over: return its last frames. Then the recogniser is as new. */
   finish(): Frame[];
   /** Forget the sound, and begin another one. */
   reset(): void;
@@ -90,7 +90,7 @@ export class Ear {
 export class Mouth {
   private constructor();
   readonly movestates: readonly string[];
-  /** Take what is heard from a time on, seconds of a clock of yours, which never goes back. */
+  /** Take a frame that holds from a time on, seconds of a clock of yours, which never goes back. */
   hear(time: number, heard: Pick<Frame, "phoneme" | "viseme" | "intensity">): void;
   /** The weights of its movestates at a time, 0..1; times never go back. */
   weights(time: number): Float32Array;
@@ -98,14 +98,14 @@ export class Mouth {
   close(): void;
 }
 
-/** Listens in the thread of the sound; made by earNode. */
+/** Recognises in the audio thread; made by earNode. */
 export interface EarNode extends AudioWorkletNode {
-  /** Stop listening, and let go of the node and its memory. */
+  /** Stop, and release the node and its memory. */
   close(): void;
 }
 
 /**
- * Make a node that listens in the thread of the sound. Connect a source to it; it is silent itself.
+ * Make a node that recognises in the audio thread. Connect a source to it; it is silent itself.
  * `hear` is called with each frame, in the thread of the page. `worklet`: the address of ear-worklet.js, for pages whose
  * security policy forbids scripts from blob: addresses.
  */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 /*
- * Hears phonemes and visemes in speech, every 10 ms, and moves a mouth by them: ear.wasm, with a preset.
+ * Recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them: ear.wasm, with a preset.
  *
  *     const model = await loadModel("ear.wasm", "preset.ear");
  *     const context = new AudioContext();
@@ -49,7 +49,7 @@ async function fetchBytes(place) {
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-/** A preset, with the memory of all that listens with it. */
+/** A preset, with the memory of its recognisers. */
 export class EarModel {
   #c;
   #model;
@@ -75,7 +75,7 @@ export class EarModel {
     this.tables = this.#list(this.#c.ear_table_count(this.#model), (k) => this.#c.ear_table_name(this.#model, k));
   }
 
-  /** Open an ear that listens to one sound of a sample rate. */
+  /** Open a recogniser for one stream of a sample rate. */
   ear(rate) {
     const { ear, room, ...buffers } = this.#opened(rate);
     return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code));
@@ -142,7 +142,7 @@ export class EarModel {
 
   #allocate(n) {
     const place = this.#c.malloc(n);
-    if (!place) throw new EarError("there is not enough memory left for an ear; close another page");
+    if (!place) throw new EarError("there is not enough memory left for a recogniser; close another page");
     return place;
   }
 
@@ -162,7 +162,7 @@ export class EarModel {
   }
 }
 
-/** Listens to one sound; made by EarModel.ear. */
+/** Recognises one stream of sound; made by EarModel.ear. */
 export class Ear {
   #c;
   #ear;
@@ -186,7 +186,7 @@ export class Ear {
   /** Take samples, at most 4096, and return how many frames became known; their bytes lie in `slots`. Allocates nothing. */
   take(samples) {
     if (samples.length > MOST_SAMPLES) {
-      throw new EarError(`take hears at most ${MOST_SAMPLES} samples at once, got ${samples.length}; push takes any number`);
+      throw new EarError(`take accepts at most ${MOST_SAMPLES} samples at once, got ${samples.length}; push takes any number`);
     }
     checkOpen(this.#ear, "ear");
     if (this.#memory !== this.#c.memory.buffer) this.#look();
@@ -284,7 +284,7 @@ function checkOpen(handle, name) {
 let workletPlace; // one for all nodes: a browser runs each address once
 
 /**
- * Make a node that listens in the thread of the sound. Connect a source to it; it is silent itself.
+ * Make a node that recognises in the audio thread. Connect a source to it; it is silent itself.
  * `hear` is called with each frame, in the thread of the page. `close()` ends the node. `worklet`: the address of
  * ear-worklet.js, for pages whose security policy forbids scripts from blob: addresses.
  */
@@ -310,7 +310,7 @@ export async function earNode(context, model, hear, worklet) {
   return node;
 }
 
-/** Ask for a microphone as it is: what browsers do for calls hides what an ear needs. */
+/** Ask for a microphone as it is: what browsers do for calls removes what recognition needs. */
 export async function openMicrophone() {
   if (!navigator.mediaDevices) {
     throw new EarError("only pages from https or localhost may use a microphone; open this page from there");

@@ -127,8 +127,8 @@ function draw(milliseconds) {
 
 function tell({ phoneme, viseme, confidence }) {
   element("phoneme").textContent = model.phonemes[phoneme];
-  const sure = Number.isNaN(confidence) ? "" : ` ${Math.round(100 * confidence)} % sure`;
-  element("viseme").textContent = `${viseme === NO_VISEME ? "" : model.visemes[viseme]}${sure}`;
+  const known = Number.isNaN(confidence) ? "" : ` confidence ${Math.round(100 * confidence)} %`;
+  element("viseme").textContent = `${viseme === NO_VISEME ? "" : model.visemes[viseme]}${known}`;
 }
 
 /* Lengthen the last row of the table, or begin a new one. */

@@ -50,7 +50,7 @@ class PinyinMouth:
         return self._eased(time) if self._spring is None else self._spring.at(time)
 
     def head(self, time: float) -> None:
-        """Leave the head to what is heard."""
+        """Let the head follow the sound."""
 
     def _eased(self, time: float) -> Float32Array:
         begun = bisect_right(self._starts, time)

@@ -33,7 +33,7 @@ class PlanKind(StrEnum):
 
 @dataclass(frozen=True)
 class PlanRow:
-    """A stretch of a plan.
+    """An interval of a plan.
 
     Attributes
     ----------
@@ -126,7 +126,7 @@ def pause_unit(table: PinyinTable, rate: float) -> float:
 
 @dataclass(frozen=True)
 class SaidPart:
-    """A word or a pause of a text that nobody speaks, with its times.
+    """A word or a pause of a text without a voice, with its times.
 
     Attributes
     ----------
@@ -174,7 +174,7 @@ def length_of(phone: str) -> float:
 
 
 def _timed_word(written: WrittenWord, at: float, rate: float) -> tuple[Word, float]:
-    """Return a word that begins after so many syllables, and after how many it ends."""
+    """Return a word that begins after this many syllables, and after how many it ends."""
     syllables = []
     for syllable in written.syllables:
         phones = []
@@ -264,7 +264,7 @@ class SentencePlanner:
         return _rows_of(words, start, end, self._row_of, lambda _, n_words: marks.get(n_words, ""))
 
     def _marks_in(self, text: str, words: Sequence[Word]) -> dict[int, str]:
-        """Return the mark after so many words of a sentence."""
+        """Return the mark after this many words of a sentence."""
         full = FULL_FORMS if any(map(says_pinyin, words)) else {}
         marks: dict[int, str] = {}
         n_words = 0
@@ -282,7 +282,7 @@ def _rows_of(
 ) -> Iterator[PlanRow]:
     """Return a row for each syllable of pinyin, each phone of what else is said, and each pause.
 
-    `mark_of` gives the mark after so many syllables of pinyin and so many words.
+    `mark_of` gives the mark after a number of syllables of pinyin and of words.
     """
     n_syllables = n_words = 0
     for word in words:
@@ -310,7 +310,7 @@ def _syllables_of(word: Word) -> Iterator[tuple[str, Syllable]]:
 
 
 def _marks_of(script: Sequence[Written], n_syllables: int) -> dict[int, str]:
-    """Return the mark after so many syllables."""
+    """Return the mark after this many syllables."""
     marks: dict[int, str] = {}
     n_written = 0
     for item in script:

@@ -1,4 +1,4 @@
-"""Chinese text, or what somebody says, as the track of a mouth: one call for whoever shows, plays or writes it."""
+"""Chinese text, or a spoken recording of it, as the track of a mouth: one call to show, play or write it."""
 
 from dataclasses import dataclass
 
