@@ -281,10 +281,11 @@ def _run(app: QApplication, file: Path | None, demo: Path, preset: Path | None, 
     desktop = Desktop(app, settings)
     dialogs, unsaved = desktop.window.dialogs, UnsavedChanges(desktop.preset, _data_folder(), settings)
     keeper = SessionKeeper(app, desktop.save, unsaved)
-    dialogs.restore_preset()
-    dialogs.restore_unsaved(unsaved)
+    dialogs.presets.restore()
+    dialogs.presets.restore_unsaved(unsaved)
     if preset is not None:
-        dialogs.load_preset(preset)
+        dialogs.presets.load(preset)
+    desktop.session.curves.keep_in(_data_folder() / "averaged spectra")
     desktop.demo = demo
     begin = partial(_begin, desktop, file, dialogs.last_sound() or demo, channel)
     FirstPaint(desktop.window).painted.connect(begin)
@@ -359,7 +360,9 @@ def screenshot(
         finally:
             desktop.close()
     if not saved:
-        raise EngineError(tr("{out}: the picture cannot be written; choose another place with -o").format(out=out))
+        raise EngineError(
+            tr("{out}: the picture could not be written; choose another location with -o").format(out=out)
+        )
 
 
 def _follow(session: Session, file: Path, at: float | None, channel: Channel) -> None:
@@ -385,5 +388,5 @@ def _report_bug(log: Path, kind: type[BaseException], error: BaseException, trac
         QMessageBox.critical(
             None,
             "PhonemeAnalyser",
-            tr("Something went wrong in the program itself; the details are in {log}.").format(log=log),
+            tr("Internal error. Details are in {log}; send that file with your report.").format(log=log),
         )

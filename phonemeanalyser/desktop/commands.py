@@ -11,20 +11,22 @@ from PySide6.QtWidgets import QMenu, QWidget
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
 from phonemeanalyser.desktop.analyse.lanes.selection_dialogs import SelectionDialogs
 from phonemeanalyser.desktop.analyse.page import AnalysisPage
+from phonemeanalyser.desktop.analyse.score.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.transport.transport import SPEEDS, next_speed
 from phonemeanalyser.desktop.dialogs import Dialogs
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import LANGUAGES, SYSTEM, tr, tr_noop
 from phonemeanalyser.desktop.menus import Command, Menus
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import A, PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 
-Commands = tuple[Command, ...]
+Commands = tuple[Command | None, ...]
 PRESET_COMMANDS = (
-    tr_noop("Load Preset…"),
     tr_noop("Save Preset"),
     tr_noop("Save Preset As…"),
     tr_noop("Preset Notes…"),
@@ -32,37 +34,44 @@ PRESET_COMMANDS = (
 PAGES = (tr_noop("Analyse"), tr_noop("Calibrate"), tr_noop("Talk"))
 
 
-def file_commands(dialogs: Dialogs) -> Commands:
+def file_commands(dialogs: Dialogs, choose_preset: Callable[[], object]) -> Commands:
     """Return what opens and saves files."""
     return (
-        Command(tr_noop("Open Sound…"), "Ctrl+O", dialogs.ask_sound),
-        Command(tr_noop("Save the Phonemes…"), "Ctrl+E", dialogs.ask_save_phonemes),
+        Command(tr_noop("Open Audio File…"), "Ctrl+O", dialogs.ask_sound),
+        Command(tr_noop("Save Phonemes…"), "Ctrl+E", dialogs.ask_save_phonemes),
         Command(tr_noop("Export…"), "Ctrl+Shift+E", dialogs.show_export),
-        Command(tr_noop("Load Preset…"), "Ctrl+Shift+O", dialogs.ask_preset),
-        Command(tr_noop("Save Preset"), "Ctrl+S", dialogs.save),
-        Command(tr_noop("Save Preset As…"), "Ctrl+Shift+S", dialogs.save_as),
-        Command(tr_noop("Preset Notes…"), "Ctrl+N", dialogs.ask_notes),
-        Command(tr_noop("Ship Preset…"), "", dialogs.show_ship),
-        Command(tr_noop("Speech Encoder…"), "", dialogs.show_encoder),
-        Command(tr_noop("Load Curve…"), "Ctrl+L", dialogs.ask_curves),
-        Command(tr_noop("Save Curve…"), "Ctrl+Shift+L", dialogs.ask_save_curve),
+        None,
+        Command(tr_noop("Load Preset…"), "Ctrl+Shift+O", choose_preset),
+        Command(tr_noop("Save Preset"), "Ctrl+S", dialogs.presets.save),
+        Command(tr_noop("Save Preset As…"), "Ctrl+Shift+S", dialogs.presets.save_as),
+        Command(tr_noop("Preset Notes…"), "Ctrl+N", dialogs.presets.ask_notes),
+        None,
+        Command(tr_noop("Ship Preset…"), "", dialogs.presets.show_ship),
+        Command(tr_noop("Speech Encoder…"), "", dialogs.presets.show_encoder),
+        None,
+        Command(tr_noop("Load Curve…"), "Ctrl+L", dialogs.curves.ask_load),
+        Command(tr_noop("Save Curve…"), "Ctrl+Shift+L", dialogs.curves.ask_save),
+        None,
     )
 
 
 def play_commands(session: Session) -> Commands:
-    """Return what moves the sound in hand."""
+    """Return what plays the current sound."""
     playback = session.playback
     return (
-        Command(tr_noop("Play or Pause"), "Space", session.toggle),
+        Command(tr_noop("Play/Pause"), "Space", session.toggle),
         Command(tr_noop("Stop"), "Escape", session.stop),
         Command(tr_noop("Loop"), "L", playback.set_loop, checkable=True),
-        Command(tr_noop("Back 1 s"), "Ctrl+Left", lambda: session.seek(session.source.position - 1), repeats=True),
-        Command(
-            tr_noop("Forward 1 s"), "Ctrl+Right", lambda: session.seek(session.source.position + 1), repeats=True
-        ),
-        Command(tr_noop("To the Beginning"), "Home", lambda: session.seek(0)),
-        Command(tr_noop("To the End"), "End", lambda: session.seek(session.source.duration)),
+        None,
+        Command(tr_noop("Back 1 s"), "Ctrl+Left", partial(session.step, -1.0), repeats=True),
+        Command(tr_noop("Forward 1 s"), "Ctrl+Right", partial(session.step, 1.0), repeats=True),
+        Command(tr_noop("Back 10 ms"), "Shift+Left", partial(session.step, -FRAME_PERIOD), repeats=True),
+        Command(tr_noop("Forward 10 ms"), "Shift+Right", partial(session.step, FRAME_PERIOD), repeats=True),
+        Command(tr_noop("Go to Start"), "Home", lambda: session.seek(0)),
+        Command(tr_noop("Go to End"), "End", lambda: session.seek(session.source.duration)),
+        None,
         Command(tr_noop("Louder"), "Ctrl+Up", lambda: playback.set_volume(playback.volume + 3), repeats=True),
+        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: playback.set_volume(playback.volume - 3), repeats=True),
         Command(
             tr_noop("Slower"),
             "Ctrl+Shift+Left",
@@ -75,22 +84,24 @@ def play_commands(session: Session) -> Commands:
             lambda: playback.set_speed(next_speed(playback.speed, SPEEDS[::-1])),
             repeats=True,
         ),
-        Command(tr_noop("Quieter"), "Ctrl+Down", lambda: playback.set_volume(playback.volume - 3), repeats=True),
     )
 
 
-def selection_commands(selection: Selection, dialogs: SelectionDialogs) -> Commands:
+def selection_commands(selection: Selection, dialogs: SelectionDialogs, average: Callable[[], object]) -> Commands:
     """Return what is done with the selected part of a file."""
     return (
         Command(tr_noop("Select All"), "Ctrl+A", selection.select_all),
-        Command(tr_noop("Zoom to the Whole File"), "Shift+A", selection.show_all),
+        Command(tr_noop("Zoom to Entire File"), "Shift+A", selection.show_all),
+        Command(tr_noop("Zoom to Selection"), "Shift+Z", selection.zoom),
+        None,
         Command(tr_noop("Play Selection"), "Shift+Space", selection.play),
         Command(tr_noop("Loop Selection"), "Shift+L", lambda: selection.play(loop=True)),
-        Command(tr_noop("Zoom to Selection"), "Shift+Z", selection.zoom),
+        None,
         Command(tr_noop("Measure Selection"), "Shift+M", selection.measure),
-        Command(tr_noop("Average Its Spectrum"), "", selection.average),
-        Command(tr_noop("Copy Its Frames as a Table"), "Ctrl+Shift+C", dialogs.copy_frames),
-        Command(tr_noop("Save Selection as Sound…"), "", dialogs.ask_save),
+        Command(tr_noop("Average Spectrum"), "", average),
+        Command(tr_noop("Copy Frames as Table"), "Ctrl+Shift+C", dialogs.copy_frames),
+        None,
+        Command(tr_noop("Save Selection as Audio File…"), "", dialogs.ask_save),
     )
 
 
@@ -103,12 +114,17 @@ def add_selection_menu(
     pictures: Dialogs,
 ) -> None:
     """List what is done with the selected part of a file in the menu bar, and in the menu of its view."""
-    menu = menus.add(tr("&Selection"), *selection_commands(selection, dialogs))
-    takes = menu.addMenu(tr("Use as a Take of"))
+    menu = menus.add(tr("&Selection"), *selection_commands(selection, dialogs, pictures.curves.add_selection))
+    takes = menu.addMenu(tr("Use as Take of"))
     for phoneme in KEYS:
-        takes.addAction(phoneme.label, partial(use_as_take, phoneme))
+        if phoneme is Phoneme.I:  # consonants above, vowels below
+            takes.addSeparator()
+        takes.addAction(sound_name(phoneme), partial(use_as_take, phoneme))
     view.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
     view.addActions(menu.actions())
+    separator = QAction(view)
+    separator.setSeparator(True)
+    view.addAction(separator)
     for words, act in (
         (tr("Copy Picture"), lambda: QGuiApplication.clipboard().setPixmap(view.grab())),
         (tr("Save Picture…"), lambda: pictures.ask_save_picture(view, "file")),
@@ -139,37 +155,90 @@ def label_commands(labels: LabelDialogs) -> Commands:
     return (
         Command(tr_noop("Next Error"), "N", labels.next_error, repeats=True),
         Command(tr_noop("Previous Error"), "Shift+N", partial(labels.next_error, back=True), repeats=True),
-        Command(tr_noop("Insert Label…"), "Ctrl+I", labels.ask_insert),
-        Command(tr_noop("Rename Label…"), "F2", labels.ask_rename),
+        None,
+        Command(tr_noop("Insert Label"), "Ctrl+I", labels.ask_insert),
+        Command(tr_noop("Rename Label"), "F2", labels.ask_rename),
         Command(tr_noop("Delete Label"), "Delete", labels.delete),
+        Command(tr_noop("Split Label at Cursor (Enter)"), "", labels.split),
+        Command(tr_noop("Merge with Next Label"), "Ctrl+J", labels.merge),
+        Command(tr_noop("Merge with Previous Label"), "Ctrl+Shift+J", partial(labels.merge, back=True)),
+        None,
+        Command(tr_noop("Next Label"), "Alt+Right", partial(labels.choose, step=1), repeats=True),
+        Command(tr_noop("Previous Label"), "Alt+Left", partial(labels.choose, step=-1), repeats=True),
+        Command(tr_noop("Tier Below"), "Alt+Down", partial(labels.choose, tiers=1)),
+        Command(tr_noop("Tier Above"), "Alt+Up", partial(labels.choose, tiers=-1)),
+        Command(tr_noop("Start Label at Cursor"), "F3", partial(labels.set_edge, end=False)),
+        Command(tr_noop("End Label at Cursor"), "F4", partial(labels.set_edge, end=True)),
+        None,
         Command(tr_noop("Tiers…"), "", labels.ask_tiers),
+        None,
         Command(tr_noop("Load Labels…"), "", labels.ask_load),
         Command(tr_noop("Save Labels"), "Ctrl+Alt+S", labels.save),
         Command(tr_noop("Save Labels As…"), "", labels.ask_save_as),
     )
 
 
+def connect_score(score: ScoreStrip, show_page: Callable[[int], None], labels: LabelDialogs) -> None:
+    """Have the buttons of a score without labels lead to where labels come from."""
+    pages = {name: k for k, name in enumerate(PAGES)}
+    score.takes_asked.connect(lambda: show_page(pages["Calibrate"]))
+    score.labels_asked.connect(labels.ask_load)
+    score.script_asked.connect(lambda: show_page(pages["Talk"]))
+
+
 def record_commands(session: Session, dialogs: Dialogs) -> Commands:
     """Return what belongs to the microphone."""
     return (
         Command(tr_noop("Record"), "R", dialogs.record),
-        Command(tr_noop("Look Back"), "Ctrl+B", session.look_back, checkable=True),
+        Command(tr_noop("Show History"), "Ctrl+B", session.look_back, checkable=True),
+        None,
         Command(tr_noop("Recordings Folder…"), "", dialogs.ask_recordings_folder),
-        Command(tr_noop("Look for Microphones"), "F5", session.microphone.refresh_devices),
-        Command(tr_noop("Measure the Latency by Clicks"), "Ctrl+M", dialogs.measure_latency),
+        Command(tr_noop("Rescan Audio Devices"), "F5", session.microphone.refresh_devices),
+        None,
+        Command(tr_noop("Measure Latency with Clicks"), "Ctrl+M", dialogs.measure_latency),
     )
 
 
-def analysis_commands(session: Session, preset: PresetModel, dialogs: Dialogs) -> Commands:
+def analysis_commands(
+    session: Session,
+    preset: PresetModel,
+    dialogs: Dialogs,
+    mark: Callable[[], object],
+    choose_other: Callable[[], object],
+) -> Commands:
     """Return what belongs to filters and results."""
     return (
         Command(tr_noop("Bypass All Filters"), "B", preset.set_bypassed, checkable=True),
-        Command(tr_noop("Second Preset…"), "", dialogs.ask_second_preset),
-        Command(tr_noop("Keep This One as the Second"), "", lambda: session.second.take(preset.preset)),
-        Command(tr_noop("Hear with the Second"), "X", session.second.switch, checkable=True),
-        Command(tr_noop("Forget the Second"), "", lambda: session.second.take(None)),
-        Command(tr_noop("Clear"), "C", session.clear),
+        None,
+        Command(tr_noop("New Variable…"), "V", mark),
         Command(tr_noop("Remove Variable…"), "", dialogs.ask_remove_variable),
+        None,
+        Command(tr_noop("Choose Preset B…"), "Ctrl+Shift+B", choose_other),
+        Command(tr_noop("Set Current as B"), "", lambda: dialogs.presets.set_other(preset.document)),
+        Command(tr_noop("Switch between A and B"), "X", preset.switch),
+        Command(tr_noop("Clear B"), "", dialogs.presets.clear_second),
+        None,
+        Command(tr_noop("Clear"), "C", session.clear),
+    )
+
+
+def allow_second(menus: Menus, preset: PresetModel) -> None:
+    """Allow what can be done with A and B now."""
+    menus.actions["Set Current as B"].setEnabled(preset.letter == A)
+    menus.actions["Clear B"].setEnabled(preset.other is not None)
+
+
+def help_commands(*acts: Callable[[], object]) -> Commands:
+    """Return what helps: keys, What Is This?, manual, first steps, licences and About are done by `acts`."""
+    keys, what, manual, first_steps, licences, about = acts
+    return (
+        Command(tr_noop("Keyboard Shortcuts"), "F1", keys),
+        Command(tr_noop("What Is This?"), "Shift+F1", what),
+        Command(tr_noop("Manual"), "Ctrl+F1", manual),
+        Command(tr_noop("First Steps…"), "", first_steps),
+        None,
+        Command(tr_noop("Licences"), "", licences),
+        Command(tr_noop("About PhonemeAnalyser"), "", about),
     )
 
 
@@ -177,6 +246,7 @@ def view_commands(show_page: Callable[[int], None], analysis: AnalysisPage) -> C
     """Return what chooses what is seen, and how."""
     return (
         *(Command(name, f"Ctrl+{k + 1}", partial(show_page, k)) for k, name in enumerate(PAGES)),
+        None,
         Command(tr_noop("Coarse Display"), "Shift+C", analysis.set_coarse, checkable=True),
         Command(tr_noop("Spectra in dB"), "D", analysis.set_decibels, checkable=True),
     )
@@ -190,8 +260,8 @@ def add_looks(
     use_language: Callable[[str], Any],
 ) -> None:
     """Add the choices of theme and language to a menu."""
-    themes = {"system": tr("system"), "light": tr("light"), "dark": tr("dark")}
-    languages = {SYSTEM: tr("system"), **LANGUAGES}
+    themes = {"system": tr("System"), "light": tr("Light"), "dark": tr("Dark")}
+    languages = {SYSTEM: tr("System"), **LANGUAGES}
     view.addSeparator()
     menus.add_choice(view, tr("Theme"), themes, read(settings, "theme", "system"), use_theme)
     view.addSeparator()

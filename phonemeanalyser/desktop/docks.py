@@ -1,11 +1,11 @@
 """The docks of the window, which are seen beside its first page only."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QTabBar, QWidget
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.widgets.builders import Scrolled, column
@@ -34,6 +34,7 @@ class Docks(QObject):
         self._docks: dict[str, QDockWidget] = {}
         self._away: dict[QDockWidget, int] = {}
         self._in_front: list[QDockWidget] = []
+        window.installEventFilter(self)
 
     def add(self, title: str, area: Qt.DockWidgetArea, *views: QWidget) -> QDockWidget:
         """Add a dock of a title, in English, with views one below the other."""
@@ -48,35 +49,78 @@ class Docks(QObject):
         dock.installEventFilter(self)
         return dock
 
+    def add_behind(self, other: QDockWidget, title: str, *views: QWidget) -> QDockWidget:
+        """Add a dock as a tab behind another one; see `add`."""
+        dock = self.add(title, self._window.dockWidgetArea(other), *views)
+        self._window.tabifyDockWidget(other, dock)
+        other.raise_()
+        return dock
+
+    def show(self, dock: QDockWidget) -> None:
+        """Show a dock, before those that lie at its place."""
+        dock.show()
+        dock.raise_()
+
+    def bring_forward(self, dock: QDockWidget) -> None:
+        """Show a dock before those that hide it, unless the user has closed it."""
+        if not dock.isHidden():
+            dock.raise_()
+
     def laid_out_for(self, width: float, *, stacked: bool) -> None:
-        """Take docks as they are for laid out for a window of so many pixels."""
+        """Take docks as they are as the layout for a window of this many pixels."""
         self._fitted_for, self.stacked = width, stacked
 
-    def fit(self, dock: QDockWidget, on: QDockWidget) -> None:
-        """Put a dock behind one at the other side when the window becomes narrow, and back when it becomes wide."""
+    def fit(self, docks: Sequence[QDockWidget], on: QDockWidget) -> None:
+        """Put the docks at the left behind one at the right when the window becomes narrow, and back when it is wide.
+
+        Parameters
+        ----------
+        docks : those at the left, one behind the other.
+        on : the one at the right.
+        """
         before, width = self._fitted_for, self._window.width()
         self._fitted_for, self._fits = width, True
         if before >= self._narrow > width:
-            self._stack(dock, on)
+            self._stack(docks, on)
         elif self._narrow <= width and before < width:
             if self.stacked:
                 self.stacked = False
-                self._window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, dock)
-            self.resize({seen: w for seen, w in self._wide.items() if not seen.isHidden() and not seen.isFloating()})
+                self._put_left(docks)
+            at_left = max(self._wide.get(dock, 0) for dock in docks)  # they have one place
+            wide = {**self._wide, **dict.fromkeys(docks, at_left)}
+            self.resize({seen: w for seen, w in wide.items() if w and not seen.isHidden() and not seen.isFloating()})
         self._fits = False
 
-    def _stack(self, dock: QDockWidget, on: QDockWidget) -> None:
+    def _stack(self, docks: Sequence[QDockWidget], on: QDockWidget) -> None:
         left, right = Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
-        sides = self._window.dockWidgetArea(dock), self._window.dockWidgetArea(on)
-        if sides != (left, right) or any(d.isHidden() or d.isFloating() for d in (dock, on)):
+        at_left = [dock for dock in docks if self._is_seen_at(dock, left)]
+        if not at_left or not self._is_seen_at(on, right):
             return
         self.stacked = True
-        self._window.tabifyDockWidget(on, dock)
+        for dock in at_left:
+            self._window.tabifyDockWidget(on, dock)
         on.raise_()
         self.resize({on: self._wide.get(on, on.width())})
 
+    def _is_seen_at(self, dock: QDockWidget, side: Qt.DockWidgetArea) -> bool:
+        return self._window.dockWidgetArea(dock) is side and not dock.isHidden() and not dock.isFloating()
+
+    def _put_left(self, docks: Sequence[QDockWidget]) -> None:
+        """Put docks at the left, one behind the other, the first in front."""
+        first, *others = [dock for dock in docks if not dock.isFloating()] or docks
+        self._window.addDockWidget(Qt.DockWidgetArea.LeftDockWidgetArea, first)
+        for dock in others:
+            self._window.tabifyDockWidget(first, dock)
+        first.raise_()
+
     def eventFilter(self, dock: QObject, event: QEvent) -> bool:
-        """Note how wide the user has a dock while there is room for all; while the window grows, that is not he."""
+        """Note how wide the user has a dock while there is room for all; while the window grows, that is not he.
+
+        The tabs of docks that lie behind one another are Qt's, and get a name for screen readers.
+        """
+        if isinstance(event, QChildEvent) and event.polished() and isinstance(event.child(), QTabBar):
+            event.child().setAccessibleName(tr("Tabs of the docks"))  # type: ignore[attr-defined]
+            event.child().setObjectName("DockTabs")
         by_user = self._narrow <= self._window.width() == self._fitted_for and not self._fits
         if event.type() == QEvent.Type.Resize and isinstance(dock, QDockWidget) and by_user and not dock.isFloating():
             self._wide[dock] = dock.width()
@@ -84,8 +128,8 @@ class Docks(QObject):
 
     def end(self) -> None:
         """Look no more: the window closes, and lays its docks out once more while it is destroyed."""
-        for dock in self._docks.values():
-            dock.removeEventFilter(self)
+        for watched in (self._window, *self._docks.values()):
+            watched.removeEventFilter(self)
 
     def prefer(self, widths: Mapping[QDockWidget, int]) -> None:
         """Give some docks other widths, pixels, or what all of them needs; they get these whenever there is room."""
@@ -98,11 +142,17 @@ class Docks(QObject):
         self._window.resizeDocks(list(widths), list(widths.values()), Qt.Orientation.Horizontal)
 
     def switches(self, keys: Mapping[str, str]) -> list[QAction]:
-        """Return what shows and hides each dock, with the keys by the docks' titles."""
-        actions = {title: dock.toggleViewAction() for title, dock in self._docks.items()}
-        for title, action in actions.items():
-            action.setShortcut(keys.get(title, ""))
-        return list(actions.values())
+        """Return what shows and hides each dock, with keys by title; one that lies behind another is raised."""
+        return [self._switch_of(title, dock, keys.get(title, "")) for title, dock in self._docks.items()]
+
+    def _switch_of(self, title: str, dock: QDockWidget, key: str) -> QAction:
+        switch = QAction(tr(title), dock)
+        switch.setCheckable(True)
+        switch.setChecked(not dock.isHidden())
+        switch.setShortcut(key)
+        dock.visibilityChanged.connect(switch.setChecked)
+        switch.triggered.connect(lambda on: self.show(dock) if on else dock.hide())
+        return switch
 
     def put_away(self) -> None:
         """Hide all docks until they are brought back."""

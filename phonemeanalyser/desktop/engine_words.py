@@ -1,9 +1,20 @@
 """Words of the engine that the window shows: it speaks English, and what is listed here is translated."""
 
 import re
-from functools import cache
+from functools import cache, lru_cache
 
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.engine_errors import ERRORS, PARTS
+from phonemeanalyser.desktop.language import language_in_use, tr, tr_noop
+from phonemeengine.phonemes import Phoneme
+
+SOUNDS = {
+    "silence": tr_noop("silence"),
+    "unidentified": tr_noop("unidentified"),
+    "sz": tr_noop("s"),
+    "sch": tr_noop("sh"),
+    "schwa": tr_noop("schwa"),
+}
+"""Phonemes and mouth shapes that the window calls otherwise than files do, by their labels there."""
 
 WORDS = (
     # what is chosen from
@@ -19,6 +30,7 @@ WORDS = (
     tr_noop("sweep"),
     tr_noop("vowel"),
     tr_noop("per window"),
+    tr_noop("amplitude"),
     tr_noop("log-odds"),
     tr_noop("ratio"),
     tr_noop("sum"),
@@ -27,10 +39,16 @@ WORDS = (
     tr_noop("raw"),
     tr_noop("filtered"),
     tr_noop("normalised"),
-    tr_noop("automatic"),
-    tr_noop("letters of pinyin"),
-    tr_noop("recorded faces"),
-    tr_noop("sounds, by the mouth table"),
+    tr_noop("total energy"),
+    tr_noop("highest peak"),
+    tr_noop("mean amplitude"),
+    tr_noop("zero crossings"),
+    tr_noop("volume (peak level)"),
+    tr_noop("pitch (f0)"),
+    tr_noop("Automatic"),
+    tr_noop("Pinyin letters"),
+    tr_noop("Recorded faces"),
+    tr_noop("Phonemes (rules)"),
     tr_noop("Rectangle"),
     tr_noop("Eleven mouth shapes"),
     tr_noop("Five mouth shapes"),
@@ -46,20 +64,20 @@ WORDS = (
     # what a sound can become
     tr_noop("phonemes as a table"),
     tr_noop("phonemes as JSON"),
-    tr_noop("phonemes as a TextGrid of Praat"),
-    tr_noop("phonemes as labels of Audacity"),
-    tr_noop("every frame of 10 ms with all variables, CSV"),
-    tr_noop("every frame of 10 ms with all variables, JSON"),
+    tr_noop("phonemes as a Praat TextGrid"),
+    tr_noop("phonemes as Audacity labels"),
+    tr_noop("all variables every 10 ms, CSV"),
+    tr_noop("all variables every 10 ms, JSON"),
     tr_noop("Audacity label track"),
     tr_noop("weights of 15 visemes"),
-    tr_noop("the head or a face of yours"),
-    tr_noop("curves for Unity, Godot, pages"),
+    tr_noop("the default head or a custom face"),
+    tr_noop("curves for Unity, Godot and web pages"),
     # what a preset is shipped for
-    tr_noop("C99, for programs of all kinds"),
-    tr_noop("the same without the page, as an npm package"),
-    tr_noop("WebAssembly and an AudioWorklet, and a page with a talking head"),
-    tr_noop("a package for Unity: C#, a talking face and a talking sprite"),
-    tr_noop("an add-on for Godot 4 with .NET, with the same two"),
+    tr_noop("C99 source for any program"),
+    tr_noop("the same as an npm package, without the page"),
+    tr_noop("WebAssembly and AudioWorklet, with a page that shows a talking head"),
+    tr_noop("Unity package: C#, a talking face and a talking sprite"),
+    tr_noop("add-on for Godot 4 with .NET, with the same two"),
     # units of an utterance, and of a recorded face
     tr_noop("word"),
     tr_noop("syllable"),
@@ -74,6 +92,7 @@ WORDS = (
     # a measurement
     tr_noop("measure"),
     tr_noop("unit"),
+    tr_noop("amplitude"),
     tr_noop("min"),
     tr_noop("duration"),
     tr_noop("level"),
@@ -84,44 +103,51 @@ WORDS = (
     tr_noop("too noisy"),
     tr_noop("clipped"),
     tr_noop("not silent"),
+    tr_noop("The microphone delivers digital silence, which sets no thresholds; check that it is on and not muted."),
     tr_noop("speaker"),
     tr_noop("take"),
+    tr_noop("part"),
+    # what is wrong with a rule
+    tr_noop("can never hold: two conditions contradict each other"),
+    tr_noop("is never reached: an earlier rule holds wherever this one does"),
+    tr_noop("never holds in the loaded sound"),
+    tr_noop("always holds in the loaded sound: no later rule is reached"),
+    tr_noop("decides no frame of the loaded sound: earlier rules do"),
     # groups of thresholds
     tr_noop("Filters"),
     tr_noop("Silence"),
-    tr_noop("SZ and SCH"),
+    tr_noop("S and SH"),
     tr_noop("A and E"),
     tr_noop("Sounds"),
     tr_noop("Other sounds"),
-    tr_noop("Calm"),
-    tr_noop("what shapes the variables"),
-    tr_noop("all of these, else it is no silence"),
-    tr_noop("SZ if both, SCH if the first only"),
-    tr_noop("all of these"),
-    tr_noop("A if both, E if the first only"),
-    tr_noop("below the first; M if no other"),
-    tr_noop("the likeliest is named"),
-    tr_noop("lower follows faster"),
-    tr_noop("A phoneme stays so long at least. The bar is how long it has been there."),
-    tr_noop("Another phoneme follows only where it is the better one by so much. The bar is by how much it is now."),
-    # the factory presets
+    tr_noop("Smoothing"),
+    tr_noop("affect the variables"),
+    tr_noop("silence if all hold"),
+    tr_noop("S if both hold, SH if only the first"),
+    tr_noop("if all hold"),
+    tr_noop("A if both hold, E if only the first"),
+    tr_noop("below the first limit; M if no other"),
+    tr_noop("the most likely one is recognised"),
+    tr_noop("lower reacts faster"),
+    tr_noop("Shortest time for which a phoneme is shown. The bar shows how long the current one has lasted."),
     tr_noop(
-        "Rules of your own over frequency bands: every comparison shows its margin, and every limit can be dragged."
+        "By how much another phoneme must score higher to replace the current one. The bar shows by how much "
+        "it does now."
     ),
-    tr_noop("A small neural network that heard 122 speakers: the surest one, and it adapts to a voice in a minute."),
-    tr_noop("The nearest of nine mean spectra wins, as in uLipSync; best made from takes of one voice."),
-    tr_noop("The rules of the thesis with hysteresis, on sound that quantising does not fold."),
-    tr_noop("The rules of the thesis with hysteresis: fewer changes."),
-    tr_noop("The rules of the thesis as it describes them: weak, but every step shows."),
+    # the factory presets
     tr_noop("The rules of the thesis with the 21 numbers of a PhonemeData file."),
-    # how it is heard, and listened
+    # the model, and the microphone
+    tr_noop("this preset was trained without this model; choose another preset, such as Learned"),
+    tr_noop("the speech encoder needs onnxruntime, which is not installed; install phonemeanalyser[encoder]"),
+    tr_noop("the model Whisper base is not on this computer; File > Speech Encoder… downloads it"),
     tr_noop("Whisper base and network"),
+    tr_noop(
+        "programs without Python recognise with the preset's small network; the real-time model with the encoder "
+        "needs Python and onnxruntime"
+    ),
     tr_noop("not listening"),
     tr_noop("opening the microphone"),
-    tr_noop("there is no microphone; plug one in, or check that the sound system runs"),
-    tr_noop("sound cannot be played or recorded, since the package sounddevice is missing; pip install sounddevice"),
-    tr_noop("sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"),
-    tr_noop("no sound card: silent, on the clock"),
+    tr_noop("No audio device (silent playback)"),
 )
 """Those that stand alone."""
 SPOKEN = (
@@ -234,21 +260,41 @@ SPOKEN = (
 )
 """Languages of espeak-ng, but for those that are called the same in all languages."""
 SENTENCES = (
-    tr_noop("twin, {seconds} s each way"),
-    tr_noop("encoder and network, {ms} ms ahead"),
-    tr_noop("{recogniser}, {ms} ms ahead"),
-    tr_noop("waiting for the first sound from {microphone}"),
-    tr_noop("nothing comes from {microphone} since {seconds} s; trying again every 2 s"),
-    tr_noop("nothing comes from {microphone}"),
-    tr_noop("{microphone} has gone"),
-    tr_noop("the microphone {name} is not there; choose one of: {names}"),
+    tr_noop("{cause} at {seconds} s of {sound}"),
+    tr_noop("{start} to {end} s of {sound}"),
+    tr_noop("{n} segments of {sound}"),
+    tr_noop("{n} sounds"),
+    # the factory presets
+    tr_noop(
+        "Networks trained on 249 speakers; adapts to a voice in a minute"
+        ": mouth shapes {percent} % on left-out speakers."
+    ),
+    tr_noop(
+        "Rules over frequency bands whose limits can all be dragged: mouth shapes {percent} % on left-out speakers."
+    ),
+    tr_noop("The nearest of nine mean spectra, as in uLipSync: mouth shapes {percent} % on left-out speakers."),
+    tr_noop("The rules of the thesis, whose every step shows: mouth shapes {percent} % on left-out speakers."),
+    tr_noop(
+        "The rules of the thesis with hysteresis, for fewer changes: mouth shapes {percent} % on left-out speakers."
+    ),
+    tr_noop(
+        "The rules of the thesis with hysteresis, without aliasing: mouth shapes {percent} % on left-out speakers."
+    ),
+    tr_noop("{start}, own voice, {day}: mouth shapes {before} to {after} % on held-out speech, changed since"),
+    tr_noop("{start}, own voice, {day}: mouth shapes {before} to {after} % on held-out speech"),
+    tr_noop("{name} (synthetic performer)"),
+    tr_noop("offline, ±{seconds} s of context"),
+    tr_noop("encoder, look-ahead {ms} ms"),
+    tr_noop("{recogniser}, look-ahead {ms} ms"),
+    tr_noop("waiting for a signal from {microphone}"),
+    tr_noop("no signal from {microphone} for {seconds} s; trying again every 2 s"),
+    tr_noop("no signal from {microphone}"),
+    tr_noop("{microphone} was disconnected"),
+    tr_noop("the microphone {name} is not connected; choose one of: {names}"),
     tr_noop("{trouble}; trying again every 2 s"),
-    tr_noop("the sound card cannot be opened ({reason})"),
-    tr_noop("the sound system does not answer ({reason}); check that it runs"),
-    tr_noop("only {n} of {n_played} clicks were heard; turn the loudspeaker up, or move the microphone"),
     tr_noop("{rest}, {n} channels are mixed to one"),
     tr_noop("{rest}, only channel {k} of {n} is used"),
-    tr_noop("{rest}, shorter than one window ({ms} ms), so silence surrounds it"),
+    tr_noop("{rest}, shorter than one window ({ms} ms), padded with silence"),
     tr_noop("add {take}"),
     tr_noop("trim {take}"),
     tr_noop("relabel {take}"),
@@ -258,71 +304,120 @@ SENTENCES = (
     tr_noop("restore {take}"),
     tr_noop("PhonemeData name: {name}, in bins there, in Hz here"),
     tr_noop("PhonemeData name: {name}"),
-    tr_noop("{n} conditions of the rules for {phonemes} compare {variable} with this"),
+    tr_noop("Limit for {variable}; {n} conditions: {phonemes}"),
     tr_noop(
-        "added to the log-odds of {phoneme}: each +1 makes it 2.7 times likelier. The bar is by how much it falls "
-        "short of the likeliest other one: it is named while the bar is left of the handle."
+        "Added to the log-odds of {phoneme}: each +1 makes it 2.7 times more likely. The bar shows by how much it "
+        "trails the most likely other phoneme; it is recognised while the bar is left of the handle."
     ),
-    tr_noop("{room} of the room is called silence, and {speech} of the speech in the takes"),
-    tr_noop("{room} of the room is called silence"),
+    tr_noop("Background noise recognised as silence: {noise}; speech in the takes: {speech}"),
+    tr_noop("Background noise recognised as silence: {noise}"),
+    tr_noop("The background noise was as loud as a voice ({db} dBFS); keep quiet and measure it again."),
+    tr_noop("A sound stood {db} dB above the background noise; keep quiet and measure it again."),
+    tr_noop("The strongest adaptation was rejected, because with it {cost}; a weaker one was chosen."),
+    tr_noop("The strongest adaptation was rejected, because with it {cost}; the preset stays unchanged."),
+    tr_noop("the recogniser {recogniser} has no other model; choose a preset with a network"),
+    tr_noop("{first} and false silence rises from {old} % to {new} %"),
+    tr_noop("{first} and silence recall falls from {old} % to {new} %"),
+    tr_noop("mouth-shape accuracy falls from {old} % to {new} %"),
+    tr_noop("silence recall falls from {old} % to {new} %"),
+    tr_noop("false silence rises from {old} % to {new} %"),
     tr_noop(
-        "Nothing was heard (the loudest part lies at {db} dB); check that the microphone is on and say it again, "
+        "No sound was recorded: the loudest part is at {db} dBFS. Check that the microphone is on and say it again, "
         "louder or closer."
     ),
     tr_noop(
-        "It was too loud for the microphone ({percent}% of the samples are at full scale); say it again, a little "
-        "further from the microphone, or turn its level down."
+        "The recording is clipped: {percent} % of the samples are at full scale. Say it again, a little further from "
+        "the microphone, or turn its level down."
     ),
-    tr_noop("It lasted {seconds} s and should last {least} s or more; say it again and hold it."),
+    tr_noop("The sound lasted only {seconds} s; {least} s or more are needed. Say it again and hold it."),
     tr_noop(
-        "It lies {db} dB above the room and should lie {least} dB above it, and the room is loud ({room} dB); make "
-        "it quieter or come closer to the microphone, and say it again."
-    ),
-    tr_noop(
-        "It lies {db} dB above the room and should lie {least} dB above it; say it again, louder or closer to the "
-        "microphone."
+        "The sound is {db} dB above the background noise, which is loud ({noise} dBFS); {least} dB or more are "
+        "needed. Reduce the noise or move closer to the microphone, and say it again."
     ),
     tr_noop(
-        "It reached {db} dB and should reach {least} dB; say it again, louder or closer, or turn the microphone's "
-        "level up."
+        "The sound is {db} dB above the background noise; {least} dB or more are needed. Say it again, louder or "
+        "closer to the microphone."
     ),
-    tr_noop("The silence lasted {seconds} s and should last {least} s or more; keep quiet for longer."),
     tr_noop(
-        "Something was heard in the silence ({db} dB, where the room has {room} dB); keep quiet and record it again."
+        "The sound reached only {db} dBFS; {least} dBFS or more are needed. Say it again, louder or closer, or turn "
+        "the microphone's level up."
     ),
-    tr_noop("{name}: there is no such file; check its name and folder"),
-    tr_noop("{name}: this is not a sound file that can be read; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A file"),
-    tr_noop("{name}: this kind of file needs the package av, which is not installed; install it with: {command}"),
+    tr_noop("The silence lasted only {seconds} s; {least} s or more are needed. Keep quiet for longer."),
+    tr_noop(
+        "There is a sound of {db} dBFS in the silence, whose background noise is at {noise} dBFS. Keep quiet and "
+        "record it again."
+    ),
+    tr_noop("{why}; until then the small network recognises live sound"),
+    tr_noop("{why}; until then the small network recognises live sound, and it alone learned the voice."),
+    tr_noop("{name}: the speech encoder needs onnxruntime, which is not installed; install phonemeanalyser[encoder]"),
+    tr_noop("{name}: this is not a real-time model, or it is damaged; download it again"),
+    tr_noop("{name}: the preset was calibrated with another real-time model; calibrate it again"),
+    tr_noop("{name}: this is not an audio file that can be read; choose a WAV, AIFF, FLAC, OGG, MP3 or M4A file"),
     tr_noop("{about}, the recording peaks at {peak} dBFS; amplified by {gain} dB for recognition"),
-    tr_noop("{about}, its channels cancel each other out when mixed; channel {number} is turned over"),
-    tr_noop("{about}, only channel {number} of {n} sounds and is used"),
-    tr_noop("{about}, only the channels {numbers} of {n} sound and are mixed"),
+    tr_noop("{about}, its channels cancel each other out when mixed; channel {number} is inverted"),
+    tr_noop("{about}, only channel {number} of {n} has a signal and is used"),
+    tr_noop("{about}, only the channels {numbers} of {n} have a signal and are mixed"),
     tr_noop("{name}; its channels cancel each other out when mixed, so choose one of them"),
-    tr_noop("{name}: it is cut off behind its sound, which is whole"),
-    tr_noop("{name}: its header does not say how long it is; {there} s are there"),
-    tr_noop("{name}: it is cut off: of the {announced} s that its header announces, {there} s are there"),
-    tr_noop("{name}: this is a folder, not a sound file; choose a file in it"),
-    tr_noop("{name}: the file is empty (0 bytes); copy or record it again"),
-    tr_noop("{name}: there are no samples in it; record or export it again"),
-    tr_noop("{name}: reading it is not permitted; change its permissions or copy it"),
+    tr_noop("{name}: the file is truncated after the audio, which is complete"),
+    tr_noop("{name}: the header gives no duration; the file contains {there} s"),
+    tr_noop("{name}: the file is truncated; its header announces {announced} s, but it contains {there} s"),
+    tr_noop("{name} reads 0, since the mel filter bank is off; switch Mel on."),
+    tr_noop("{name} reads 0, since it begins at {low} Hz and the spectrum ends at {end} Hz; quantise less."),
+    tr_noop("{name} reads 0, since no band lies within {low} to {high} Hz; widen its range."),
+    # what a variable measures
+    tr_noop("{variable}, filtered"),
+    tr_noop("{variable}, raw"),
+    tr_noop("{variable}, mel"),
+    tr_noop("energy {range} / all"),
+    tr_noop("energy {range}"),
+    tr_noop("peak {range}"),
+    tr_noop("mean {range}"),
+    tr_noop("probability of {phoneme}"),
+    tr_noop("deficit of {phoneme}"),
 )
 """Those with places for what changes; of two that fit, the first one counts."""
 _PLACE = re.compile(r"\\\{(\w+)\\\}")
+_SOUND = rf"(?:{'|'.join([*SOUNDS, *(phoneme.label for phoneme in Phoneme)])})(?: \d+)?"
+_SOUNDS = rf"(?:[<>] )?{_SOUND}(?:, {_SOUND})*…?"
+_LIST_OF_SOUNDS = re.compile(rf"{_SOUNDS}(?:; {_SOUNDS})*")
+
+
+def sound_name(sound: Phoneme | str) -> str:
+    """Return what the window calls a phoneme or a mouth shape, which may be given by its label in files."""
+    label = sound.label if isinstance(sound, Phoneme) else sound
+    return tr(SOUNDS.get(label, label))
 
 
 def tr_engine(text: str) -> str:
-    """Return what the engine says in the language of the window, as far as it is listed here; else as it is."""
+    """Return what the engine says in the language of the window, as far as it is listed; else as it is."""
+    return _in_language(text, language_in_use())
+
+
+@lru_cache(4096)
+def _in_language(text: str, _language: str) -> str:
+    if _LIST_OF_SOUNDS.fullmatch(text):
+        return re.sub(r"[a-z]+", lambda label: sound_name(label[0]), text)
     found = tr(text)
     if found != text:
         return found
-    for sentence in SENTENCES:
+    for sentence in (*SENTENCES, *ERRORS):
         filled = _pattern(sentence).fullmatch(text)
         if filled is not None:
-            return tr(sentence).format(**{place: tr_engine(words) for place, words in filled.groupdict().items()})
+            put_in = _of_errors if sentence in ERRORS else tr_engine
+            return tr(sentence).format(**{place: put_in(words) for place, words in filled.groupdict().items()})
+    bare = text[:1].lower() + text[1:].removesuffix(".")  # as it is where it stands alone
+    if bare != text and (told := tr_engine(bare)) != bare:
+        return f"{told[:1].upper()}{told[1:]}{text[len(bare) :]}"
     return text
+
+
+def _of_errors(words: str) -> str:
+    """Return what an error has in one of its places: names stay, as they are those of files, columns and keys."""
+    return tr_engine(words) if " " in words or words in PARTS else words
 
 
 @cache
 def _pattern(sentence: str) -> re.Pattern[str]:
-    """Return what a sentence looks like, with anything in its places."""
-    return re.compile(_PLACE.sub(r"(?P<\1>.+?)", re.escape(sentence)), re.DOTALL)
+    """Return what a sentence looks like, with anything in its places, but no file's name amid the first words."""
+    places = _PLACE.sub(r"(?P<\1>.*?)", re.escape(sentence))
+    return re.compile(re.sub(r"^(\(\?P<\w+>)\.\*\?", r"\1(?:(?!: ).)*?", places), re.DOTALL)

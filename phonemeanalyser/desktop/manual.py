@@ -1,4 +1,9 @@
-"""The manual inside the program: the pages of ``docs``, read in a window, and quoted by *What Is This?*."""
+"""The manual inside the program: the pages of ``docs``, read in a window, and quoted by *What Is This?*.
+
+A page is in the language of the window where there is a translation, such as ``docs/de/manual.md``, else in English.
+A translation has the headings and paragraphs of the English page in the same order: links and *What Is This?* name
+the English ones.
+"""
 
 import re
 from functools import cache
@@ -9,12 +14,16 @@ from PySide6.QtCore import Qt, QUrl
 from PySide6.QtGui import QDesktopServices, QTextCursor
 from PySide6.QtWidgets import QDialog, QLineEdit, QListWidget, QTextBrowser, QWidget
 
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import WRITTEN_IN, language_in_use, tr
 from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, named, row
 from phonemeanalyser.licences import licences_text
 
 PAGES = (
     "index",
+    "tune-thresholds",
+    "calibrate-my-voice",
+    "animate-a-recording",
+    "ship-to-a-game",
     "manual",
     "calibrating",
     "recognisers",
@@ -39,6 +48,7 @@ PAGES = (
 SIZE = 980, 640
 """Of the window at first, pixels."""
 LIST_WIDTH = 200
+"""Of the list of pages at least, pixels."""
 
 _PICTURE = re.compile(r"^!\[[^\]]*\]\([^)]*\)\s*$", re.MULTILINE)
 _HEADING = re.compile(r"^#+\s+(.*)$", re.MULTILINE)
@@ -58,13 +68,13 @@ class ManualDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Manual"))
         self.resize(*SIZE)
-        self.pages = named(QListWidget(), tr("pages of the manual"))
+        self.pages = named(QListWidget(), tr("Manual pages"))
         self.pages.addItems([title_of(page) for page in PAGES])
-        self.pages.setFixedWidth(LIST_WIDTH)
-        self.text = named(QTextBrowser(), tr("the page"))
+        self.pages.setFixedWidth(max(LIST_WIDTH, self.pages.sizeHintForColumn(0) + 2 * self.pages.frameWidth()))
+        self.text = named(QTextBrowser(), tr("Page"))
         self.text.setOpenLinks(False)
-        self.field = named(QLineEdit(), tr("search the manual"))
-        self.field.setPlaceholderText(tr("search"))
+        self.field = named(QLineEdit(), tr("Search the manual"))
+        self.field.setPlaceholderText(tr("Search"))
         self.field.setClearButtonEnabled(True)
         self.pages.currentRowChanged.connect(lambda row: self._show(PAGES[row]))
         self.text.anchorClicked.connect(self._follow)
@@ -76,14 +86,13 @@ class ManualDialog(QDialog):
     def show_page(self, link: str) -> None:
         """Show a page, from a heading on where the link names one, such as ``manual.md#the-whole-file``."""
         name, _, anchor = link.partition("#")
-        page = name.removesuffix(".md")
+        page = Path(name).stem
         if page in PAGES:
             self.pages.setCurrentRow(PAGES.index(page))
             self._show(page)
-        headings = _HEADING.findall(page_text(PAGES[self.pages.currentRow()]))
-        heading = next((heading for heading in headings if slug_of(heading) == anchor), "")
+        heading = heading_at(PAGES[self.pages.currentRow()], anchor)
         if heading:
-            self._go_to(_plain(heading))
+            self._go_to(heading)
 
     def _show(self, page: str) -> None:
         self.text.setMarkdown(page_text(page))
@@ -92,7 +101,7 @@ class ManualDialog(QDialog):
     def _follow(self, link: QUrl) -> None:
         if link.scheme():
             QDesktopServices.openUrl(link)
-        elif link.path().removesuffix(".md") in {*PAGES, ""}:
+        elif Path(link.path()).stem in {*PAGES, ""}:
             self.show_page(link.toString())
 
     def _search(self) -> None:
@@ -128,15 +137,21 @@ class LicencesDialog(QDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(tr("Licences"))
         self.resize(*SIZE)
-        text = named(QTextBrowser(), tr("licences of all parts"))
+        text = named(QTextBrowser(), tr("Licences of all components"))
         text.setMarkdown(licences_text())
         column(text, dialog_buttons(self, CLOSE), on=self, margins=None)
 
 
-@cache
 def page_text(page: str) -> str:
     """Return a page as Markdown, without its pictures: they show what the reader has before him."""
-    return _PICTURE.sub("", (docs_folder() / f"{page}.md").read_text("utf-8"))
+    return _text_in(language_in_use(), page)
+
+
+@cache
+def _text_in(language: str, page: str) -> str:
+    translated = docs_folder() / language / f"{page}.md"
+    file = translated if translated.is_file() else docs_folder() / f"{page}.md"
+    return _PICTURE.sub("", file.read_text("utf-8"))
 
 
 def docs_folder() -> Path:
@@ -151,25 +166,33 @@ def title_of(page: str) -> str:
     return _plain(found[1]) if found else page
 
 
+def heading_at(page: str, anchor: str) -> str:
+    """Return the heading of a page that an anchor names, in English or as translated; empty for none."""
+    shown = _HEADING.findall(page_text(page))
+    for headings in (shown, _HEADING.findall(_text_in(WRITTEN_IN, page))):
+        slugs = [slug_of(heading) for heading in headings]
+        if anchor in slugs:
+            return _plain(shown[slugs.index(anchor)])
+    return ""
+
+
 def passage(page: str, term: str) -> str:
     """Return what a page says of a term, as Markdown: the paragraph that begins with it, printed boldly.
 
     Parameters
     ----------
-    term : such as ``Filters``; with ``#`` before it, the first paragraph under that heading.
+    term : in English, such as ``Filters``; with ``#`` before it, the first paragraph under that heading.
 
     Raises
     ------
     KeyError : the page has no such paragraph.
     """
-    blocks = _blocks_of(page_text(page))
-    if term.startswith("#"):
-        for k, block in enumerate(blocks[:-1]):
-            if block.startswith("#") and _plain(block.lstrip("# ")) == term[1:]:
-                return blocks[k + 1]
-    for block in blocks:
+    shown = blocks_of(page_text(page))
+    for k, block in enumerate(blocks_of(_text_in(WRITTEN_IN, page))):
+        if term.startswith("#") and block.startswith("#") and _plain(block.lstrip("# ")) == term[1:]:
+            return shown[k + 1]
         if block.startswith(f"**{term}"):
-            return block
+            return shown[k]
     raise KeyError(f"{page}.md: {term}")
 
 
@@ -178,7 +201,7 @@ def slug_of(heading: str) -> str:
     return _NO_LETTER.sub("", _plain(heading).lower()).strip().replace(" ", "-")
 
 
-def _blocks_of(text: str) -> list[str]:
+def blocks_of(text: str) -> list[str]:
     """Return paragraphs, headings and list items, each as one line."""
     blocks: list[str] = []
     ended = True

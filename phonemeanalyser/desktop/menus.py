@@ -35,7 +35,8 @@ class Command:
     @property
     def of_views(self) -> bool:
         """Whether its key, a letter or one that edits, counts only while the page Analyse is seen."""
-        return len(self.key.removeprefix("Shift+")) == 1 or self.key in {"Delete", "F2", "Shift+Space"}
+        edits = self.key in {"Delete", "F2", "F3", "F4", "Shift+Space"} or self.key.startswith("Alt+")
+        return len(self.key.removeprefix("Shift+")) == 1 or edits
 
 
 class Menus:
@@ -53,10 +54,16 @@ class Menus:
         self._keys: dict[str, str] = {}
         self._of_views: list[str] = []
 
-    def add(self, title: str, *commands: Command) -> QMenu:
-        """Add a menu."""
+    def add(self, title: str, *commands: Command | QAction | None) -> QMenu:
+        """Add a menu; None is a line between two groups, of which none has more than seven entries."""
         menu = self._menus[title] = self._window.menuBar().addMenu(title)
         for command in commands:
+            if command is None:
+                menu.addSeparator()
+                continue
+            if isinstance(command, QAction):
+                menu.addAction(command)
+                continue
             action = QAction(tr(command.text), self._window, checkable=command.checkable)
             action.setShortcut(QKeySequence(command.key))
             action.setAutoRepeat(command.repeats)
@@ -111,7 +118,7 @@ class Menus:
             menu.title().replace("&", ""): [
                 (a.text().replace("&", ""), known.get(a, a.shortcut()).toString(NATIVE))
                 for a in menu.actions()
-                if a.isVisible()
+                if a.isVisible() and not a.isSeparator()
             ]
             for menu in self._menus.values()
         }

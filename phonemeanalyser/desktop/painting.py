@@ -45,7 +45,7 @@ def draw_text(
 def shortened(metrics: QFontMetrics, text: str, width: int) -> str:
     """Return as much of a line as has room, pixels, with three dots at its end; nothing where these have none.
 
-    A single letter is whole or not there, and no word is told by its first letter alone: it would read as another.
+    A single letter is whole or not there, and no word is shortened to its first letter: it would read as another.
     """
     short = metrics.elidedText(text, Qt.TextElideMode.ElideRight, width)
     whole_or_told = short == text or len(text) > 1

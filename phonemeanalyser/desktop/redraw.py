@@ -26,7 +26,7 @@ class RedrawLoop(QObject):
     Attributes
     ----------
     frozen : whether the views are held still while sound goes on.
-    dirty : whether the analysis must be drawn anew though nothing was heard.
+    dirty : whether the analysis must be drawn anew though nothing has arrived.
     n_ticks : pictures so far.
     """
 
@@ -86,7 +86,7 @@ class RedrawLoop(QObject):
         self._analysis.refresh_slow()
 
     def refresh_status(self) -> None:
-        """Draw the status line, and how late the microphone is."""
+        """Draw the status line, and the latency of the microphone."""
         self._status.refresh(frozen=self.frozen)
         self._look_ahead.show_latency(self._status.without_look_ahead)
 

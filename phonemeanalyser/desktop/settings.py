@@ -10,6 +10,8 @@ from typing import Any, Generic, TypeVar
 from PySide6.QtCore import QSettings
 
 T = TypeVar("T")
+N_RECENT = 8
+"""Paths that are listed of those that were used last."""
 
 
 @dataclass(frozen=True)
@@ -43,7 +45,7 @@ def read(settings: QSettings, key: str, default: T) -> T:
         return default
     try:
         typed: T = _typed(str(kept), default)
-    except (ValueError, OverflowError):  # somebody edited the file
+    except (ValueError, OverflowError):  # the file was edited by hand
         return default
     return typed
 
@@ -52,6 +54,13 @@ def read_paths(settings: QSettings, key: str) -> list[Path]:
     """Return the paths that are kept; Qt gives a list of one back as a text, and an empty one as nothing."""
     kept = settings.value(key) or []
     return [Path(str(path)) for path in (kept if isinstance(kept, list) else [kept])]
+
+
+def remember(settings: QSettings, key: str, path: Path) -> None:
+    """Put a path first among those that were used last."""
+    here = path.resolve()
+    recent = [here, *(other for other in read_paths(settings, key) if other != here)]
+    settings.setValue(key, list(map(str, recent[:N_RECENT])))
 
 
 def _typed(text: str, default: Any) -> Any:

@@ -1,6 +1,7 @@
 """A preset for programs without Python: which one, for what, and where it goes."""
 
-from collections.abc import Mapping
+from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -8,7 +9,6 @@ from PySide6.QtCore import QSettings, Qt, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
-    QDialogButtonBox,
     QFormLayout,
     QLineEdit,
     QListWidget,
@@ -17,14 +17,17 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label, named, row
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.preset_picker import PresetChoice, Sections
+from phonemeengine.errors import EngineError
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.presets.files import PresetEntry, load_preset
+from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, ship
+from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, ship, without_real_time_model
 
 WIDTH = 520
 CHECKED = Qt.CheckState.Checked
@@ -32,7 +35,7 @@ CHECKED = Qt.CheckState.Checked
 
 @dataclass(frozen=True)
 class ShipOrder:
-    """What is shipped, as `phonemeengine.ship` takes it; of a preset that is not in hand, the file."""
+    """What is shipped, as `phonemeengine.ship` takes it; of a preset that is not the current one, the file."""
 
     preset: Preset | Path
     folder: Path
@@ -56,12 +59,13 @@ class ShipDialog(QDialog):
 
     Parameters
     ----------
-    preset : the one in hand.
-    sections : other presets to choose from, by heading.
+    preset : the current one.
+    sections : gives other presets to choose from, by heading.
 
     Attributes
     ----------
     preset, target, tables, folder, overwrite : choices.
+    note : what of the preset is not shipped.
     choose, start : buttons.
 
     Signals
@@ -74,23 +78,24 @@ class ShipDialog(QDialog):
     def __init__(
         self,
         preset: Preset,
-        sections: Mapping[str, tuple[PresetEntry, ...]],
+        sections: Callable[[], Sections],
         settings: QSettings,
         files: FileAsker,
         parent: QWidget,
     ) -> None:
         super().__init__(parent)
         self._in_hand, self._settings, self._files = preset, settings, files
-        self.setWindowTitle(tr("Ship a Preset"))
+        self.setWindowTitle(tr("Ship Preset"))
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setMinimumWidth(WIDTH)
-        hand = tr("{preset}, as it is in hand").format(preset=preset.name)
-        others = [(f"{title}: {entry.name}", entry.path) for title, entries in sections.items() for entry in entries]
-        self.preset = choice([(hand, None), *others], tr("Preset"))
-        self.target = choice(((f"{name}: {tr(target.words)}", name) for name, target in TARGETS.items()), tr("For"))
+        self.preset = PresetChoice(preset.name, sections, files)
+        self.note = label(wraps=True)
+        self.target = choice(
+            ((f"{name}: {tr(target.words)}", name) for name, target in TARGETS.items()), tr("Target")
+        )
         self.tables = named(QListWidget(), tr("Mouth tables"))
         self.folder, self.choose = named(QLineEdit(), tr("Folder")), QPushButton(tr("Choose…"))
-        self.overwrite = QCheckBox(tr("replace files that were changed there, too"))
+        self.overwrite = QCheckBox(tr("Overwrite changed files"))
         self._fill()
         self._lay_out()
 
@@ -98,7 +103,7 @@ class ShipDialog(QDialog):
         """Return what is chosen."""
         items = [self.tables.item(k) for k in range(self.tables.count())]
         tables = tuple(item.text() for item in items if item.checkState() == CHECKED)
-        chosen = self.preset.currentData() or self._in_hand
+        chosen = self.preset.path or self._in_hand
         folder = Path(self.folder.text()).expanduser()
         return ShipOrder(chosen, folder, self.target.currentData(), tables, self.overwrite.isChecked())
 
@@ -116,30 +121,47 @@ class ShipDialog(QDialog):
             item = QListWidgetItem(name, self.tables)
             item.setCheckState(CHECKED if name in USUAL_TABLES else Qt.CheckState.Unchecked)
         self.folder.setText(read(self._settings, "folder/ship", ""))
-        self.folder.setPlaceholderText(tr("a folder of its own"))
+        self.folder.setPlaceholderText(tr("Choose a separate folder"))
 
     def _lay_out(self) -> None:
         words = label(
-            tr("The folder has the preset, an ear that hears with it, and a README that says how to go on."),
+            tr(
+                "The folder will contain the preset, the runtime that recognises with it, and a README with the "
+                "next steps."
+            ),
             wraps=True,
         )
         form = QFormLayout(self)
         form.addRow(tr("Preset"), self.preset)
-        form.addRow(tr("For"), self.target)
+        form.addRow("", self.note)
+        form.addRow(tr("Target"), self.target)
         form.addRow(tr("Mouth tables"), self.tables)
         form.addRow(tr("Folder"), row((self.folder, 1), self.choose))
         form.addRow("", self.overwrite)
         form.addRow(words)
-        buttons = dialog_buttons(self, CANCEL)
-        self.start = buttons.addButton(tr("Ship"), QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons = dialog_buttons(self, CANCEL, verb=tr("Ship"))
+        self.start = buttons.buttons()[0]
         form.addRow(buttons)
+        self._form = form
+        self.preset.changed.connect(self._show_note)
+        self._show_note()
+        self.choose.setAutoDefault(False)  # Return ships
         self.choose.clicked.connect(self._ask_folder)
         self.folder.textChanged.connect(self._allow)
         self._allow()
+
+    def _show_note(self) -> None:
+        """Say what of the chosen preset is not shipped; one that cannot be loaded is refused when it is shipped."""
+        path, note = self.preset.path, ""
+        with suppress(EngineError):
+            note = without_real_time_model(self._in_hand if path is None else load_preset(path))
+        words = tr_engine(note)
+        self.note.setText(f"{words[:1].upper()}{words[1:]}.")
+        self._form.setRowVisible(self.note, bool(note))
 
     def _allow(self) -> None:
         self.start.setEnabled(bool(self.folder.text().strip()))
 
     def _ask_folder(self) -> None:
-        if folder := self._files.ask_folder(tr("Where the ear goes"), Path(self.folder.text() or Path.home())):
+        if folder := self._files.ask_folder(tr("Choose Folder"), Path(self.folder.text() or Path.home())):
             self.folder.setText(str(folder))

@@ -6,33 +6,33 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label
 
 HEAD = [
-    (tr_noop("Go round; with Shift move it"), tr_noop("Arrows")),
-    (tr_noop("Nearer, farther"), "+, −"),
-    (tr_noop("The whole of it"), tr_noop("Home")),
+    (tr_noop("Orbit; with Shift, pan"), tr_noop("Arrows")),
+    (tr_noop("Zoom in, zoom out"), "+, −"),
+    (tr_noop("Fit to view"), tr_noop("Home")),
     (tr_noop("Wireframe"), "W"),
-    (tr_noop("Move the light"), tr_noop("Comma, full stop")),
-    (tr_noop("Hold a mouth shape"), "Q S H M P I A E U O"),
+    (tr_noop("Move light"), tr_noop("Comma, full stop")),
+    (tr_noop("Hold mouth shape"), "Q S H M P I A E U O"),
 ]
 TEXT = [
-    (tr_noop("Say the text"), tr_noop("Ctrl+Return")),
-    (tr_noop("Stop saying it"), tr_noop("Esc")),
-    (tr_noop("Align it with the sound"), tr_noop("Ctrl+Shift+Return")),
+    (tr_noop("Speak text"), tr_noop("Ctrl+Return")),
+    (tr_noop("Stop speaking"), tr_noop("Esc")),
+    (tr_noop("Align text with recording"), tr_noop("Ctrl+Shift+Return")),
 ]
 CALIBRATE = [
     (tr_noop("Guided calibration"), "G"),
-    (tr_noop("Record a take while held"), "Q S H M P I A E U O"),
-    (tr_noop("Mark where a stretch begins, ends"), "[, ]"),
-    (tr_noop("Play the take"), tr_noop("Return")),
-    (tr_noop("Exclude the take, or not"), "X"),
-    (tr_noop("Delete the take"), tr_noop("Delete")),
+    (tr_noop("Record take while held"), "Q S H M P I A E U O"),
+    (tr_noop("Set start, end of the range"), "[, ]"),
+    (tr_noop("Play take"), tr_noop("Return")),
+    (tr_noop("Exclude or include take"), "X"),
+    (tr_noop("Delete take"), tr_noop("Del")),
 ]
 GUIDE = [
     (tr_noop("Start"), tr_noop("Return")),
-    (tr_noop("Say the sound before once more"), tr_noop("Backspace")),
-    (tr_noop("Say this sound once more"), "R"),
-    (tr_noop("Go on without it"), tr_noop("Right")),
-    (tr_noop("Use the new preset"), tr_noop("Return")),
-    (tr_noop("End the guide"), tr_noop("Esc")),
+    (tr_noop("Repeat previous sound"), tr_noop("Backspace")),
+    (tr_noop("Repeat this sound"), "R"),
+    (tr_noop("Skip"), tr_noop("Right")),
+    (tr_noop("Use new preset"), tr_noop("Return")),
+    (tr_noop("End guided calibration"), tr_noop("Esc")),
 ]
 N_COLUMNS = 3
 
@@ -47,23 +47,26 @@ class ShortcutsDialog(QDialog):
 
     def __init__(self, menus: dict[str, list[tuple[str, str]]], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle(tr("Keyboard shortcuts"))
+        self.setWindowTitle(tr("Keyboard Shortcuts"))
         blocks = [_block(title, [(text, key) for text, key in entries if key]) for title, entries in menus.items()]
-        blocks.append(_block(tr("Sliders and time line"), [(tr("A step; with Shift a tenth"), tr("Left, Right"))]))
-        blocks.append(_block(tr("A variable of your own"), [(tr("Drop the range that is marked"), tr("Esc"))]))
-        blocks.append(_block(tr("The page Calibrate"), CALIBRATE))
+        blocks.append(_block(tr("Sliders and timeline"), [(tr("One step; with Shift, a tenth"), tr("Left, Right"))]))
+        blocks.append(_block(tr("Custom variable"), [(tr("Discard the marked range"), tr("Esc"))]))
+        blocks.append(_block(tr("Calibrate page"), CALIBRATE))
         blocks.append(_block(tr("Guided calibration"), GUIDE))
-        blocks.append(_block(tr("The head, when it has the focus"), HEAD))
-        blocks.append(_block(tr("The text below the head"), TEXT))
+        blocks.append(_block(tr("Head, while it has the focus"), HEAD))
+        blocks.append(_block(tr("Text field on the Talk page"), TEXT))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
         scope = label(
             tr(
-                "In the menus, single letters, Delete, F2 and keys with Shift act on the page Analyse only. Where a "
-                "list, a number or a text has the focus, letters belong to that: click into a plot to leave it."
+                "Menu shortcuts that are single letters, Delete, F2 or use Shift work on the Analyse page only. "
+                "While a list, number or text field has the focus, letters go to that field: click a plot to "
+                "leave it."
             ),
             wraps=True,
         )
-        column(self.list, scope, dialog_buttons(self, CLOSE), on=self, margins=None)
+        rows = column(self.list, scope, dialog_buttons(self, CLOSE), on=self, margins=None)
+        width = self.sizeHint().width()
+        self.resize(width, rows.totalHeightForWidth(width))  # Qt leaves no room for lines that wrap
 
 
 def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
@@ -75,10 +78,11 @@ def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
 def _side_by_side(blocks: list[list[str]]) -> str:
     """Lay blocks of rows out in columns of about the same height."""
     columns: list[list[str]] = [[] for _ in range(N_COLUMNS)]
-    n_rows = sum(map(len, blocks))
+    n_rows = sum(map(len, blocks)) + len(blocks)
+    above = 0
     for block in blocks:
-        middle = sum(map(len, columns)) + len(block) // 2
-        columns[N_COLUMNS * middle // n_rows].extend(block)
+        columns[N_COLUMNS * (above + len(block) // 2) // n_rows].extend(block)
+        above += len(block) + 1  # a line is free above each title
     cells = "<td width=24></td>".join(
         f"<td><table cellspacing=0>{''.join(column)}</table></td>" for column in columns
     )

@@ -1,4 +1,4 @@
-"""Endings that nobody was asked about: a signal of the system, and the end of the user's session."""
+"""Endings without a question to the user: a signal of the system, and the end of the user's session."""
 
 import gc
 import logging

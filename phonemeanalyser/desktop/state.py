@@ -17,7 +17,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.settings import Kept, keep, read
 from phonemeengine.errors import SettingsError
 
-LAYOUT_VERSION = 1
+LAYOUT_VERSION = 2
 OF_MICROPHONE = {
     "microphone": "label",
     "microphone_channel": "channel",
@@ -54,7 +54,7 @@ class WindowState:
         self._untouched: dict[str, QByteArray] = {}
 
     def reset(self) -> None:
-        """Lay out docks, bars and splitters as they were when nobody had moved them."""
+        """Lay out docks, bars and splitters as they were before they were moved."""
         for name, state in self._untouched.items():
             self._restorers[name](state)
         self._settings.remove("layout_width")
@@ -106,7 +106,7 @@ class WindowState:
             choice.restore(self._settings)
         chosen = session.microphone.choice
         kept = {field: read(self._settings, key, getattr(chosen, field)) for key, field in OF_MICROPHONE.items()}
-        with suppress(SettingsError):  # somebody edited the file
+        with suppress(SettingsError):  # the file was edited by hand
             session.microphone.choose(replace(chosen, **kept))
 
     def _kept(self, session: Session, view: ScrollView) -> tuple[Kept[Any], ...]:
@@ -122,7 +122,7 @@ class WindowState:
             Kept("recording_kind", lambda: microphone.suffix, partial(_set_kind, microphone)),
             _kept_attribute("recording_phonemes", microphone, "with_phonemes"),
             _kept_attribute("recording_fills_gaps", microphone, "fill_gaps"),
-            Kept("variable", view.variable.currentText, view.variable.setCurrentText),
+            Kept("variable", lambda: view.courses.chosen, view.courses.choose),
             _kept_choice("colours", view.colours),
             Kept("darkest", view.low.value, view.low.setValue),
             Kept("brightest", view.high.value, view.high.setValue),

@@ -14,7 +14,7 @@ Result = TypeVar("Result")
 CLOSE_TIMEOUT = 1.0
 """Seconds after which the end of the program waits no longer for work of which nothing stays."""
 STEPS = 100
-"""In how many steps the progress of a task is told."""
+"""In how many steps the progress of a task is reported."""
 
 
 class Task:
@@ -154,3 +154,14 @@ class TaskQueue(QObject):
             raise task.error
         else:
             task.then(task.result)
+
+
+def tried(act: Callable[[], object], say: Callable[[str], object]) -> bool:
+    """Act, and say what is refused, or an empty sentence after it went well; returns whether it did."""
+    try:
+        act()
+    except EngineError as error:
+        say(str(error))
+        return False
+    say("")
+    return True

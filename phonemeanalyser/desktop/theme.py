@@ -19,7 +19,7 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
     """Dress the application and all plots made from now on; nothing is done where it wears this theme already."""
     sheet = (
         f"QToolTip {{ color: {theme.text}; background: {theme.raised}; border: 1px solid {theme.line} }}"
-        f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 4px;"
+        f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 3px;"
         f" border: 1px solid {theme.line}; border-radius: 3px }}"
         f"QToolButton[checkable=true]:checked {{ color: {theme.on_colour}; background: {theme.accent} }}"
         f"QToolButton[checkable=true]:hover {{ border-color: {theme.accent} }}"

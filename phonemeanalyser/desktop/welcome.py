@@ -1,4 +1,4 @@
-"""Three cards for somebody who starts the program for the first time."""
+"""Three cards for the first start of the program."""
 
 from collections.abc import Callable
 
@@ -12,9 +12,12 @@ from phonemeanalyser.desktop.widgets.builders import column, label, named, row, 
 
 CARD_WIDTH = 188
 CARDS = (
-    (tr_noop("Watch the Demo"), tr_noop("A voice plays, and you see what is recognised of it, and why.")),
-    (tr_noop("Use My Microphone"), tr_noop("Speak, and the letters follow; nothing is recorded until you press R.")),
-    (tr_noop("Calibrate My Voice"), tr_noop("Read one line aloud: in a minute the program knows your voice.")),
+    (tr_noop("Watch the Demo"), tr_noop("Play a recording and see which phonemes are recognised, and why.")),
+    (tr_noop("Use My Microphone"), tr_noop("Speak and watch the phonemes; nothing is recorded until you press R.")),
+    (
+        tr_noop("Calibrate My Voice"),
+        tr_noop("Read two sentences aloud; the preset is adapted to your voice in a minute."),
+    ),
 )
 
 
@@ -48,7 +51,7 @@ class WelcomeCards(QFrame):
         )
         self.cards: list[QPushButton] = []
         self.dismiss = tool_button(
-            "✕", tr("Not now; the cards are under Help"), tr("dismiss the cards"), self.hide, flat=True
+            "✕", tr("Close the cards; Help shows them again"), tr("Close cards"), self.hide, flat=True
         )
         asked = (self.demo_asked, self.microphone_asked, self.calibration_asked)
         cards = [

@@ -19,13 +19,20 @@ PASSAGES = {
     "FilterColumn": ("manual", "Filters"),
     "LookAheadSlider": ("manual", "Look-ahead"),
     "AveragedView": ("manual", "Averaged spectra"),
+    "CurvePanel": ("manual", "Averaged spectra"),
     "SpectrumView": ("manual", "Spectrum"),
     "WaveformView": ("manual", "Spectrum"),
     "ScrollView": ("manual", "Spectrum"),
     "FilePanel": ("manual", "#The whole file"),
     "PhonemeView": ("manual", "Phoneme"),
+    "ScoreStrip": ("calibrating", "#The score on Analyse"),
     "RecogniserChoice": ("manual", "Phoneme"),
+    "VariablePanel": ("manual", "Variable"),
     "ThresholdView": ("manual", "Thresholds"),
+    "RuleEditor": ("manual", "Rules"),
+    "DockTabs": ("manual", "Pages"),
+    "PhonemeDataPanel": ("calibrating", "#The 21 numbers of PhonemeData"),
+    "RulesPanel": ("calibrating", "#Rules found in labelled sound"),
     "PageSwitch": ("manual", "Pages"),
     "QStatusBar": ("manual", "The status line"),
     "GuideView": ("calibrating", "Guided calibration"),
@@ -50,7 +57,7 @@ PASSAGES = {
     "TextPanel": ("manual", "Align"),
     "TalkPage": ("manual", "The head"),
 }
-"""Page and term of the manual that tells of what lies in a widget, by the name of its class; the innermost counts."""
+"""Page and term of the manual for what lies in a widget, by the name of its class or its own; the innermost wins."""
 
 
 class WhatIsThis(QObject):
@@ -103,7 +110,7 @@ def explanation_of(widget: QWidget) -> str:
         document.setMarkdown(passage(*found))
         words = document.toHtml()
         parts.append(words[words.index("<body") :].removesuffix("</body></html>"))
-        parts.append(f'<p><a href="{found[0]}.md">{tr("Read on in the manual")}</a></p>')
+        parts.append(f'<p><a href="{found[0]}.md">{tr("More in the manual")}</a></p>')
     return "".join(parts)
 
 
@@ -111,9 +118,9 @@ def passage_for(widget: QWidget) -> tuple[str, str] | None:
     """Return page and term of the manual for a widget: those of the innermost part of the window that has any."""
     asked: QWidget | None = widget
     while asked is not None:
-        for kind in type(asked).__mro__:
-            if kind.__name__ in PASSAGES:
-                return PASSAGES[kind.__name__]
+        for name in (asked.objectName(), *(kind.__name__ for kind in type(asked).__mro__)):
+            if name in PASSAGES:
+                return PASSAGES[name]
         asked = asked.parentWidget()
     return None
 

@@ -15,6 +15,7 @@ from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.analyse.recognition.filter_column import FilterColumn
 from phonemeanalyser.desktop.analyse.recognition.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import RecogniserChoice
+from phonemeanalyser.desktop.analyse.spectra.curve_panel import CurvePanel
 from phonemeanalyser.desktop.analyse.status_line import StatusLine
 from phonemeanalyser.desktop.analyse.transport.transport import Transport
 from phonemeanalyser.desktop.dialogs import Dialogs
@@ -23,6 +24,7 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.manual import LicencesDialog, ManualDialog
 from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.redraw import RedrawLoop
+from phonemeanalyser.desktop.rule_dialogs import RuleDialogs
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
@@ -50,7 +52,7 @@ USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 NARROW = 1272
 """A window that is narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
-KEYS_OF_DOCKS = {tr_noop("Head"): "F7"}
+KEYS_OF_DOCKS = {tr_noop("Head"): "F7", tr_noop("Averaged spectra"): "F8"}
 
 
 class MainWindow(QMainWindow):
@@ -63,7 +65,7 @@ class MainWindow(QMainWindow):
 
     Signals
     -------
-    demo_asked : the user wants to see and hear the demo.
+    demo_asked : the user wants to play the demo.
     theme_asked : the user chose ``system``, ``light`` or ``dark``.
     language_asked : the user chose ``system``, or one of `LANGUAGES`.
     """
@@ -84,6 +86,7 @@ class MainWindow(QMainWindow):
         self.label_dialogs = LabelDialogs(self, session, files)
         self.menus = Menus(self)
         self.talking_dialogs = TalkDialogs(self, talking, settings, files)
+        self.rule_dialogs = RuleDialogs(self, session.rules)
         self._docks = Docks(self, NARROW)
         self._ask_calibration = calibration
         self._calibration: calibrate.CalibrationModel | None = None
@@ -106,8 +109,9 @@ class MainWindow(QMainWindow):
         self.transport = Transport(session, theme)
         self.analysis = AnalysisPage(session, self._preset, theme)
         self.filters = FilterColumn(self._preset, theme)
+        self.curves = CurvePanel(session.curves, self.dialogs.curves, theme)
         self.recogniser = RecogniserChoice(self._preset)
-        self.preset_box = PresetBox(self._preset, self.dialogs.preset_sections)
+        self.preset_box = PresetBox(self._preset, self.dialogs.presets.sections, self.files)
         self.status = StatusLine(session, self._preset, theme)
         self.heads = Heads(self._talking)
         self.head = self.heads.add("dock", HeadView(self._talking.head, theme))
@@ -115,7 +119,7 @@ class MainWindow(QMainWindow):
         self.head.setMinimumHeight(HEAD_HEIGHT)
         self.switch = PageSwitch(tuple(map(tr, commands.PAGES)))
         self.pages = PageStack()
-        self.banner = Banner(theme, self, self.pages)
+        self.banner = Banner(theme, self, self.pages, self.analysis.waveform)
         self.welcome = WelcomeCards(theme, self, self.pages)
         self._focus = FocusReturn(self, lambda: self._focused_on(self.pages.currentIndex()))
         self.what_is_this = WhatIsThis(self)
@@ -148,14 +152,16 @@ class MainWindow(QMainWindow):
 
     def _make_calibration_page(self) -> "calibrate.CalibrationPage":
         head = self.heads.add("guide", HeadView(self._talking.head, self.theme))
-        page = calibrate.CalibrationPage(self._ask_calibration(), head, self.theme)
+        presets = self.dialogs.presets
+        page = calibrate.CalibrationPage(self._ask_calibration(), head, presets.picker_of_other(), self.theme)
         assert self._calibration_dialogs is not None
         self._calibration_dialogs.join(page)
-        page.guide.save_asked.connect(self.dialogs.save_as)
-        page.guide.accepted.connect(self.dialogs.offer_to_save)
+        page.guide.save_asked.connect(presets.save_as)
+        page.guide.accepted.connect(presets.offer_to_save)
         for signal in (head.menu.save_asked, page.workbench.picture_asked, page.takes.wave.menu.save_asked):
             signal.connect(self.dialogs.ask_save_picture)
         page.workbench.variables.add_asked.connect(self.dialogs.add_variable)
+        page.workbench.variables.use_asked.connect(self.rule_dialogs.ask_use)
         focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
@@ -165,7 +171,7 @@ class MainWindow(QMainWindow):
         self.talking_dialogs.join(page)
         self.heads.add("page", page.head, page)
         page.sound_asked.connect(self.dialogs.ask_and_play)
-        page.preset_asked.connect(self.dialogs.ask_preset)
+        page.preset_asked.connect(self.preset_box.open_list)
         page.picture_asked.connect(self.dialogs.ask_save_picture)
         page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         focus_buttons_by_tab(page)
@@ -182,6 +188,7 @@ class MainWindow(QMainWindow):
             bar.addWidget(view)
         self.addToolBar(bar)
         self._filters = self._docks.add(tr_noop("Filters"), Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
+        self._spectra = self._docks.add_behind(self._filters, tr_noop("Averaged spectra"), self.curves)
         self.setCentralWidget(self.pages)  # after what stands left of it, as Tab goes
         self.analysis.main_view.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         analysis = self.analysis
@@ -197,35 +204,32 @@ class MainWindow(QMainWindow):
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         phoneme = docks.add(tr_noop("Phoneme"), right, self.recogniser, self.analysis.phoneme)
         self._thresholds = docks.add(tr_noop("Thresholds"), right, self.analysis.thresholds)
+        variable = docks.add_behind(phoneme, tr_noop("Variable"), self.analysis.variable)
+        self.analysis.variable.looked_for.connect(lambda: docks.bring_forward(variable))
+        docks.add_behind(self._thresholds, tr_noop("Rules"), self.analysis.rules)
         docks.add(tr_noop("Head"), left, self.head).hide()
         docks.prefer({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH, self._thresholds: PHONEME_WIDTH})
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add
-        file = add(tr("&File"), *commands.file_commands(dialogs), Command(tr_noop("Quit"), "Ctrl+Q", self.close))
-        self.preset_box.add_commands(*(self.menus.actions[text] for text in commands.PRESET_COMMANDS))
-        file.insertMenu(self.menus.actions["Save the Phonemes…"], commands.RecentMenu(dialogs, self))
+        box, end = self.preset_box, Command(tr_noop("Quit"), "Ctrl+Q", self.close)
+        file = add(tr("&File"), *commands.file_commands(dialogs, box.open_list), end)
+        box.list.add_commands([self.menus.actions[text] for text in commands.PRESET_COMMANDS])
+        file.insertMenu(self.menus.actions["Save Phonemes…"], commands.RecentMenu(dialogs, self))
         self.menus.add_edit(preset.undo_stack)
         add(tr("&Play"), *commands.play_commands(session))
         commands.add_selection_menu(
             self.menus, self.selection, self.selection_dialogs, self._use_as_take, self.analysis.file.view, dialogs
         )
         add(tr("&Labels"), *commands.label_commands(self.label_dialogs))
-        room = Command(tr_noop("Measure the Room (2 s of Quiet)"), "", lambda: self._ask_calibration().measure_room())
+        room = Command(tr_noop("Measure Background Noise (2 s)"), "", lambda: self._ask_calibration().measure_room())
         add(tr("&Record"), *commands.record_commands(session, dialogs), room)
         freeze = Command(tr_noop("Freeze Views"), "F", self.set_frozen, checkable=True)
-        mark = Command(tr_noop("New Variable…"), "V", self.analysis.averaged.measure.toggle)
-        add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs), mark)
+        mark = self.analysis.averaged.measure.toggle
+        add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs, mark, box.choose_other))
         self._make_view_menu()
-        add(
-            tr("&Help"),
-            Command(tr_noop("Keyboard Shortcuts"), "F1", self.show_shortcuts),
-            Command(tr_noop("What Is This?"), "Shift+F1", self.what_is_this.begin),
-            Command(tr_noop("Manual"), "Ctrl+F1", self.show_manual),
-            Command(tr_noop("First Steps…"), "", self.welcome.show_cards),
-            Command(tr_noop("Licences"), "", lambda: LicencesDialog(self).open()),
-            Command(tr_noop("About PhonemeAnalyser"), "", self.dialogs.show_about),
-        )
+        pages = self.show_shortcuts, self.what_is_this.begin, self.show_manual, self.welcome.show_cards
+        add(tr("&Help"), *commands.help_commands(*pages, lambda: LicencesDialog(self).open(), dialogs.show_about))
 
     def _use_as_take(self, phoneme: Phoneme) -> None:
         """Make what is selected a take of a phoneme."""
@@ -236,9 +240,9 @@ class MainWindow(QMainWindow):
     def _make_view_menu(self) -> None:
         full = Command(tr_noop("Full Screen"), "F11", self.show_full, checkable=True)
         layout = Command(tr_noop("Reset Layout"), "", self.reset_layout)
-        view = self.menus.add(tr("&View"), *commands.view_commands(self.show_page, self.analysis), full, layout)
-        view.addSeparator()
-        view.addActions(self._docks.switches(KEYS_OF_DOCKS))
+        views = commands.view_commands(self.show_page, self.analysis)
+        score, docks = self.analysis.score.shown, self._docks.switches(KEYS_OF_DOCKS)
+        view = self.menus.add(tr("&View"), *views, None, full, layout, score, None, *docks)
         commands.add_looks(self.menus, view, self._settings, self.theme_asked.emit, self.language_asked.emit)
 
     def _connect(self) -> None:
@@ -248,19 +252,16 @@ class MainWindow(QMainWindow):
         self._talking.text.changed.connect(self._show_spoken)
         self._talking.text.speech_saved.connect(dialogs.offer_speech)
         session.may_leave = self._may_leave_sound
-        self.analysis.file.view.rename_asked.connect(lambda _label: self.label_dialogs.ask_rename())
+        self.label_dialogs.join(self.analysis.file.view)
         session.microphone.recorded.connect(dialogs.offer_recording)
         dialogs.action_offered.connect(self.banner.offer)
-        self.analysis.picture_asked.connect(dialogs.ask_save_picture)
-        self.analysis.averaged.load_asked.connect(dialogs.ask_curves)
-        self.analysis.averaged.save_asked.connect(dialogs.ask_save_curve)
-        self.analysis.averaged.variable_asked.connect(dialogs.ask_variable)
-        self.filters.bypass_asked.connect(preset.set_bypassed)
-        self.recogniser.chosen.connect(dialogs.choose_recogniser)
-        self.recogniser.live_model_chosen.connect(preset.set_live_model)
-        self.recogniser.ear_chosen.connect(preset.set_file_ear)
-        self.preset_box.chosen.connect(dialogs.load_preset)
-        dialogs.variable_added.connect(self.analysis.scroll_view.variable.setCurrentText)
+        dialogs.join(self.analysis)
+        dialogs.curves.loaded = lambda: () if self._calibration is None else self._calibration.workbench.utterances
+        self.analysis.averaged.table_asked.connect(lambda: self._docks.show(self._spectra))
+        dialogs.presets.join(self.preset_box)
+        self.rule_dialogs.join(self.analysis.rules, dialogs.presets.choose_recogniser)
+        self.analysis.variable.use_asked.connect(self.rule_dialogs.ask_use)
+        self.rule_dialogs.find_asked.connect(self._find_rules)
         dialogs.sound_changed.connect(self.status.chips.show_changed)
         self.status.chips.open_again_asked.connect(dialogs.open_again)
         self.status.chips.go_on_asked.connect(lambda: self.set_frozen(False))
@@ -274,9 +275,10 @@ class MainWindow(QMainWindow):
         session.opened.connect(self._show_names)
         session.cleared.connect(self.redraw.refresh_all)
         session.rewritten.connect(self._draw_rewritten)
-        for signal in (session.transport_changed, session.seen.looked_back, preset.changed, session.second.changed):
+        for signal in (session.transport_changed, session.seen.looked_back, preset.changed, preset.sides_changed):
             signal.connect(self._show_state)
         preset.file_changed.connect(self._show_names)
+        commands.connect_score(self.analysis.score, self.show_page, self.label_dialogs)
         self._connect_cards()
         self.installEventFilter(ControlKeys(self))
         self.show_page(ANALYSE)
@@ -350,15 +352,15 @@ class MainWindow(QMainWindow):
     def _show_names(self) -> None:
         session, preset = self._session, self._preset
         self.analysis.invite()
-        self.setWindowTitle(f"{session.source.name} - {preset.preset.name}[*] - PhonemeAnalyser")
+        self.setWindowTitle(f"{session.source.name} - {preset.title}[*] - PhonemeAnalyser")
         self.setWindowModified(preset.has_unsaved_changes)
         self.redraw.refresh_status()
 
     def _show_state(self) -> None:
         self.menus.show_checked("Loop", self._session.playback.loop)
-        self.menus.show_checked("Look Back", self._session.seen.looks_back)
+        self.menus.show_checked("Show History", self._session.seen.looks_back)
         self.menus.show_checked("Bypass All Filters", self._preset.bypassed)
-        self.menus.show_checked("Hear with the Second", self._session.second.is_in_force)
+        commands.allow_second(self.menus, self._preset)
         self.redraw.dirty = True
         self.redraw.refresh_status()
 
@@ -378,6 +380,10 @@ class MainWindow(QMainWindow):
     def _begin_calibration(self) -> None:
         self.show_page(CALIBRATE)
         self._ask_calibration().begin_guide()
+
+    def _find_rules(self) -> None:
+        self.show_page(CALIBRATE)
+        self.calibration.workbench.find_rules()
 
     def _listen(self) -> None:
         self.show_page(ANALYSE)
@@ -416,7 +422,7 @@ class MainWindow(QMainWindow):
         self.open_files([Path(url.toLocalFile()) for url in urls if url.isLocalFile()])
         for url in urls:
             if not url.isLocalFile():
-                sentence = tr("{url}: only files on this computer can be opened; save it here first")
+                sentence = tr("{url} cannot be opened, since only files on this computer can. Save it here first.")
                 self.dialogs.rejected.emit(sentence.format(url=url.toString()))
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -431,22 +437,24 @@ class MainWindow(QMainWindow):
 
     def _fit_docks(self) -> None:
         if self.isVisible() and self.pages.currentIndex() == ANALYSE:
-            self._docks.fit(self._filters, on=self._thresholds)
+            self._docks.fit((self._filters, self._spectra), on=self._thresholds)
 
     def changeEvent(self, event: QEvent) -> None:
-        """Keep everything whenever the user turns to another program: nobody knows how this one will end."""
+        """Keep everything whenever the user turns to another program: this one may end in any way."""
         super().changeEvent(event)
         if event.type() == QEvent.Type.ActivationChange and not self.isActiveWindow():
             self.save_state()
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask about unsaved changes, and keep the layout for the next start."""
-        if not self._retired and not (self._may_leave_sound() and self.dialogs.may_go_on()):
+        if not self._retired and not (self._may_leave_sound() and self.dialogs.presets.may_close()):
             event.ignore()
             return
         self.save_state()
         self.selection.close()
-        self.dialogs.close()
+        self.analysis.variable.study.close()
+        self.dialogs.presets.close()
+        self.dialogs.curves.close()
         self.redraw.timer.stop()
         if not self._closed:
             self._closed = True

@@ -1,4 +1,4 @@
-"""The page of the analysis: spectra above, the waveform amid, and the time view below."""
+"""The page of the analysis: spectra above, the waveform amid, the time view below, and the score at the bottom."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
@@ -7,21 +7,26 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSplitter, QStackedWid
 from phonemeanalyser.desktop.analyse.lanes.file_panel import FilePanel
 from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
 from phonemeanalyser.desktop.analyse.recognition.phoneme_view import PhonemeView
+from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdView
+from phonemeanalyser.desktop.analyse.recognition.variable_panel import VariablePanel
+from phonemeanalyser.desktop.analyse.score.score_strip import ScoreStrip
 from phonemeanalyser.desktop.analyse.spectra.averaged_view import AveragedView
 from phonemeanalyser.desktop.analyse.spectra.spectrum_view import SpectrumView
 from phonemeanalyser.desktop.analyse.spectra.waveform_view import WaveformView
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import column, line
 
-NOTHING = tr_noop("Drop a sound here, or open one with Ctrl+O")
+NOTHING = tr_noop("Drop an audio file here, or press Ctrl+O to open one")
 
 
-class AnalysisPage(QSplitter):
-    """Lays out what is drawn of the sound in hand.
+class AnalysisPage(QWidget):
+    """Lays out what is drawn of the current sound.
 
     Signals
     -------
@@ -29,28 +34,44 @@ class AnalysisPage(QSplitter):
 
     Attributes
     ----------
+    rows : the splitter between spectra, waveform and time view.
     spectra : the splitter between the two spectra.
-    phoneme, thresholds : what is drawn of it in docks beside the page.
+    courses : the variables whose courses are drawn.
+    score : how right what is recognised is.
+    phoneme, variable, thresholds, rules : what is drawn of it in docks beside the page.
     """
 
     picture_asked = Signal(QWidget, str)
 
     def __init__(self, session: Session, preset: PresetModel, theme: Theme) -> None:
-        super().__init__(Qt.Orientation.Vertical)
-        self._history = session.history
-        tip = tr("The spectrum of the newest window of 46.4 ms, after all filters that are on")
+        super().__init__()
+        self._history, self._theme = session.history, theme
+        tip = tr("Spectrum of the current window of 46.4 ms, after all active filters")
         self.spectrum = SpectrumView(tr_noop("Spectrum"), tip, theme)
-        self.averaged = AveragedView(session.averages, theme)
+        self.averaged = AveragedView(session.averages, session.curves, theme)
         self.waveform = WaveformView(theme)
         self._session = session
-        self.scroll_view = ScrollView(session.history, preset, theme)
-        self.file = FilePanel(session, preset, theme)
+        self.courses = Courses(preset)
+        self.scroll_view = ScrollView(session.history, self.courses, theme)
+        self.file = FilePanel(session, self.courses, theme)
         self.over_time = QStackedWidget()
         self.phoneme = PhonemeView(session, theme)
         self.thresholds = ThresholdView(preset, session.history, theme)
-        self.spectra = QSplitter(Qt.Orientation.Horizontal)
+        self.thresholds.touched.connect(self.courses.touch)
+        self.variable = VariablePanel(session, preset, self.courses, theme)
+        self.rows, self.spectra = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
+        self.score = ScoreStrip(session, theme)
+        self.rules = RuleEditor(session.rules, theme)
         self._lay_out()
-        for view in (self.spectrum, self.averaged, self.waveform, self.scroll_view, self.phoneme):
+        plots = (
+            self.spectrum,
+            self.averaged,
+            self.waveform,
+            self.scroll_view,
+            self.phoneme,
+            self.variable.distribution,
+        )
+        for view in plots:
             view.menu.save_asked.connect(self.picture_asked)
 
     def refresh_fast(self) -> None:
@@ -72,7 +93,8 @@ class AnalysisPage(QSplitter):
         self.averaged.refresh()
         self.phoneme.refresh()
         self.thresholds.refresh()
-        self.scroll_view.refresh_numbers()
+        self.variable.refresh()
+        self.rules.refresh(self.phoneme.trace)
 
     def set_coarse(self, on: bool) -> None:
         """Draw everything coarsely, or all of it finely."""
@@ -92,12 +114,13 @@ class AnalysisPage(QSplitter):
     @property
     def splitters(self) -> dict[str, QSplitter]:
         """What the user may have moved, by the names under which it is kept."""
-        return {"rows": self, "spectra": self.spectra}
+        return {"rows": self.rows, "spectra": self.spectra}
 
     @property
     def switches(self) -> dict[str, QAbstractButton | QAction]:
         """What the user may have switched, by the names under which it is kept."""
         return {
+            "score": self.score.shown,
             "file_follow": self.file.follow,
             "file_filtered": self.file.filtered,
             **{f"file_{name}": action for name, action in self.file.overlays.items()},
@@ -108,15 +131,22 @@ class AnalysisPage(QSplitter):
             "auto_waveform": self.waveform.auto,
             "spectrum_db": self.spectrum.decibels,
             "average_db": self.averaged.decibels,
+            "average_spread": self.averaged.spread,
         }
 
     @property
     def choices(self) -> dict[str, QComboBox]:
         """What the user may have chosen, by the names under which it is kept."""
-        return {"file_axis": self.file.axis, "file_colours": self.file.colours, "file_variable": self.file.variable}
+        return {
+            "file_axis": self.file.axis,
+            "file_window": self.file.window_length,
+            "file_levels": self.file.levels,
+            "file_colours": self.file.colours,
+            "score_scope": self.score.scope,
+        }
 
     def _show_source(self) -> None:
-        """Show a file on its own time, and what is heard at once as it scrolls by."""
+        """Show a file on its own time, and live sound as it scrolls by."""
         self.scroll_view.back.setVisible(self._session.source.kind is SourceKind.MICROPHONE)
         is_file = self._session.source.path is not None
         self.over_time.setCurrentWidget(self.file if is_file or self._session.seen.looks_back else self.scroll_view)
@@ -132,15 +162,18 @@ class AnalysisPage(QSplitter):
     def _lay_out(self) -> None:
         self.spectra.addWidget(self.spectrum)
         self.spectra.addWidget(self.averaged)
-        self.spectra.setSizes([300, 460])
+        self.spectra.setSizes([270, 470])
         self.over_time.addWidget(self.file)
         self.over_time.addWidget(self.scroll_view)
         for widget in (self.spectra, self.waveform, self.over_time):
-            self.addWidget(widget)
+            self.rows.addWidget(widget)
+        column((self.rows, 1), line(self._theme.line), self.score, on=self, spacing=0)
         self._session.opened.connect(self._show_source)
         self._session.seen.looked_back.connect(self._show_source)
         self.scroll_view.back.clicked.connect(lambda _checked: self._session.look_back(True))
+        self.averaged.setMinimumWidth(270)  # on screens of 800 pixels their last buttons are cut, not the window
+        self.over_time.setMinimumWidth(460)
         self._show_source()
-        self.setSizes([190, 130, 370])
-        for splitter in (self.spectra, self):
+        self.rows.setSizes([190, 130, 370])
+        for splitter in (self.spectra, self.rows):
             splitter.setChildrenCollapsible(False)

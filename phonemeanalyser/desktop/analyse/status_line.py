@@ -1,4 +1,4 @@
-"""The line at the bottom, what is in hand and what it is heard on; and chips: how late the picture of a voice is."""
+"""The line at the bottom, with the current sound and its output; and chips: the latency on the screen."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFontMetrics
@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import named, row, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeengine.live.listener import Latency
-from phonemeengine.presets.ears import ear_in_words
+from phonemeengine.presets.model_choice import model_in_words
 
 PADDING = 8
 """Pixels at either side of a chip's text."""
@@ -25,7 +25,7 @@ class StateChips(QWidget):
     Signals
     -------
     go_on_asked : the views are to go on.
-    open_again_asked : the file in hand is to be opened again.
+    open_again_asked : the current file is to be opened again.
 
     Attributes
     ----------
@@ -39,16 +39,17 @@ class StateChips(QWidget):
         super().__init__()
         self._theme = theme
         self.frozen = tool_button(
-            tr("frozen"),
-            tr("The views stand still while sound goes on; click, or press F, and they go on"),
-            tr("views stand still"),
+            tr("Frozen"),
+            tr("The views are frozen while playback or the microphone goes on; click or press F to resume"),
+            tr("Views are frozen"),
             self.go_on_asked.emit,
         )
-        self.changed = tool_button("", tr("What became of the file meanwhile"), act=self.open_again_asked.emit)
+        self.changed = tool_button("", tr("What happened to the file on disk"), act=self.open_again_asked.emit)
         self.unseen = named(
-            QLabel(), tip=tr("Frames that were analysed but never drawn: the machine has too much to do")
+            QLabel(),
+            tip=tr("Frames analysed but never drawn since playback or listening began: the computer is overloaded"),
         )
-        self.lost = named(QLabel(), tip=tr("Sound that never came from the microphone, since listening began"))
+        self.lost = named(QLabel(), tip=tr("Signal lost between microphone and program since listening began"))
         self.late = QLabel()
         self.late.setAlignment(Qt.AlignmentFlag.AlignCenter)
         chips = row(on=self, margins=(0, 0, 6, 0), spacing=4)
@@ -65,7 +66,7 @@ class StateChips(QWidget):
         self.frozen.setVisible(on)
 
     def show_changed(self, words: str, tip: str) -> None:
-        """Say that the file in hand is another one by now, or none; an empty text for neither."""
+        """Say that the current file is another one by now, or none; an empty text for neither."""
         if tip:
             self.changed.setToolTip(tip)
         _say(self.changed, words)
@@ -85,7 +86,7 @@ class StateChips(QWidget):
         self.late.setMinimumWidth(QFontMetrics(font).horizontalAdvance(widest) + 2 * PADDING)
 
     def show_late(self, words: str, colour: str = "", tip: str = "") -> None:
-        """Say how late phonemes are on the screen; an empty text for nothing."""
+        """Show the latency of phonemes on the screen; an empty text for nothing."""
         if words and colour:
             self._dress(self.late, colour)
         self.late.setToolTip(tip)
@@ -128,7 +129,7 @@ class StatusLine:
     ----------
     left, right : the labels.
     chips : what is the matter, while something is.
-    latency_ms : how late a microphone's phonemes are on the screen; None while none is heard.
+    latency_ms : the latency of a microphone's phonemes on the screen; None while no microphone is in use.
     without_look_ahead : seconds of that, without the recogniser's look-ahead, as measured last; None before.
     """
 
@@ -152,10 +153,10 @@ class StatusLine:
         """Show how it goes."""
         session = self._session
         changed = f" ({tr('changed')})" if self._preset.has_unsaved_changes else ""
-        preset = tr("preset {preset}{changed}").format(preset=self._preset.preset.name, changed=changed)
-        ear = tr("heard with: {ear}").format(ear=tr_engine(ear_in_words(session.source.preset)))
+        preset = tr("Preset: {preset}{changed}").format(preset=self._preset.title, changed=changed)
+        model = tr("Model: {model}").format(model=tr_engine(model_in_words(session.source.preset)))
         _write(
-            self.left, f" {session.source.name}: {tr_engine(session.source.description)}   ·   {ear}   ·   {preset}"
+            self.left, f" {session.source.name}: {tr_engine(session.source.description)}   ·   {model}   ·   {preset}"
         )
         self.left.setToolTip(self.left.text().strip())
         self.chips.show_frozen(frozen)
@@ -166,7 +167,7 @@ class StatusLine:
         self._show_latency(microphone.latency if listens else None)
         if listens and self.latency_ms is None:
             self.chips.show_late(
-                "…", self._theme.faint, tr("How late phonemes are on the screen: it is being measured")
+                "…", self._theme.faint, tr("Latency from a sound to its phoneme on the screen: being measured")
             )
         output = "" if player is None else f"♪ {player.output_name}" if player.has_card else tr(player.output_name)
         _write(self.right, f"{output} ")
@@ -190,22 +191,23 @@ class StatusLine:
         shares = " + ".join(f"{name} {1000 * seconds:.0f}" for name, seconds in words.items())
         judgement, colour = self.judged(total)
         tip = tr(
-            "From a sound to its phoneme on the screen, on the average, as measured now: {shares} ms. People notice "
-            "a picture that is late by more than 45 ms, and stop accepting it at 90 ms (ITU-R BT.1359)."
+            "Mean latency from a sound to its phoneme on the screen, as measured now: {shares} ms. Viewers notice "
+            "a picture that lags its sound by more than 45 ms, and find it unacceptable from 90 ms on (ITU-R "
+            "BT.1359)."
         ).format(shares=shares)
         self.chips.show_late(_late(total, judgement), colour, tip)
 
     def judged(self, seconds: float) -> tuple[str, str]:
-        """Return how people take a picture that is late by so much, and in which colour to say it."""
+        """Return how noticeable a latency in seconds is, and the colour that shows it."""
         if seconds <= UNNOTICED:
-            return tr("nobody notices"), self._theme.good
+            return tr("not noticeable"), self._theme.good
         if seconds <= ACCEPTED:
             return tr("noticeable"), self._theme.faint
-        return tr("too late"), self._theme.bad
+        return tr("too high"), self._theme.bad
 
 
 def _late(seconds: float, judgement: str) -> str:
-    return tr("{ms:.0f} ms late, {judgement}").format(ms=1000 * seconds, judgement=judgement)
+    return tr("Latency {ms:.0f} ms ({judgement})").format(ms=1000 * seconds, judgement=judgement)
 
 
 def _write(label: QLabel, text: str) -> None:

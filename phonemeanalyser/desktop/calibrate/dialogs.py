@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QComboBox, QDialog, QGridLayout, QMessageBox, QScr
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.page import CalibrationPage
-from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel
-from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.preset import preset_filter
+from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.settings import keep, read
-from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, column, dialog_buttons, label, leave_wheel
+from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, column, dialog_buttons, label, leave_wheel
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.preset_picker import preset_filter
 from phonemeengine.phonemes import Phoneme
 
 
@@ -21,22 +21,22 @@ class MappingDialog(QDialog):
 
     def __init__(self, counts: dict[str, int], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle(tr("Names in the labels"))
+        self.setWindowTitle(tr("Unknown Labels"))
         self.boxes: dict[str, QComboBox] = {}
         intro = label(
             tr(
-                "These names stand for no sound that is known here. Say what each one is; what stays unidentified "
-                "counts neither as right nor as wrong."
+                "These labels are not known phoneme names. Choose a phoneme for each one; labels left "
+                "unidentified are not scored."
             ),
             wraps=True,
         )
         body = QWidget()
         grid = QGridLayout(body)
-        phonemes = [(phoneme.label, phoneme) for phoneme in Phoneme]
+        phonemes = [(sound_name(phoneme), phoneme) for phoneme in Phoneme]
         for row, (name, count) in enumerate(sorted(counts.items(), key=lambda entry: -entry[1])):
             words = label(name)
             words.setTextFormat(Qt.TextFormat.PlainText)
-            self.boxes[name] = box = choice(phonemes, tr("sound of {name}").format(name=name))
+            self.boxes[name] = box = choice(phonemes, tr("Phoneme for {name}").format(name=name))
             box.setCurrentIndex(box.findData(Phoneme.UNIDENTIFIED))
             for k, widget in enumerate((words, label(f"{count} ×"), box)):
                 grid.addWidget(widget, row, k)
@@ -45,7 +45,7 @@ class MappingDialog(QDialog):
         scroll = QScrollArea()
         scroll.setWidget(body)
         scroll.setWidgetResizable(True)
-        column(intro, scroll, dialog_buttons(self, OK, CANCEL), on=self, margins=None)
+        column(intro, scroll, dialog_buttons(self, CANCEL, verb=tr("Assign")), on=self, margins=None)
         self.resize(380, 420)
 
     def mapping(self) -> dict[str, Phoneme]:
@@ -72,7 +72,7 @@ class CalibrationDialogs(QObject):
         page.takes.project_asked.connect(self.ask_project)
         page.takes.empty_asked.connect(self.ask_empty_deleted)
         page.takes.import_asked.connect(self.ask_recordings)
-        page.workbench.compare.file_asked.connect(lambda: self._ask_preset(page.workbench.compare))
+        page.workbench.phoneme_data.file_asked.connect(self._ask_pitch_set)
 
     def restore(self) -> None:
         """Take up the project and the speaker of the last start, where the project is still there."""
@@ -89,7 +89,7 @@ class CalibrationDialogs(QObject):
     def ask_project(self) -> None:
         """Let the user choose the folder of his takes."""
         folder = self._calibration.takes.folder or self._calibration.session.microphone.folder
-        if chosen := self._files.ask_folder(tr("The folder of the takes"), folder):
+        if chosen := self._files.ask_folder(tr("Choose Takes Folder"), folder):
             self._calibration.takes.open(chosen)
 
     def ask_empty_deleted(self) -> None:
@@ -97,19 +97,23 @@ class CalibrationDialogs(QObject):
         takes = self._calibration.takes
         n = takes.now.n_deleted
         if not n:
-            takes.info.emit(tr("No take is deleted."))
+            takes.info.emit(tr("There are no deleted takes."))
             return
-        what = tr("the deleted take") if n == 1 else tr("{n} deleted takes").format(n=n)
-        text = tr(
-            "Remove {what} from the disk for ever? What was done to takes before cannot be undone then."
-        ).format(what=what)
-        yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.No
-        if QMessageBox.question(self._window, tr("Empty deleted takes"), text, yes | no, no) == yes:
+        text = tr_count(
+            "Permanently remove the deleted take from disk? Earlier changes to takes can then no longer be undone.",
+            "Permanently remove {n} deleted takes from disk? Earlier changes to takes can then no longer be undone.",
+            n,
+        )
+        box = QMessageBox(QMessageBox.Icon.Question, tr("Remove Deleted Takes"), text, parent=self._window)
+        remove = box.addButton(tr("Remove"), QMessageBox.ButtonRole.DestructiveRole)
+        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        box.exec()
+        if box.clickedButton() is remove:
             takes.empty_deleted()
 
     def ask_recordings(self, folder: bool) -> None:
         """Let the user choose a folder of labelled recordings, or some sounds with their labels beside them."""
-        title, kind = tr("Labelled recordings"), "recordings"
+        title, kind = tr("Load Labelled Recordings"), "recordings"
         if not folder:
             paths = self._files.ask_files(title, tr("All files (*)"), kind)
         elif chosen := self._files.ask_folder(title, self._files.folder_of(kind)):
@@ -126,10 +130,10 @@ class CalibrationDialogs(QObject):
         if dialog.exec():
             self._calibration.recordings.map(dialog.mapping(), sources)
 
-    def _ask_preset(self, panel: ComparePanel) -> None:
-        """Let the user choose a preset to compare with."""
-        if path := self._files.ask_file(tr("A preset to compare with"), preset_filter(), "preset"):
-            panel.offer(path)
+    def _ask_pitch_set(self) -> None:
+        """Let the user choose a file whose numbers become a pitch set."""
+        if path := self._files.ask_file(tr("Choose PhonemeData for a Pitch Set"), preset_filter(), "preset"):
+            self._calibration.phoneme_data.add_file(path)
 
     def _remember_project(self) -> None:
         if self._calibration.takes.folder is not None:

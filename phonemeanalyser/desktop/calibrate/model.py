@@ -7,9 +7,10 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.calibrate.guide.guide_model import GuideModel, Phase
 from phonemeanalyser.desktop.calibrate.takes.room_model import RoomModel
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakeEdit, TakesModel
-from phonemeanalyser.desktop.calibrate.workbench.fit_model import ComparisonModel, FitModel
+from phonemeanalyser.desktop.calibrate.workbench.fit_model import ComparisonModel, FitModel, RuleFinding
+from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_model import PhonemeDataModel
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import RecordingsModel, WorkbenchModel
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -18,7 +19,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.phonemes import Phoneme
 
 AROUND = 0.15
-"""What is played before and after a stretch that is hardly audible by itself, seconds."""
+"""What is played before and after a segment that is hardly audible by itself, seconds."""
 TAKES_FOLDER = "Takes"
 """The project where no other was chosen, in the folder of recordings."""
 
@@ -29,7 +30,7 @@ class CalibrationModel(QObject):
     Signals
     -------
     held : another phoneme is held, or none any more.
-    selection_changed : another stretch of the file is marked.
+    selection_changed : another segment of the file is marked.
     info : a sentence for the user about something that went well.
     error : a sentence for the user.
     """
@@ -48,7 +49,9 @@ class CalibrationModel(QObject):
         self.recordings = RecordingsModel()
         self.workbench = WorkbenchModel(preset)
         self.fit = FitModel(preset, self.workbench)
+        self.rule_finding = RuleFinding(preset, self.workbench)
         self.comparison = ComparisonModel(preset, self.workbench)
+        self.phoneme_data = PhonemeDataModel(preset, self.workbench, session.history)
         self.guide = GuideModel(session, preset, self.takes)
         self.room = RoomModel(session, preset, self.takes)
         self.phoneme: Phoneme | None = None
@@ -63,16 +66,27 @@ class CalibrationModel(QObject):
             model.changed.connect(self._load_workbench)
             model.info.connect(self.info)
             model.error.connect(self.error)
-        for worker in (self.workbench, self.fit, self.comparison, self.guide, self.room):
+        own = self.comparison, self.phoneme_data, self.rule_finding, self.guide, self.room
+        for worker in (self.workbench, self.fit, *own):
             worker.error.connect(self.error)
+        self.workbench.confusion_changed.connect(self._tell_score)
+        # Bound methods, since Qt would hold a lambda, and with it this model, for ever.
+        self.workbench.measuring.changed.connect(self._tell_measuring)
+        self.workbench.measured.connect(self._show_loaded)
         self.guide.changed.connect(self._load_sentences)
         session.opened.connect(self._forget_selection)
         session.heard.connect(self._follow)
 
+    def _tell_measuring(self) -> None:
+        self.session.score.show_measuring(on=self.workbench.measuring.busy)
+
+    def _show_loaded(self) -> None:
+        self.session.rules.show_loaded(self.workbench.features)
+
     # -- takes from microphone and file -------------------------------------------------------------------
 
     def press(self, phoneme: Phoneme) -> None:
-        """Hold a phoneme: what is heard, or played, until `release` becomes a take of it."""
+        """Hold a phoneme: what is recorded, or played, until `release` becomes a take of it."""
         session = self.session
         if self.phoneme is not None or self.guide.running or self.room.listening:
             return
@@ -103,8 +117,8 @@ class CalibrationModel(QObject):
         samples, rate = self.capture.end()
         if not len(samples) and not self.session.microphone.listening:
             self.error.emit(
-                tr("No take of {phoneme}: {state}; try again when it is heard.").format(
-                    phoneme=phoneme.label, state=tr_engine(self.session.microphone.words)
+                tr("No take of {phoneme} was recorded: {state}. Try again once the microphone is running.").format(
+                    phoneme=sound_name(phoneme), state=tr_engine(self.session.microphone.words)
                 )
             )
             return
@@ -118,21 +132,21 @@ class CalibrationModel(QObject):
             self.guide.begin()
 
     def measure_room(self) -> None:
-        """Hear two seconds of the room, with nobody speaking, and have the preset take it for silence."""
+        """Record two seconds of background noise, and have the preset take it for silence."""
         if self.phoneme is None and not self.guide.running and not self.room.listening:
             self.listen()
             self.room.begin()
 
     def listen(self) -> None:
-        """Have the microphone listen, whatever was in hand."""
+        """Have the microphone listen, whatever was open."""
         self.session.set_source(SourceKind.MICROPHONE)
         if not self.session.source.playing:
             self.session.play()
 
     def mark(self, *, end: bool) -> None:
-        """Mark where the stretch of the opened file begins, or ends: where the file stands."""
+        """Mark where the segment of the opened file begins, or ends: at the playhead."""
         if self.session.source.path is None:
-            self.error.emit(tr("There is no file in hand; open one to mark a stretch of it."))
+            self.error.emit(tr("No audio file is open. Open one to mark a range in it."))
             return
         start, stop = self.selection or (0.0, self.session.source.duration)
         here = self.session.source.position
@@ -149,14 +163,14 @@ class CalibrationModel(QObject):
             self.play(self.takes.path_of(take), take.start, take.end, around=0.0)
 
     def hear(self, *, new: bool) -> None:
-        """Play the sentence of the guide as the preset that it found hears it, or as the old one does."""
+        """Play the sentence of the guide as recognised by the preset that it found, or by the old one."""
         outcome, spoken = self.guide.outcome, self.guide.spoken
         if outcome is not None and spoken is not None:
             self.preset.try_out(outcome.preset if new else outcome.start)
             self.play(spoken.path, 0.0, spoken.labels[-1].end)
 
     def play(self, path: Path, start: float, end: float, *, around: float = AROUND) -> None:
-        """Play a stretch of a file, in seconds; it stands at the stretch's beginning afterwards."""
+        """Play a segment of a file, in seconds; it stands at the segment's beginning afterwards."""
         session = self.session
         if session.source.path != path and not session.open(path):
             return
@@ -164,7 +178,8 @@ class CalibrationModel(QObject):
 
     def close(self) -> None:
         """Wait until all takes are on the disk, and end all other work."""
-        for worker in (self.guide, self.room, self.fit, self.comparison, self.workbench):
+        searching = self.phoneme_data, self.rule_finding, self.fit
+        for worker in (self.guide, self.room, *searching, self.comparison, self.workbench):
             worker.close()
         self.recordings.close()
         self.takes.close()
@@ -197,6 +212,9 @@ class CalibrationModel(QObject):
         found = (*self.takes.utterances(), *self.recordings.utterances)
         if found != self.workbench.utterances:
             self.workbench.load(found)
+
+    def _tell_score(self) -> None:
+        self.session.score.show_loaded(self.workbench.confusion, self.workbench.answered)
 
     def _forget_selection(self) -> None:
         self.selection = None

@@ -10,6 +10,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import line, row
 from phonemeanalyser.desktop.widgets.pages import PageStack
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
+from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker
 
 
 class CalibrationPage(QWidget):
@@ -17,14 +18,15 @@ class CalibrationPage(QWidget):
 
     Parameters
     ----------
-    head : says in the guided calibration what is heard.
+    head : says in the guided calibration what is recognised.
+    picker : the list of presets, from which the other one of A and B is chosen.
 
     Attributes
     ----------
     keys : to be installed as an event filter of the window.
     """
 
-    def __init__(self, calibration: CalibrationModel, head: QWidget, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, head: QWidget, picker: PresetPicker, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
@@ -32,7 +34,7 @@ class CalibrationPage(QWidget):
         self.keys = HeldKeys(calibration, self)
         self.right = PageStack()
         self.guide = GuideView(calibration, head, theme)
-        self.workbench = WorkbenchView(calibration, theme)
+        self.workbench = WorkbenchView(calibration, picker, theme)
         self._lay_out()
         self.takes.guide_asked.connect(calibration.begin_guide)
         calibration.guide.changed.connect(self._show_guide)
@@ -41,6 +43,8 @@ class CalibrationPage(QWidget):
         """Show what changes by itself."""
         if self._calibration.guide.running:
             self.guide.refresh()
+        elif self.workbench.phoneme_data.isVisible():
+            self.workbench.phoneme_data.refresh()
 
     def _show_guide(self) -> None:
         running = self._calibration.guide.running

@@ -1,1 +1,1 @@
-"""What every page shares: the sound that is played or heard, its preset and its results."""
+"""What every page shares: the sound that is played or recorded, its preset and its results."""

@@ -24,7 +24,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 from phonemeengine.speech.voice import SpokenSentence
@@ -57,7 +57,7 @@ class FaceInUse:
     movestates : those of the mesh of the options, where they are in a file of their own.
     driver : what moves the face where the words are known.
     words : what is said, by the sound's file, as far as it is known.
-    speech : the text in hand, where it is no sound.
+    speech : the current text, where it is no sound.
     """
 
     table: str = USUAL_TABLE
@@ -211,10 +211,14 @@ CLIP_OPTIONS = frozenset({"table", "fps", "anticipation", "mesh", *WEIGHTED, *FA
 EXPORT_KINDS: dict[str, Conversion] = CONVERSIONS | {
     kind.name: kind
     for kind in (
-        Conversion("clip-mp4", tr_noop("a clip of the head with its sound"), ".mp4", None, CLIP_OPTIONS),
-        Conversion("clip-gif", tr_noop("a clip of the head"), ".gif", None, CLIP_OPTIONS),
+        Conversion("clip-mp4", tr_noop("video of the head with its sound"), ".mp4", None, CLIP_OPTIONS),
+        Conversion("clip-gif", tr_noop("animated GIF of the head"), ".gif", None, CLIP_OPTIONS),
         Conversion(
-            "report-html", tr_noop("how right it is, by the labels beside it"), ".report.html", None, has_words=False
+            "report-html",
+            tr_noop("accuracy report by the labels beside the file"),
+            ".report.html",
+            None,
+            has_words=False,
         ),
     )
 }

@@ -33,9 +33,9 @@ class ExportState(StrEnum):
     """What became of a file."""
 
     WAITING = tr_noop("waiting")
-    WORKING = tr_noop("at work")
+    WORKING = tr_noop("running")
     DONE = tr_noop("done")
-    SKIPPED = tr_noop("done before")
+    SKIPPED = tr_noop("already done")
     FAILED = tr_noop("failed")
     CANCELLED = tr_noop("cancelled")
 
@@ -154,7 +154,7 @@ class ExportQueue(QObject):
         if order.texts is None and known.texts is not None:
             for job in jobs:
                 if not known.texts.knows(job.source):
-                    self._put(job, notes=(tr("there are no words beside it"),))
+                    self._put(job, notes=(tr("no text or TextGrid beside the file"),))
         outcomes = run_batch(jobs, work_of(known), options, on_outcome=self._take, on_progress=show)
         if folder is not None:
             write_batch_report(outcomes, folder)
@@ -194,7 +194,7 @@ def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | Non
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     if order.kind.startswith("clip-"):
-        return tr("A clip is seen once it is made; the page Talk shows the same head at once.")
+        return tr("Clips have no preview. The page Talk shows the same head.")
     with TemporaryDirectory() as folder:
         order, is_long = with_texts(order, [source]), False
         if order.speech is None:
@@ -212,7 +212,7 @@ def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     try:
         text = content.decode()
     except UnicodeDecodeError:
-        return tr("{target}: {n} bytes that are no text").format(
+        return tr("{target}: {n} bytes of binary data").format(
             target=target.name, n=f"{len(content):,}".replace(",", " ")
         )
     return text[:MOST_PREVIEWED] + ("\n…" if is_cut or len(text) > MOST_PREVIEWED else "")

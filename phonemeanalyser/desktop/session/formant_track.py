@@ -25,7 +25,7 @@ class KnownFormants(NamedTuple):
 
 
 class FormantTrack(SeenTrack):
-    """Measures the formants where somebody looks, once they are wanted.
+    """Measures the formants that are in view, once they are wanted.
 
     Attributes
     ----------

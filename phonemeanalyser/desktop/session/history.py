@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import IndexArray
 from phonemeengine.features.measure import Features
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import NO_PHONEME
 from phonemeengine.recognition.segments import count_changes
 from phonemeengine.settings import FRAME_PERIOD, WINDOW
 
@@ -19,8 +19,6 @@ GAP = 10
 """Empty columns where the sound does not go on: after a seek, a loop or a loss."""
 NOWHERE = -10
 """The frame of an empty column; none follows it."""
-NO_PHONEME = len(Phoneme)
-"""The phoneme of an empty column."""
 
 
 class History:
@@ -29,7 +27,7 @@ class History:
     Column c (counted from Clear) lies at index ``c % CAPACITY`` of the arrays. Where a frame does not follow the one
     before it, `GAP` empty columns lie between the two.
 
-    The extremes are those of all frames that were heard since Clear, however long ago, each as it was measured last;
+    The extremes are those of all frames since Clear, however long ago, each as it was measured last;
     frames that are only shown, as after a seek, do not count.
 
     Attributes
@@ -65,7 +63,7 @@ class History:
         self._forget_extremes()
 
     def take_back_unheard(self) -> int:
-        """Forget the newest columns that nobody heard, and the gap before them; give how many columns are left."""
+        """Forget the newest columns that were not played, and the gap before them; return how many are left."""
         heard = np.flatnonzero(self._heard[self.indices(0, self.n)])
         self.n = self._oldest + (int(heard[-1]) + 1 if len(heard) else 0)
         self.newest = None
@@ -109,7 +107,7 @@ class History:
         return Features(self._names, self._values[indices])
 
     def extremes(self, name: str) -> tuple[float, float, float] | None:
-        """Return maximum, mean and minimum of a variable since Clear, or None before the first frame was heard."""
+        """Return maximum, mean and minimum of a variable since Clear, or None before the first frame."""
         if not self.n_measured(name):
             return None
         n, total, highest, lowest = self._extremes_of(self._names.index(name))

@@ -1,4 +1,4 @@
-"""The microphone: which one, what it does, what is recorded of it, and how late it is, measured by clicks."""
+"""The microphone: which one, what it does, what is recorded of it, and its latency, measured by clicks."""
 
 import time
 from collections.abc import Callable, Sequence
@@ -68,19 +68,18 @@ class LatencyTest(QObject):
             self.result = found
             self.info.emit(_sentence_of(found))
         else:
-            self.error.emit(tr("The latency was not measured: {why}.").format(why=tr_engine(str(found))))
+            self.error.emit(tr("The latency could not be measured: {why}.").format(why=tr_engine(str(found))))
         self.ended.emit()
 
 
 def _sentence_of(found: Loopback) -> str:
-    share = tr("{ms:.0f} ms of it are the microphone's, and the status line now counts with them").format(
+    share = tr("The input takes {ms:.0f} ms of it, which the latency display now includes.").format(
         ms=1000 * found.capture
     )
     if not found.capture:
-        share = tr("the card does not tell which part of it is the microphone's")
+        share = tr("The audio device does not report which part of it the input takes.")
     return tr(
-        "A click comes back after {ms:.0f} ms ({n_heard} of {n_played} "
-        "heard, within {spread:.0f} ms of each other); {share}."
+        "Round-trip latency {ms:.0f} ms ({n_heard} of {n_played} clicks detected, spread {spread:.0f} ms). {share}"
     ).format(
         ms=1000 * found.round_trip,
         n_heard=found.n_heard,
@@ -134,7 +133,7 @@ class DeviceList(QObject):
 
 
 class NoListener:
-    """What a microphone does that nobody listens to: nothing."""
+    """What a microphone does while it is not in use: nothing."""
 
     status, level, latency = NOT_LISTENING, Level(), Latency()
     rate = n_dropped = 0
@@ -162,9 +161,9 @@ class Microphone(QObject):
 
     Attributes
     ----------
-    listener : what is heard, how loud, and what was lost of it.
-    capture : what is heard while somebody wants its samples.
-    heard : everything that was heard since it was forgotten; None before the first listening.
+    listener : what is recognised, how loud, and what was lost of it.
+    capture : the samples, while a take is recorded.
+    heard : everything that was recorded since Clear; None before the first listening.
 
     Signals
     -------
@@ -225,7 +224,7 @@ class Microphone(QObject):
     @property
     def name(self) -> str:
         """What is listened to, as the user chose it."""
-        return self.choice.label or tr("default microphone")
+        return self.choice.label or tr("Default microphone")
 
     @property
     def active(self) -> bool:
@@ -239,7 +238,7 @@ class Microphone(QObject):
 
     @property
     def silent(self) -> bool:
-        """Whether sound should come in, and none does: what was heard last is no news then."""
+        """Whether sound should come in, and none does: what came last is out of date then."""
         return self.active and not self.listening
 
     @property
@@ -251,7 +250,7 @@ class Microphone(QObject):
     def words(self) -> str:
         """What is going on, in words."""
         if self.latency_test.running:
-            return tr("measuring its latency")
+            return tr("measuring latency")
         status, rate = self.listener.status, f"{self.listener.rate:,} Hz".replace(",", " ")
         return f"{status.words}, {rate}" if status.listening else status.words
 
@@ -294,7 +293,7 @@ class Microphone(QObject):
             self.heard.add_samples(block, rate)
 
     def forget_heard(self) -> None:
-        """Forget what was heard so far."""
+        """Forget what was recorded so far."""
         if self.heard is not None:
             self.heard.clear()
 
@@ -344,10 +343,10 @@ class Microphone(QObject):
             self.changed.emit()
 
     def begin_recording(self) -> None:
-        """Record what is heard from now on into a new file in the folder."""
+        """Record the microphone from now on into a new file in the folder."""
         if self.latency_test.running:
             self.error.emit(
-                tr("Nothing is recorded, since the latency is being measured; try again in a few seconds.")
+                tr("Recording did not start, since the latency is being measured. Try again in a few seconds.")
             )
         if not self.active or self.recording:
             return
@@ -395,10 +394,9 @@ class Microphone(QObject):
         status = self.listener.status
         if status.listening:
             if self._troubled:
-                lost = tr("{seconds:.1f} s could not be heard").format(seconds=self.listener.lost_seconds)
-                self.info.emit(
-                    tr("The microphone is there: {status}; {lost}.").format(status=tr_engine(status.words), lost=lost)
-                )
+                words = tr("The microphone is back: {status}. {seconds:.1f} s of its signal were lost.")
+                lost = self.listener.lost_seconds
+                self.info.emit(words.format(status=tr_engine(status.words), seconds=lost))
             self._troubled = self._words = ""
             return
         words, now = status.words.split(" since ")[0], time.monotonic()
@@ -406,7 +404,7 @@ class Microphone(QObject):
             self._words, self._since = words, now
         if words != self._troubled and now - self._since >= PATIENCE:
             self._troubled = words
-            waits = "; " + tr("the recording waits for it") if self.recording else ""
+            waits = "; " + tr("the recording continues once the signal is back") if self.recording else ""
             told = tr_engine(words)
             self.error.emit(f"{told[0].upper()}{told[1:]}{waits}.")
 
@@ -418,7 +416,7 @@ class Microphone(QObject):
             for remark in _remarks(recorder):
                 self.info.emit(remark)
         else:
-            self.error.emit(tr("Nothing was recorded, since no sound came; check the microphone."))
+            self.error.emit(tr("Nothing was recorded, since the microphone sent no signal. Check the microphone."))
 
 
 def _remarks(recorder: Recorder) -> list[str]:
@@ -426,8 +424,10 @@ def _remarks(recorder: Recorder) -> list[str]:
     earlier = [path.name for path in recorder.paths[:-1]]
     if not earlier:
         return list(recorder.notes)
-    files = tr(" and ").join(earlier)
+    files = ", ".join(earlier)
     return [
         *recorder.notes,
-        tr("The microphone changed its form on the way, so what came before that is in {files}.").format(files=files),
+        tr(
+            "The format of the microphone changed during the recording; the part before the change is in {files}."
+        ).format(files=files),
     ]

@@ -14,7 +14,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.source import Reader
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.files import write_labels
-from phonemeengine.presets.ears import ear_in_words, for_files
+from phonemeengine.presets.model_choice import for_files, model_in_words
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.segments import SegmentBuilder, labels_of_segments
 from phonemeengine.settings import HOP
@@ -54,7 +54,7 @@ class PhonemeWriter(QObject):
         target : its ending says in which format: .TextGrid, .txt (Audacity) or .csv (the corpus format).
         """
         self.info.emit(
-            tr("The phonemes of {name} are looked for, and then saved in {target} …").format(
+            tr("Recognising the phonemes of {name} and saving them as {target}…").format(
                 name=name, target=target.name
             )
         )
@@ -65,8 +65,8 @@ class PhonemeWriter(QObject):
 
     def _tell(self, name: str, target: Path, heard: Preset) -> None:
         self.info.emit(
-            tr("The phonemes of {name} are saved in {target}, heard with: {ear}.").format(
-                name=name, target=target, ear=tr_engine(ear_in_words(heard))
+            tr("Phonemes of {name} saved as {target}. Model: {model}.").format(
+                name=name, target=target, model=tr_engine(model_in_words(heard))
             )
         )
         for warning in heard.warnings:
@@ -78,7 +78,7 @@ class PhonemeWriter(QObject):
 
 
 def _write(open_sound: Callable[[], Reader], preset: Preset, target: Path, progress: Progress) -> Preset:
-    """Write the phonemes of a sound; return the preset that heard them."""
+    """Write the phonemes of a sound; return the preset that recognised them."""
     preset = for_files(preset)
     with closing(open_sound()) as reader:
         joiner, segments = SegmentBuilder(), []
@@ -90,7 +90,7 @@ def _write(open_sound: Callable[[], Reader], preset: Preset, target: Path, progr
 
 
 def _blocks(reader: Reader, progress: Progress) -> Iterator[Float32Array]:
-    """Return what is heard of a sound, whose length is known at its end at the latest."""
+    """Return what is recognised in a sound, whose length is known at its end at the latest."""
     n = 0
     while len(block := reader.read(AT_ONCE)):
         n += len(block)

@@ -15,11 +15,11 @@ from phonemeengine.live.player import Player
 from phonemeengine.presets.preset import Preset
 
 QUIETEST_DB = -60.0
-"""At this volume and below nothing is heard."""
+"""At this volume and below the output is silent."""
 
 
 class Playback(QObject):
-    """Holds what the user chose; the source of sound in hand follows it.
+    """Holds what the user chose; the current source follows it.
 
     Parameters
     ----------
@@ -56,7 +56,7 @@ class Playback(QObject):
         self.changed.emit()
 
     def set_volume(self, decibels: float) -> None:
-        """Set the loudness of what is heard, held to -60..0 dB."""
+        """Set the loudness of the playback, held to -60..0 dB."""
         self.volume = min(0.0, max(QUIETEST_DB, float(decibels)))
         self.changed.emit()
 
@@ -72,7 +72,7 @@ class Playback(QObject):
             self.changed.emit()
 
     def set_tone(self, tone: Tone) -> None:
-        """Generate another tone; where a tone is the source, it is heard at once."""
+        """Generate another tone; where a tone is the source, it is played at once."""
         self.tone = tone
         self.changed.emit()
 

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.session.averages import AveragesModel
+from phonemeanalyser.desktop.session.averages import RunningAverage
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -39,7 +39,7 @@ class AnalysisResults(QObject):
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
         self.history = History()
-        self.averages = AveragesModel()
+        self.averages = RunningAverage()
         self._preset = preset
         self._work = TaskQueue(self.error.emit)
         self._work.idle.connect(self._begin_wanted)
@@ -53,11 +53,11 @@ class AnalysisResults(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether what was heard last is being analysed anew."""
+        """Whether what was played last is being analysed anew."""
         return self._work.busy
 
     def clear(self, cause: str, sound: str) -> None:
-        """Forget everything, since another sound begins, or the user asked for it; see `AveragesModel.begin`."""
+        """Forget everything, since another sound begins, or the user asked for it; see `RunningAverage.begin`."""
         self.averages.begin(cause, sound)
         self._wanted = None
         self._work.cancel()
@@ -70,7 +70,7 @@ class AnalysisResults(QObject):
             self.add(analysis)
 
     def analyse_again(self, path: Path, channel: Channel) -> None:
-        """Analyse what was heard last of a file anew with the preset in force, in the background.
+        """Analyse what was played last of a file anew with the preset in force, in the background.
 
         While that lasts, a newer preset waits, so that something is shown while a slider moves on.
         """
@@ -106,9 +106,9 @@ class AnalysisResults(QObject):
         self._work.close(CLOSE_TIMEOUT)
 
     def show_before(self, path: Path, channel: Channel, seconds: float) -> None:
-        """Show the seconds of a file before a time after what was heard, from which a gap parts them.
+        """Show the seconds of a file before a time after what was played, from which a gap parts them.
 
-        Nobody hears them, so they do not count, and they give way to those before the next place that is sought.
+        They are not played, so they do not count, and they give way to those before the next place that is sought.
         """
         column, last = self.history.take_back_unheard(), round(seconds / FRAME_PERIOD)
         for analysis in self._told_analyses(path, channel, max(0, last - AGAIN), last):
@@ -129,7 +129,7 @@ class AnalysisResults(QObject):
             return None
 
     def _told_analyses(self, path: Path, channel: Channel, first: int, last: int) -> Iterator[Analysis]:
-        """Analyse frames that nobody hears; a damaged file is said."""
+        """Analyse frames that are not played; a damaged file is reported."""
         try:
             yield from _analyses(path, channel, (first, last), self._preset.in_force)
         except EngineError as error:

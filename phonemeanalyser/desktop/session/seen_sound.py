@@ -17,20 +17,20 @@ from phonemeengine.settings import FRAME_PERIOD, Channel
 
 
 class SeenSound(QObject):
-    """Has a file, or what a microphone heard so far, measured in the background for whoever looks at it.
+    """Has a file, or a microphone's recording so far, measured in the background for whoever looks at it.
 
     Signals
     -------
-    looked_back : what the microphone heard is looked at, or no longer.
+    looked_back : the microphone's recording is looked at, or no longer.
     error : a sentence for the user.
 
     Attributes
     ----------
     sound : the file, and which channel of it; None where there is none.
-    looks_back : whether that is what the microphone heard.
+    looks_back : whether that is the microphone's recording.
     view : what is seen and selected.
     whole : what is recognised in it.
-    second : what a second preset recognises.
+    second : what the one of A and B that is not in use recognises.
     sonagram, formants, waveform : what is drawn of it.
     sonagram_is_filtered : whether the sonagram is drawn as it is after the filters that are on.
     """
@@ -47,7 +47,7 @@ class SeenSound(QObject):
         self.second = SecondPreset(preset, self.whole)
         self._preset = preset
         self._tracks = self.sonagram, self.formants, self.waveform
-        for model in (self.whole, self.second, *self._tracks):
+        for model in (self.whole, self.second.whole, *self._tracks):
             model.error.connect(self.error)
         self.view.moved.connect(self._look)
 

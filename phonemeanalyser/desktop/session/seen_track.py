@@ -1,4 +1,4 @@
-"""What is measured of a sound in the background, where somebody looks."""
+"""What is measured of a sound in the background, as far as it is in view."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ class SeenTrack(QObject):
         return self._work.busy
 
     def open(self, open_sound: Callable[[], SoundReader], duration: float) -> None:
-        """Measure another sound, of so many seconds."""
+        """Measure another sound, of this many seconds."""
         self._open, self._duration = open_sound, duration
         self._forget()
 

@@ -1,4 +1,4 @@
-"""What is done with the stretch of a file that is selected: it is measured, saved, averaged or copied."""
+"""What is done with the selection of a file: it is measured, saved or copied."""
 
 from functools import partial
 from pathlib import Path
@@ -11,20 +11,13 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.execution import Progress
-from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum
-from phonemeengine.inspection.measurement import (
-    StretchMeasurement,
-    average_spectrum,
-    format_frames,
-    measure_stretch,
-    save_stretch,
-)
+from phonemeengine.inspection.measurement import StretchMeasurement, format_frames, measure_stretch, save_stretch
 
-NOTHING_SELECTED = tr_noop("Nothing is selected; drag with Shift over the file's sonagram, then try again.")
+NOTHING_SELECTED = tr_noop("Nothing is selected. Shift+drag over the file to select a segment, then try again.")
 
 
 class Selection(QObject):
-    """Acts on what is selected of the file in hand, in the background.
+    """Acts on what is selected of the current file, in the background.
 
     Signals
     -------
@@ -43,7 +36,7 @@ class Selection(QObject):
 
     @property
     def span(self) -> TimeSpan | None:
-        """What is selected of the file in hand; None, after saying so, where that is nothing."""
+        """What is selected of the current file; None, after saying so, where that is nothing."""
         span = self._session.view.selection
         if span is None or self._session.seen.sound is None:
             self.error.emit(tr(NOTHING_SELECTED))
@@ -90,25 +83,11 @@ class Selection(QObject):
             self._work.submit(
                 lambda _: save_stretch(path, *span, target, channel=channel),
                 lambda _: self.info.emit(
-                    tr("Saved {seconds:.2f} s of {path} as {target}").format(
+                    tr("{seconds:.2f} s of {path} saved as {target}").format(
                         seconds=span.seconds, path=path.name, target=target
                     )
                 ),
             )
-
-    def average(self) -> None:
-        """Show its averaged spectrum as a curve beside the others."""
-        span, seen = self.span, self._session.seen.sound
-        preset = self._session.preset.in_force
-        if span is None or seen is None:
-            return
-        path, channel = seen
-        name = f"{path.stem} {span.start:.2f}-{span.end:.2f} s"
-
-        def act(_progress: Progress) -> AveragedSpectrum:
-            return average_spectrum(path, *span, preset, name, channel=channel)
-
-        self._work.submit(act, self._session.averages.add_curve)
 
     def frames_as_text(self) -> str:
         """Return its frames as a table with tabs; empty, after saying why, where there is none."""

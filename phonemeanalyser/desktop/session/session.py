@@ -1,4 +1,4 @@
-"""The sound in hand: where it comes from, playing and recording it, and what is known of it."""
+"""The current sound: where it comes from, playing and recording it, and what is known of it."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -6,12 +6,15 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.session.curves import CurveTable
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
 from phonemeanalyser.desktop.session.playback import Playback
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.results import AnalysisResults
+from phonemeanalyser.desktop.session.rules import RuleModel
+from phonemeanalyser.desktop.session.score import ScoreModel
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
 from phonemeanalyser.desktop.session.sources import FileSource, Source, SourceKind, source_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -28,27 +31,30 @@ class Session(QObject):
 
     Signals
     -------
-    opened : another file is in hand, or another source.
+    opened : another file is open, or another source.
     transport_changed : playing, pausing, stopping, recording, the channel, or how sound is played.
     cleared : everything gathered was forgotten.
     rewritten : the columns of the history from this one on are others now.
-    heard : a list of the blocks that were heard since the last tick; see `phonemeengine.analyser.Analysis`.
+    heard : a list of the blocks that were played since the last tick; see `phonemeengine.analyser.Analysis`.
     sought : the file, or the spoken text, stands elsewhere.
     error : a sentence for the user.
 
     Attributes
     ----------
     source : where the sound comes from.
-    file : the file in hand, which stays so while another source is in use; None where there is none.
+    file : the current file, which stays so while another source is in use; None where there is none.
     wanted_channel : what is analysed of files of several channels, where they have it.
     playback : how sound is played.
     microphone : listens and records.
-    results : what was found in what was heard; `history` and `averages` are of it.
+    results : what was recognised in what was played; `history` and `averages` are of it.
     seen : the sound that is seen on its own time; `view`, `whole`, `second`, `sonagram`, `formants` and `waveform`
         are of it.
-    labels : of the file in hand.
+    curves : averaged spectra of any sounds, side by side.
+    labels : of the current file.
+    score : how right what is recognised is beside labels.
+    rules : of the preset in use.
     writer : writes phonemes of whole sounds.
-    may_leave : asked before another file takes the place of the one in hand; what it refuses is not opened.
+    may_leave : asked before another file takes the place of the current one; what it refuses is not opened.
     say : asked to have a text spoken, which `take` then gets, when the user chooses the text as the source.
     """
 
@@ -71,6 +77,9 @@ class Session(QObject):
         self.playback, self.microphone = Playback(open_device), microphone or Microphone()
         self.results, self.seen = AnalysisResults(preset), SeenSound(preset)
         self.labels, self.writer = LabelTiers(preset.undo_stack), PhonemeWriter()
+        self.curves = CurveTable(preset)
+        self.score = ScoreModel(preset, self.seen, self.labels)
+        self.rules = RuleModel(preset, self.seen, self.labels)
         self.history, self.averages = self.results.history, self.results.averages
         self.view, self.whole, self.second = self.seen.view, self.seen.whole, self.seen.second
         self.sonagram, self.formants, self.waveform = self.seen.sonagram, self.seen.formants, self.seen.waveform
@@ -83,7 +92,7 @@ class Session(QObject):
         self._told = ""
         preset.changed.connect(self._use_preset)
         self.playback.changed.connect(self._use_playback)
-        for part in (self.microphone, self.writer, self.labels, self.results):
+        for part in (self.microphone, self.writer, self.labels, self.rules, self.score, self.results, self.curves):
             part.error.connect(self.error)
         self.seen.error.connect(self._tell_once)
         self.results.cleared.connect(self.cleared)
@@ -93,17 +102,17 @@ class Session(QObject):
 
     @property
     def path(self) -> Path | None:
-        """The path of the file in hand."""
+        """The path of the current file."""
         return None if self.file is None else self.file.path
 
     @property
     def channel(self) -> Channel:
-        """What is analysed of the file in hand: the channel that is wanted, or the mix of a file that lacks it."""
+        """What is analysed of the current file: the channel that is wanted, or the mix of a file that lacks it."""
         return self.wanted_channel if self.file is None else self.file.channel
 
     @property
     def busy(self) -> bool:
-        """Whether more of the sound in hand is being found or measured."""
+        """Whether more of the current sound is being found or measured."""
         return self.results.busy or self.seen.busy
 
     # -- where the sound comes from -----------------------------------------------------------------------
@@ -133,9 +142,10 @@ class Session(QObject):
         return True
 
     def set_source(self, kind: SourceKind) -> None:
-        """Follow the file, from where it was left, or what is heard at once: microphone, tone or text."""
-        if kind is SourceKind.TONE and kind is self.source.kind and not self.source.playing:
-            self.play()
+        """Follow the file, from where it was left, or live sound: microphone, tone or text.
+
+        A tone waits until it is played, since it may be loud.
+        """
         if kind is self.source.kind:
             return
         if kind is SourceKind.FILE and self.path is None:
@@ -144,7 +154,8 @@ class Session(QObject):
             self.seek(self._left_at)
         else:
             self.take(lambda: self._source_of(kind))
-            self.play()
+            if kind is not SourceKind.TONE:
+                self.play()
 
     def _source_of(self, kind: SourceKind) -> Source:
         return source_of(kind, self.preset.in_force, self.playback, self.microphone, self.say)
@@ -161,13 +172,13 @@ class Session(QObject):
         self.transport_changed.emit()
 
     def leave_sound(self) -> None:
-        """Have no sound in hand, as before the first one."""
+        """Have no sound open, as before the first one."""
         self.file, self._told = None, ""
         self.labels.follow(None, 0.0)
         self.take(lambda: self._source_of(SourceKind.FILE))
 
     def look_back(self, on: bool) -> None:
-        """Look at all that the microphone heard since Clear, as at a file, or no longer; it goes on listening."""
+        """Look at all that the microphone recorded since Clear, as at a file, or no longer; it goes on listening."""
         if not on:
             if self.seen.looks_back:
                 self.seen.leave()
@@ -176,7 +187,13 @@ class Session(QObject):
         past = None if heard is None else heard.snapshot()
         if past is None:
             failure = None if heard is None else heard.failure
-            self.error.emit(failure or tr("The microphone heard nothing yet; listen to it, then look back."))
+            self.error.emit(
+                failure
+                or tr(
+                    "The history is empty, since the microphone was not used yet. Press "
+                    "Space to listen, then try again."
+                )
+            )
             return
         with SoundReader(past) as reader:
             self.seen.open(reader, looks_back=True)
@@ -212,7 +229,7 @@ class Session(QObject):
         self.transport_changed.emit()
 
     def toggle_recording(self) -> None:
-        """Record what the microphone hears, or end that; another source makes room for the microphone.
+        """Record the microphone, or end that; another source gives way to the microphone.
 
         The averaged spectrum begins anew with a recording.
         """
@@ -238,8 +255,18 @@ class Session(QObject):
             self.sought.emit()
             self.transport_changed.emit()
 
+    def show_segment(self, span: TimeSpan, at: float) -> None:
+        """Select a segment of the file, go to a time in it, and have it seen with something around it."""
+        self.seek(at)
+        self.view.select(span)
+        self.view.reveal(span)
+
+    def step(self, seconds: float) -> None:
+        """Go forwards, or backwards, by some seconds."""
+        self.seek(self.source.position + seconds)
+
     def play_stretch(self, span: TimeSpan, *, loop: bool | None = None) -> None:
-        """Play a stretch of the file, or of a spoken text; it stands at its beginning afterwards.
+        """Play a segment of the file, or of a spoken text; it stands at its beginning afterwards.
 
         Parameters
         ----------
@@ -253,7 +280,7 @@ class Session(QObject):
             self.transport_changed.emit()
 
     def set_channel(self, channel: Channel) -> None:
-        """Choose what is analysed of files of several channels; the one in hand goes on from the same place."""
+        """Choose what is analysed of files of several channels; the current one goes on from the same place."""
         if channel is self.wanted_channel is self.channel:
             return
         path, position, playing = self.source.path, self.source.position, self.source.playing
@@ -276,13 +303,13 @@ class Session(QObject):
         """Let everything go."""
         self.source.close()
         self.source = self._source_of(SourceKind.FILE)
-        for part in (self.seen, self.microphone, self.writer, self.results):
+        for part in (self.rules, self.score, self.seen, self.microphone, self.writer, self.results, self.curves):
             part.close()
 
     # -- what is found ------------------------------------------------------------------------------------
 
     def poll(self) -> bool:
-        """Gather what has been heard since the last tick; say whether there was anything.
+        """Gather what has been played since the last tick; say whether there was anything.
 
         What was played to its end holds still at its beginning.
         """
@@ -307,7 +334,7 @@ class Session(QObject):
         return bool(blocks)
 
     def analyse_until(self, seconds: float) -> None:
-        """Analyse the file in hand from its beginning up to a time at once, as if it had been played so far."""
+        """Analyse the current file from its beginning up to a time at once, as if it had been played so far."""
         path, duration = self.source.path, self.source.duration
         if path is not None:
             n_frames = round(min(seconds, duration) / FRAME_PERIOD) + (seconds >= duration)
@@ -326,7 +353,7 @@ class Session(QObject):
         self.transport_changed.emit()
 
     def _tell_once(self, sentence: str) -> None:
-        """Say what is wrong with the sound in hand: who plays it and who analyses it whole find the same."""
+        """Say what is wrong with the current sound: who plays it and who analyses it whole find the same."""
         if sentence != self._told:
             self._told = sentence
             self.error.emit(sentence)

@@ -1,4 +1,4 @@
-"""The sonagram of a file, measured in the background where somebody looks, and kept as tiles of several scales."""
+"""The sonagram of a file, measured in the background as far as it is in view, and kept as tiles of several scales."""
 
 import math
 import threading
@@ -14,12 +14,12 @@ from PySide6.QtCore import Qt, QTimer, Signal
 
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeengine.analyser import PRE_ROLL
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.dsp.sonagram import FLOOR, SPAN, SonagramSettings, level_range_of, sonagram_of
+from phonemeengine.dsp.sonagram import LEVELS, SonagramSettings, sonagram_of
 from phonemeengine.execution import Progress, report_progress, subrange
 from phonemeengine.features.filtered_sonagram import filtered_sonagram_of
+from phonemeengine.presets.preset import PRE_ROLL
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
 
 FINEST = 0.001
@@ -34,7 +34,7 @@ coarser ones meanwhile, and leaves the processor to others."""
 
 
 class Tile(NamedTuple):
-    """A stretch of the sonagram.
+    """A part of the sonagram.
 
     Attributes
     ----------
@@ -69,7 +69,7 @@ class SonagramTiles(SeenTrack):
     ----------
     settings : how it is measured.
     filters : through which it is measured; None for the sound itself.
-    level_range : the levels, dB, to be drawn darkest and brightest, as the loudest tiles so far have it.
+    level_range : the levels, dB, that are drawn darkest and brightest, the same for every sound.
     """
 
     _kept = Signal()
@@ -81,11 +81,10 @@ class SonagramTiles(SeenTrack):
         super().__init__()
         self.settings = SonagramSettings()
         self.filters: AnalysisSettings | None = None
-        self.level_range = (-SPAN, 0.0)
+        self.level_range = LEVELS
         self._lock = threading.Lock()
         self._generation = 0
         self._tiles: OrderedDict[_Key, Tile] = OrderedDict()
-        self._highest: float | None = None
         self._wanted: tuple[_Key, ...] = ()
         self._kept.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         self._began = -math.inf
@@ -103,15 +102,20 @@ class SonagramTiles(SeenTrack):
             self.settings = settings
             self._forget()
 
+    def show_levels(self, low: float, high: float) -> None:
+        """Draw other levels darkest and brightest, dB."""
+        self.level_range = (low, high)
+        self.changed.emit()
+
     def show_filtered(self, filters: AnalysisSettings | None) -> None:
-        """Measure what is left after the filters that a recogniser hears through; None for the sound itself."""
+        """Measure what is left after the filters of a recogniser; None for the sound itself."""
         kept = None if self.filters is None else self.filters.front_end()
         if kept != (None if filters is None else filters.front_end()):
             self.filters = filters
             self._forget()
 
     def tiles_for(self, seen: TimeSpan, n_pixels: int) -> list[Tile]:
-        """Return what is known of some seconds that are seen in so many pixels, coarse tiles first.
+        """Return what is known of some seconds that are seen in a number of pixels, coarse tiles first.
 
         What is missing is measured in the background, and `changed` tells when it is there.
         """
@@ -175,9 +179,6 @@ class SonagramTiles(SeenTrack):
             if generation != self._generation:
                 return
             self._tiles[key] = Tile(key.span, levels.astype(np.float16))
-            low, high = level_range_of(levels)
-            if (levels > FLOOR).any() and (self._highest is None or high > self._highest):
-                self._highest, self.level_range = high, (low, high)
             while len(self._tiles) > self.most_tiles:
                 self._tiles.popitem(last=False)
         self._kept.emit()
@@ -187,9 +188,8 @@ class SonagramTiles(SeenTrack):
         self._began = -math.inf
         with self._lock:
             self._generation += 1
-            self._tiles, self._highest = OrderedDict(), None
+            self._tiles = OrderedDict()
         self._wanted = ()
-        self.level_range = (-SPAN, 0.0)
         super()._forget()
 
 

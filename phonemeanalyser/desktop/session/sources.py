@@ -1,4 +1,4 @@
-"""Where the sound in hand comes from: a file, a microphone, a tone, or a text that a voice speaks."""
+"""Where the current sound comes from: a file, a microphone, a tone, or a text that a voice speaks."""
 
 from collections.abc import Callable
 from enum import StrEnum
@@ -13,17 +13,17 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.source import Reader
 from phonemeengine.audio.tone.reader import ToneReader
 from phonemeengine.live.player import Player
-from phonemeengine.presets.ears import for_live_use, while_played
+from phonemeengine.presets.model_choice import for_live_use, while_played
 from phonemeengine.presets.preset import Preset
 
 
 class SourceKind(StrEnum):
     """What there is to choose from."""
 
-    FILE = tr_noop("file")
-    MICROPHONE = tr_noop("microphone")
-    TONE = tr_noop("tone")
-    TEXT = tr_noop("text")
+    FILE = tr_noop("File")
+    MICROPHONE = tr_noop("Microphone")
+    TONE = tr_noop("Tone")
+    TEXT = tr_noop("Text")
 
 
 class Source:
@@ -39,8 +39,8 @@ class Source:
     ----------
     kind : what the user chose.
     title, words : what it is, in English, short and long.
-    hint : what the user may do while nothing is heard of it, in English.
-    live : whether nothing is known of the sound before it is heard.
+    hint : what the user may do while nothing is played of it, in English.
+    live : whether nothing is known of the sound before it is played.
     path : the file that is played; None where it is none.
     preset : recognises the sound.
     player : plays and analyses it; None where that is not done.
@@ -48,7 +48,7 @@ class Source:
     """
 
     kind, live = SourceKind.FILE, False
-    title = words = tr_noop("no sound")
+    title, words = tr_noop("No file"), tr_noop("open one with Ctrl+O")
     hint = tr_noop("Press Space to play")
     path: Path | None = None
     reopen: Callable[[], Reader] | None = None
@@ -82,7 +82,7 @@ class Source:
 
     @property
     def position(self) -> float:
-        """Seconds from the beginning to what is heard."""
+        """Seconds from the beginning to what is playing."""
         return 0.0 if self.player is None else min(self.player.position, self.player.reader.duration)
 
     @property
@@ -91,7 +91,7 @@ class Source:
         return self.player is not None and self.player.playing
 
     def play(self) -> bool:
-        """Play, or listen; says whether there is anything to be heard."""
+        """Play, or listen; says whether there is anything to play."""
         if self.player is not None:
             self.player.play()
         return self.player is not None
@@ -112,11 +112,11 @@ class Source:
             self.player.play_stretch(start, end)
 
     def take_analyses(self) -> list[Analysis]:
-        """Return what was heard since the last call; raises EngineError where that has ended the sound."""
+        """Return what was played since the last call; raises EngineError where that has ended the sound."""
         return [] if self.player is None else self.player.take_analyses()
 
     def upcoming(self) -> list[tuple[float, Analysis]]:
-        """Return what is known of the sound before it is heard, each block with the seconds until then."""
+        """Return what is known of the sound before it is played, each block with the seconds until then."""
         return [] if self.player is None or self.live else self.player.upcoming()
 
     def set_preset(self, preset: Preset) -> None:
@@ -168,11 +168,11 @@ class FileSource(Source):
 
 
 class ToneSource(Source):
-    """Plays a tone that changes while it is heard."""
+    """Plays a tone that changes while it is played."""
 
     kind = title = SourceKind.TONE
     live = True
-    hint = tr_noop("Press Space to hear the tone")
+    hint = tr_noop("Press Space to play the tone")
 
     def __init__(self, preset: Preset, playback: Playback) -> None:
         self._reader = ToneReader(playback.tone)
@@ -184,19 +184,18 @@ class ToneSource(Source):
         return tr(self._reader.tone.kind.replace("_", " "))
 
     def follow(self, playback: Playback) -> None:
-        """Play as is chosen now; another tone is heard at once."""
+        """Play as is chosen now."""
         super().follow(playback)
         if playback.tone != self._reader.tone:
             self._reader.set_tone(playback.tone)
-            self.play()
 
 
 class UnspokenText(Source):
-    """Stands for a text while there is nothing to be heard of it; `say` is asked for that."""
+    """Stands for a text while there is nothing to play of it; `say` is asked for that."""
 
     kind = title = SourceKind.TEXT
-    words = tr_noop("a text that a voice speaks")
-    hint = tr_noop("Write a text on the page Talk, and press Ctrl+Return there")
+    words = tr_noop("synthetic voice")
+    hint = tr_noop("Enter a text on the page Talk and press Ctrl+Return")
 
     def __init__(self, preset: Preset, say: Callable[[], None]) -> None:
         super().__init__(preset)
@@ -251,7 +250,7 @@ class MicrophoneSource(Source):
         return True
 
     def take_analyses(self) -> list[Analysis]:
-        """Return what was heard since the last call."""
+        """Return what was played since the last call."""
         return self._microphone.listener.take_analyses()
 
     def set_preset(self, preset: Preset) -> None:

@@ -6,18 +6,20 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeengine.settings import FRAME_PERIOD
 
-SHORTEST = 0.05
+SHORTEST = 0.005
 """Seconds that are seen at least."""
 USUAL = 10.0
 """Seconds of a longer file that are seen at first."""
 LEAST_SELECTED = FRAME_PERIOD
 """Seconds; a drag over less selects nothing."""
+AROUND = 0.5
+"""Seconds that are seen at least on either side of what is revealed."""
 AHEAD = 0.1
-"""Share of what is seen that lies before the place that is heard, when the view turns a page."""
+"""Share of what is seen that lies before the playhead, when the view turns a page."""
 
 
 class TimeSpan(NamedTuple):
-    """A stretch of time, seconds from the file's beginning."""
+    """An interval of time, seconds from the file's beginning."""
 
     start: float
     end: float
@@ -41,7 +43,7 @@ class TimeView(QObject):
     duration : of the file, seconds; 0 where there is none.
     seen : the part.
     selection : what is selected; None for nothing.
-    follows : whether the view goes along with what is heard.
+    follows : whether the view follows the playhead.
     """
 
     moved = Signal()
@@ -72,8 +74,15 @@ class TimeView(QObject):
         """See a part, such as what is selected."""
         self._show(span.start, span.seconds)
 
+    def reveal(self, span: TimeSpan) -> None:
+        """See a part with what is around it, unless all of it is seen already."""
+        if not (self.seen.start <= span.start and span.end <= self.seen.end):
+            half = max(self.seen.seconds / 2, span.seconds + AROUND)
+            middle = (span.start + span.end) / 2
+            self._show(middle - half, 2 * half)
+
     def zoom(self, at: float, factor: float) -> None:
-        """See so many times as much around a time, which stays where it is on the screen."""
+        """Change the zoom by a factor around a time, which stays where it is on the screen."""
         seconds = self._length(self.seen.seconds * factor)
         share = (at - self.seen.start) / self.seen.seconds if self.seen.seconds else 0.5
         self._show(at - share * seconds, seconds)
@@ -83,7 +92,7 @@ class TimeView(QObject):
         self._show(self.seen.start + seconds, self.seen.seconds)
 
     def follow(self, position: float) -> None:
-        """Turn the page where what is heard lies beyond what is seen, if the view follows it."""
+        """Turn the page where the playhead lies beyond what is seen, if the view follows it."""
         if self.follows and not self.seen.start <= position < self.seen.end:
             self._show(position - AHEAD * self.seen.seconds, self.seen.seconds)
 

@@ -1,15 +1,12 @@
-"""The file in hand, analysed whole in the background while it may be played; by a second preset, too."""
+"""The current file, analysed whole in the background while it may be played; by a second preset, too."""
 
 from collections.abc import Callable
-from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import EngineError
 from phonemeengine.execution import Progress
 from phonemeengine.inspection.whole_sound import (
     FrameRange,
@@ -19,7 +16,6 @@ from phonemeengine.inspection.whole_sound import (
     difference_in,
     tracks_of,
 )
-from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 
 MOST_AT_ONCE = 1_000_000
@@ -31,14 +27,14 @@ class WholeFile(QObject):
 
     Signals
     -------
-    changed : more of it is known, or another file is in hand.
+    changed : more of it is known, or another file is open.
     error : a sentence for the user.
 
     Attributes
     ----------
     tracks : what is known of the file; None where there is none.
     preset : with which that is, or will be, found; None where there is none.
-    in_view : the frames that somebody looks at, which are found first.
+    in_view : the frames that are in view, which are found first.
     """
 
     changed = Signal()
@@ -69,7 +65,7 @@ class WholeFile(QObject):
         self.use_preset(preset)
 
     def follow(self, other: "WholeFile", preset: Preset) -> None:
-        """Analyse the file that another one has in hand, with a preset of its own."""
+        """Analyse the file that another one has open, with a preset of its own."""
         if self._open is not other._open:
             self._open = other._open
             self._forget()
@@ -77,7 +73,7 @@ class WholeFile(QObject):
         self.use_preset(preset)
 
     def leave(self) -> None:
-        """Know nothing any more: another source is in hand."""
+        """Know nothing any more: another source is open."""
         self._work.cancel()
         self._forget()
         self.tracks = self._open = None
@@ -98,7 +94,7 @@ class WholeFile(QObject):
         self._work.replace(analyse, lambda _: setattr(self, "_complete", True))
 
     def _forget(self) -> None:
-        """Take what is in hand for unknown."""
+        """Take the current file for unknown."""
         self.preset, self._complete, self._again = None, False, None
 
     def _retuned(self, tracks: SoundTracks, preset: Preset) -> bool:
@@ -134,83 +130,45 @@ class WholeFile(QObject):
         self._work.close(CLOSE_TIMEOUT)
 
 
-NO_SECOND = tr_noop("There is no second preset yet; choose one by Analysis > Second Preset.")
-
-
 class SecondPreset(QObject):
-    """Holds a preset beside the one in use, and what it hears in the file.
+    """What the one of A and B that is not in use recognises in the file.
 
     Signals
     -------
-    changed : another preset, or none; or the two changed places.
-    error : a sentence for the user.
-
-    Attributes
-    ----------
-    preset : the second one; None for none.
-    is_in_force : whether it is heard in place of the first.
-    whole : what the one of the two that is not in force hears in the file.
+    changed : there is another one, or none; or the two changed places.
     """
 
     changed = Signal()
-    error = Signal(str)
 
-    def __init__(self, first: PresetModel, whole: WholeFile) -> None:
+    def __init__(self, preset: PresetModel, whole: WholeFile) -> None:
         super().__init__()
-        self.preset: Preset | None = None
-        self.is_in_force = False
         self.whole = WholeFile()
-        self._first, self._heard = first, whole
-        first.loaded.connect(self._end)
-        self.whole.error.connect(self.error)
+        self._preset, self._used = preset, whole
+        self._letter = preset.letter
+        preset.sides_changed.connect(self._follow_sides)
 
     @property
-    def names(self) -> tuple[str, str]:
-        """The names of the preset that is heard and of the other one; empty without a second."""
-        if self.preset is None:
-            return "", ""
-        first, second = self._first.preset.name, self.preset.name
-        return (second, first) if self.is_in_force else (first, second)
+    def is_there(self) -> bool:
+        """Whether there is a second preset."""
+        return self._preset.other is not None
 
-    def load(self, path: Path) -> None:
-        """Take a preset's file as the second one; one that cannot be read leaves all as it was."""
-        try:
-            self.take(load_preset(path))
-        except EngineError as error:
-            self.error.emit(str(error))
-
-    def take(self, preset: Preset | None) -> None:
-        """Take a preset as the second one; None for none."""
-        self._end()
-        self.preset = preset
-        self.follow()
-        self.changed.emit()
-
-    def switch(self, on: bool) -> None:
-        """Hear with the second preset, or with the first again."""
-        if self.preset is None:
-            if on:
-                self.error.emit(tr(NO_SECOND))
-            self.changed.emit()
-        elif on is not self.is_in_force:
-            self.is_in_force = on
-            self._heard.exchange(self.whole)
-            self._first.try_out(self.preset if on else None)
-            self.changed.emit()
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The letters and names of both presets, A first."""
+        return tuple(f"{letter}: {preset.name}" for letter, preset in self._preset.sides.items())
 
     def follow(self) -> None:
-        """Hear the file in hand with the one that is not in force."""
-        other = self._first.preset if self.is_in_force else self.preset
-        if other is None:
+        """Analyse the current file with the one that is not in use."""
+        if self._preset.other is None:
             self.whole.leave()
         else:
-            self.whole.in_view = self._heard.in_view
-            self.whole.follow(self._heard, other)
+            self.whole.in_view = self._used.in_view
+            self.whole.follow(self._used, self._preset.other.preset)
 
     def share_of_difference(self, frames: FrameRange) -> float | None:
-        """Return the share of some frames in which the two hear two things; None without a second preset."""
-        one, other = self._heard.tracks, self.whole.tracks
-        if self.preset is None or one is None or other is None:
+        """Return the share of some frames in which the two differ; None without a second preset."""
+        one, other = self._used.tracks, self.whole.tracks
+        if not self.is_there or one is None or other is None:
             return None
         return difference_in(one, other, frames).share
 
@@ -218,7 +176,9 @@ class SecondPreset(QObject):
         """End all work."""
         self.whole.close()
 
-    def _end(self) -> None:
-        """Hear with the first preset again."""
-        if self.is_in_force:
-            self.switch(False)
+    def _follow_sides(self) -> None:
+        if self._letter != self._preset.letter and self.is_there:
+            self._used.exchange(self.whole)
+        self._letter = self._preset.letter
+        self.follow()
+        self.changed.emit()

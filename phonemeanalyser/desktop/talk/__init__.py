@@ -1,1 +1,1 @@
-"""The Talk page: a head that speaks what is heard."""
+"""The Talk page: a head that speaks what is playing."""

@@ -15,13 +15,13 @@ from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
 
-MESHES = tr_noop("Meshes and movestates ({endings})")
+MESHES = tr_noop("Face meshes and blend shapes ({endings})")
 MESH_ENDINGS = " ".join(f"*{kind}" for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))
 TABLES = tr_noop("Mouth tables (*.toml)")
 SCRIPTS = tr_noop("Scripts (*.txt *.docx *.TextGrid *.json);;All files (*)")
 LEXICONS = tr_noop("Lexicons (*.toml *.csv)")
 PERFORMANCES = tr_noop("Tables of recorded faces (*.sqlite)")
-EXPRESSIONS = tr_noop("Recorded faces, Live Link Face (*.csv)")
+EXPRESSIONS = tr_noop("Live Link Face captures (*.csv)")
 WORDS = "Praat TextGrid (*.TextGrid)"
 SPEECH = "WAV (*.wav)"
 MOST_KEPT = 10_000
@@ -56,7 +56,7 @@ class TalkDialogs(QObject):
     def ask_mesh(self) -> None:
         """Let the user choose a mesh, with its movestates if they are in a file of their own."""
         filters = tr(MESHES).format(endings=MESH_ENDINGS)
-        if paths := self._files.ask_files(tr("A mesh, and its movestates"), filters, "mesh"):
+        if paths := self._files.ask_files(tr("Load Face"), filters, "mesh"):
             self.open(paths)
 
     def open(self, paths: list[Path]) -> None:
@@ -71,44 +71,42 @@ class TalkDialogs(QObject):
 
     def ask_table(self) -> None:
         """Let the user choose a mouth table of his own."""
-        if path := self._files.ask_file(tr("A mouth table"), tr(TABLES), "table"):
+        if path := self._files.ask_file(tr("Load Mouth Table"), tr(TABLES), "table"):
             self._talking.set_table(str(path))
 
     def ask_script(self) -> None:
-        """Let the user choose the words of the sound in hand."""
+        """Let the user choose the words of the current sound."""
         sound = self._talking.text.words.sound
         place = sound.parent if sound else Path.home()
-        if path := self._files.ask_file(tr("The words of the sound"), tr(SCRIPTS), default=place):
+        if path := self._files.ask_file(tr("Open Script"), tr(SCRIPTS), default=place):
             self._talking.text.open_script(path)
 
     def ask_lexicon(self) -> None:
         """Let the user choose a lexicon."""
-        if path := self._files.ask_file(tr("A lexicon"), tr(LEXICONS), "lexicon"):
+        if path := self._files.ask_file(tr("Load Lexicon"), tr(LEXICONS), "lexicon"):
             self._talking.text.set_lexicon(path)
 
     def ask_performance(self) -> None:
         """Let the user choose a table of recorded faces."""
-        if path := self._files.ask_file(tr("A table of recorded faces"), tr(PERFORMANCES), "performance"):
+        if path := self._files.ask_file(tr("Open Table of Recorded Faces"), tr(PERFORMANCES), "performance"):
             self._talking.text.drivers.performance.open(path)
 
     def ask_expression(self) -> None:
         """Let the user choose a recorded face that is shown beside the speech."""
-        if path := self._files.ask_file(tr("A recorded expression"), tr(EXPRESSIONS), "expression"):
+        if path := self._files.ask_file(tr("Load Face Capture"), tr(EXPRESSIONS), "expression"):
             self._talking.expression.set_file(path)
 
     def ask_save_words(self) -> bool:
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
         sound = self._talking.text.words.sound
         suggested = Path.home() / "text.TextGrid" if sound is None else sound.with_suffix(".TextGrid")
-        path = self._files.ask_target(tr("Save the words"), suggested, WORDS, other_endings=True)
+        path = self._files.ask_target(tr("Save Words and Phones"), suggested, WORDS, other_endings=True)
         return path is not None and self._talking.text.save_words(path)
 
     def ask_save_speech(self) -> None:
         """Let the user choose a WAV file to have the text spoken to."""
         suggested = self._files.folder_of("speech") / "text.wav"
-        if path := self._files.ask_target(
-            tr("Save the spoken text"), suggested, SPEECH, "speech", other_endings=True
-        ):
+        if path := self._files.ask_target(tr("Save Spoken Text"), suggested, SPEECH, "speech", other_endings=True):
             self._talking.text.save_speech(path)
 
     def may_leave_words(self) -> bool:
@@ -116,8 +114,8 @@ class TalkDialogs(QObject):
         words = self._talking.text.words
         if not words.has_unsaved_changes or words.sound is None:
             return True
-        question = tr("Save the words of {sound}, whose boundaries you moved?").format(sound=words.sound.name)
-        return ask_to_save(self._window, tr("Unsaved words"), question, self.ask_save_words)
+        question = tr("Save the boundaries that you moved in {sound}?").format(sound=words.sound.name)
+        return ask_to_save(self._window, tr("Unsaved Boundaries"), question, self.ask_save_words)
 
     def save(self) -> None:
         """Keep what was chosen for the next start."""
@@ -181,7 +179,7 @@ class TalkDialogs(QObject):
 
 
 def _kept_percent(key: str, get: Callable[[], float], put: Callable[[float], object]) -> Kept[int]:
-    """Keep a factor as percent; one that the sliders do not have is left alone, since somebody may edit the file."""
+    """Keep a factor as percent; one that the sliders do not have, from a file edited by hand, stays."""
 
     def put_percent(percent: int) -> None:
         if FASTEST_PERCENT <= percent <= SLOWEST_PERCENT:

@@ -1,4 +1,4 @@
-"""The head that talks: joins the sound in hand to a mouth, a face, and the network."""
+"""The head that talks: joins the current sound to a mouth, a face, and the network."""
 
 import time
 from collections.abc import Callable
@@ -42,7 +42,7 @@ FOLLOWED = 60
 
 
 class TalkModel(QObject):
-    """Has a face say what is heard; `tick` moves it on while it is `watched`.
+    """Has a face say what is playing; `tick` moves it on while it is `watched`.
 
     Signals
     -------
@@ -53,7 +53,7 @@ class TalkModel(QObject):
     Attributes
     ----------
     face, osc : the face that is moved, and what is sent over the network.
-    text : the words of the sound in hand, where they are known.
+    text : the words of the current sound, where they are known.
     table : the mouth shapes, with the speed that was chosen.
     table_name : one of the program's tables, or the path of the user's own.
     mode : what becomes of everything else when a slider asks for a shape.
@@ -200,7 +200,7 @@ class TalkModel(QObject):
     # -- what goes on -------------------------------------------------------------------------------------
 
     def tick(self) -> None:
-        """Follow what is heard, and move the face there if anybody looks; call it after the session's `poll`."""
+        """Follow what is playing, and move the face there if it is in view; call it after the session's `poll`."""
         self.text.tick()
         heard, self._heard = self._heard, []
         if not (self.watched or self.osc.on):
@@ -227,7 +227,7 @@ class TalkModel(QObject):
         return self._clock() - self._began
 
     def _listen(self, heard: list[Analysis], now: float) -> None:
-        """Have the performers hear the blocks that they do not know yet."""
+        """Give the performers the blocks that they do not know yet."""
         end = now - FRAME_PERIOD * sum(map(len, heard))
         known = [(end := end + FRAME_PERIOD * len(block), block) for block in heard]
         if self.session.source.playing:
@@ -257,7 +257,7 @@ class TalkModel(QObject):
             self.performer.play(original.face, now - original.position)
 
     def _take_drivers(self) -> None:
-        """Take up what moves the mouths; where nothing does, they go on by what is heard."""
+        """Take up what moves the mouths; where nothing does, they follow the sound."""
         drivers = self.text.drivers
         movers = {self.performer: drivers.main, self.osc.performer: drivers.main}
         if drivers.compared is not None:
@@ -320,7 +320,7 @@ class TalkModel(QObject):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
-        """Take what was heard; once the sound has been stopped, what is still told of it says nothing any more."""
+        """Take what was played; once the sound has been stopped, what still arrives of it has no effect."""
         if self.session.source.playing or self.session.source.position or self.session.source.live:
             self._heard += blocks
 
@@ -329,7 +329,7 @@ class TalkModel(QObject):
             performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
 
     def _hear_again(self) -> None:
-        """Have the performers hear again what is known before it is heard."""
+        """Give the performers again what is known before it plays."""
         self._last = None
         self._seek()
 
@@ -340,7 +340,7 @@ class TalkModel(QObject):
             performer.close_mouth(self._now())
 
     def _hold(self) -> None:
-        """In a pause, keep the shape of what was heard last."""
+        """In a pause, keep the shape of what was played last."""
         session, newest = self.session, self.session.history.newest
         if not session.source.live and not session.source.playing and session.source.position and newest is not None:
             self._last, now = None, self._now()
@@ -349,7 +349,7 @@ class TalkModel(QObject):
                 performer.hold(now, last.phoneme, last.phone)
 
     def _seek(self, _column: int = 0) -> None:
-        """While nothing plays, stand as somebody does who has just said what comes before that place."""
+        """While nothing plays, hold the pose at the end of what comes before that place."""
         session, now = self.session, self._now()
         if session.source.playing:
             for performer in self._performers:
@@ -362,7 +362,7 @@ class TalkModel(QObject):
                 performer.jump_to(frames, now)
 
     def _newest_frames(self, now: float) -> list[TimedFrame]:
-        """Return what the history holds last, as if it had just been heard."""
+        """Return what the history holds last, as if it had just been played."""
         history = self.session.history
         first, last = history.newest_run(FOLLOWED)
         at = history.indices(history.n - (last - first), history.n)
@@ -387,24 +387,26 @@ class TalkModel(QObject):
             names = ", ".join(self.face.states.names[:4])
             self.error.emit(
                 tr(
-                    "No table of the program moves the movestates of this face ({names} …); write a table for them, "
-                    "and load it as your own table."
+                    "No shipped mouth table fits the blend shapes of this face ({names} …); write a mouth table "
+                    "for them and load it."
                 ).format(names=names)
             )
 
     def _take_table(self, name: str, table: MouthTable) -> None:
         if self.face.states is not None and not self.face.moved_by(table):
             names = ", ".join(self.face.tables)
-            known = (
-                tr("choose one of {names}").format(names=names)
+            told = (
+                tr(
+                    "{name}: the face has none of the blend shapes of this table; choose one of these "
+                    "tables: {names}."
+                )
                 if names
-                else tr("write one for it, as your own table")
-            )
-            self.error.emit(
-                tr("{name}: this face has none of the table's movestates; {known}.").format(
-                    name=Path(name).name, known=known
+                else tr(
+                    "{name}: the face has none of the blend shapes of this table; write a mouth table for the face "
+                    "and load it."
                 )
             )
+            self.error.emit(told.format(name=Path(name).name, names=names))
             self.changed.emit()
             return
         self.table_name, self._written = name, table

@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QMenu, QScrollArea, QSizePolicy, QSplitter, QToolButton, QWidget
 
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
@@ -48,11 +48,11 @@ class PhonemeChip(QWidget):
         self._theme = theme
         self.phoneme, self.intensity = Phoneme.SILENCE, 0.0
         self.setFixedSize(WIDTH, HEIGHT)
-        self.setToolTip(tr("The phoneme that is heard now, and its intensity"))
-        self.setAccessibleName(tr("the phoneme that is heard"))
+        self.setToolTip(tr("Current phoneme; the line below it is its intensity"))
+        self.setAccessibleName(tr("Current phoneme"))
 
     def refresh(self) -> None:
-        """Show what is heard now."""
+        """Show what is playing now."""
         session = self._talking.session
         rests = not session.source.playing and (session.source.live or not session.source.position)
         newest = None if rests or session.microphone.silent else session.history.newest
@@ -72,15 +72,15 @@ class PhonemeChip(QWidget):
         painter.fillRect(EDGE, HEIGHT - 3, round((WIDTH - EDGE) * self.intensity), 3, colour)
         painter.setPen(QColor(self._theme.text))
         box = self.rect().adjusted(EDGE, 0, 0, -2)
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.phoneme.label)
+        painter.drawText(box, Qt.AlignmentFlag.AlignCenter, sound_name(self.phoneme))
 
 
 PANEL_WIDTH = 480
 COMPARISONS = {
-    None: tr_noop("One Head"),
-    FaceDriver.RULES: tr_noop("With Sounds, by the Mouth Table"),
-    FaceDriver.PINYIN: tr_noop("With Letters of Pinyin"),
-    FaceDriver.TABLE: tr_noop("With a Table of Recorded Faces"),
+    None: tr_noop("No Comparison"),
+    FaceDriver.RULES: tr_noop("With Phonemes (Rules)"),
+    FaceDriver.PINYIN: tr_noop("With Pinyin Letters"),
+    FaceDriver.TABLE: tr_noop("With Recorded Faces"),
 }
 """What a second head can be moved by."""
 BARS_EVERY = 2
@@ -122,12 +122,12 @@ class TalkPage(QWidget):
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
         self.keys = HeldKeys(talking, self)
-        self.open = spoken_button(tr("Open Sound…"), tr("Open a sound file, and have the head say it at once"))
+        self.open = spoken_button(tr("Open Audio File…"), tr("Open an audio file and play it at once"))
         self.play = spoken_button(tr("Play"), tr("Play or pause (Space)"))
         self.stop = spoken_button(tr("Stop"), tr("Stop (Escape)"))
         self.preset = spoken_button(tr("Load Preset…"), tr("Load a preset or PhonemeData file (Ctrl+Shift+O)"))
-        self.save = spoken_button(tr("Save ▾"), tr("Save words and phones, or the text as a voice says it"))
-        self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in step, which other means move"))
+        self.save = spoken_button(tr("Save ▾"), tr("Save words and phones, or the spoken text"))
+        self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in sync, moved by another driver"))
         self.said = ElidedLabel()
         self.heard = PhonemeChip(talking, theme)
         self._fill_save_menu()
@@ -151,9 +151,13 @@ class TalkPage(QWidget):
         menu = QMenu(self)
         menu.setToolTipsVisible(True)
         self.save_words = menu.addAction(tr("Words and Phones…"), self.words_asked.emit)
-        self.save_words.setToolTip(tr("Of the sound file in hand, as a TextGrid, which exports take"))
-        self.save_speech = menu.addAction(tr("Spoken Text as Sound…"), self.speech_asked.emit)
-        self.save_speech.setToolTip(tr("As WAV, with words and phones as a TextGrid beside it"))
+        self.save_words.setToolTip(
+            tr("Save the words and phones of the audio file as a TextGrid, which Export can use")
+        )
+        self.save_speech = menu.addAction(tr("Spoken Text as Audio File…"), self.speech_asked.emit)
+        self.save_speech.setToolTip(
+            tr("Save the spoken text as WAV, with its words and phones in a TextGrid beside it")
+        )
         _without_arrow(self.save, menu)
 
     def _fill_compare_menu(self) -> None:
@@ -223,7 +227,7 @@ class TalkPage(QWidget):
             self.choices,
             *part(self.visemes),
             *part(self.expression),
-            *part(heading(tr("Movestates")), self.bars),
+            *part(heading(tr("Blend shapes")), self.bars),
             *part(heading(tr("Network")), self.osc),
             1,
             label(f"{tr(HINT)}.", self._theme.faint, wraps=True),
@@ -260,7 +264,7 @@ class Heads:
         return head
 
     def move(self, *, frozen: bool) -> None:
-        """Have the head say what is heard, where it is seen."""
+        """Have the head say what is playing, where it is seen."""
         seen = [view for view in self._views if view.isVisible()]
         self._talking.watch(bool(seen) and not frozen)
         self._talking.tick()

@@ -29,16 +29,17 @@ class Banner(QWidget):
     ----------
     window : whose line it is.
     page : what it lies over.
+    below : a part of the page, at whose top it lies while that is seen, rather than at the top of the page.
     """
 
-    def __init__(self, theme: Theme, window: QWidget, page: QWidget) -> None:
+    def __init__(self, theme: Theme, window: QWidget, page: QWidget, below: QWidget) -> None:
         super().__init__(window)
-        self._window, self._page = window, page
+        self._window, self._page, self._below = window, page, below
         page.installEventFilter(self)
         self.label = label(wraps=True)
         self.label.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self.dismiss = tool_button("✕", tr("Dismiss"), tr("dismiss the message"), self._dismiss, flat=True)
-        self.action = tool_button("", tr("What can be done about it"), act=self._act)
+        self.dismiss = tool_button("✕", tr("Dismiss"), tr("Dismiss message"), self._dismiss, flat=True)
+        self.action = tool_button("", tr("Suggested action"), act=self._act)
         self._offer: tuple[str, str, Callable[[], object]] | None = None
         self._row = row((self.label, 1), self.action, self.dismiss, on=self, margins=(10, 4, 6, 4))
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
@@ -110,13 +111,15 @@ class Banner(QWidget):
             self._timer.start(duration_ms)
 
     def _fit(self) -> None:
-        """Lie at the top of the page, amid, with as many lines as the sentence needs."""
+        """Lie amid, with as many lines as the sentence needs."""
         if self.isHidden():
             return
         self._row.activate()
         width = min(WIDEST, self._page.width() - 2 * BESIDE)
         height = self.heightForWidth(width)
+        part = self._below if self._below.isVisible() else self._page
         corner = self._page.mapTo(self._window, self._page.rect().topLeft())
+        top = part.mapTo(self._window, part.rect().topLeft()).y()
         left = corner.x() + (self._page.width() - width) // 2
-        self.setGeometry(left, corner.y() + HEADINGS, width, height)
+        self.setGeometry(left, top + HEADINGS, width, height)
         self.raise_()

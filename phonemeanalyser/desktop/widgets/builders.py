@@ -5,6 +5,7 @@ from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractItemView,
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QHBoxLayout,
     QHeaderView,
+    QInputDialog,
     QLabel,
     QLayout,
     QMenu,
@@ -33,8 +35,10 @@ Part = QWidget | QLayout | int | tuple[QWidget | QLayout, int]
 Margins = tuple[int, int, int, int]
 W = TypeVar("W", bound=QWidget)
 NONE = (0, 0, 0, 0)
+MOST_OF_NAME = 90
+"""Pixels of the name of a file on a button."""
 Button = QDialogButtonBox.StandardButton
-OK, CANCEL, CLOSE = Button.Ok, Button.Cancel, Button.Close
+CANCEL, CLOSE = Button.Cancel, Button.Close
 
 
 def row(
@@ -84,6 +88,13 @@ def tool_button(
 def spoken_button(text: str, tip: str, act: Callable[[], object] | None = None) -> QToolButton:
     """Make a button that screen readers call by its tip."""
     return tool_button(text, tip, tip, act)
+
+
+def show_removable(button: QToolButton, name: str, tip: str) -> None:
+    """Have a button show the name of a file that a click removes from use; a long name is elided."""
+    shown = button.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, MOST_OF_NAME)
+    button.setText(f"{shown} ×".replace("&", "&&"))
+    named(button, tip, tip)
 
 
 def tab_buttons(*buttons: QAbstractButton, height: int = 0) -> tuple[QAbstractButton, ...]:
@@ -180,14 +191,38 @@ def scrolling(area: QScrollArea, body: QWidget) -> int:
     return body.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width()
 
 
-def dialog_buttons(dialog: QDialog, *buttons: Button) -> QDialogButtonBox:
-    """Make the buttons that end a dialog."""
+def dialog_buttons(dialog: QDialog, *buttons: Button, verb: str = "") -> QDialogButtonBox:
+    """Make the buttons that end a dialog; a verb names the one that does what the dialog is for, by Return, too."""
     box = QDialogButtonBox()
+    if verb:
+        box.addButton(verb, QDialogButtonBox.ButtonRole.AcceptRole).setDefault(True)
     for button in buttons:
         box.addButton(button)
     box.accepted.connect(dialog.accept)
     box.rejected.connect(dialog.reject)
     return box
+
+
+def input_dialog(
+    window: QWidget, title: str, question: str, verb: str, text: str = "", items: Sequence[str] = ()
+) -> QInputDialog:
+    """Make a dialog that asks for a text, or for one of some items; the verb names what its button does with it."""
+    dialog = QInputDialog(window)
+    dialog.setWindowTitle(title)
+    dialog.setLabelText(question)
+    dialog.setOkButtonText(verb)
+    if items:
+        dialog.setComboBoxItems(list(items))
+    else:
+        dialog.setTextValue(text)
+    return dialog
+
+
+def answer_of(dialog: QInputDialog) -> str | None:
+    """Show a dialog, and return what was entered; None where it was cancelled."""
+    taken = dialog.exec()
+    dialog.deleteLater()
+    return dialog.textValue() if taken else None
 
 
 def style_list(table: QTableWidget, row_height: int, widths: Sequence[int]) -> None:
@@ -235,6 +270,41 @@ def _filled(layout: L, parts: Iterable[Part], margins: Margins | None, spacing: 
         else:
             layout.addLayout(item, stretch)
     return layout
+
+
+class Wrapping(QWidget):
+    """Shows two rows side by side where there is room, and else the second one below the first."""
+
+    def __init__(self, first: QLayout, second: QLayout, margins: Margins, spacing: int = 8) -> None:
+        super().__init__()
+        self._rows = (first, second)
+        self._box = _filled(QBoxLayout(QBoxLayout.Direction.TopToBottom, self), [(first, 1), second], margins, 3)
+        self._between = spacing
+
+    def minimumSizeHint(self) -> QSize:
+        """Ask for the width of the wider row."""
+        margins = self._box.contentsMargins()
+        width = max(each.minimumSize().width() for each in self._rows) + margins.left() + margins.right()
+        return QSize(width, super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Choose one line or two."""
+        super().resizeEvent(event)
+        self._wrap()
+
+    def event(self, event: QEvent) -> bool:
+        """Choose anew when something in a row needs more room, or less."""
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._wrap()
+        return super().event(event)
+
+    def _wrap(self) -> None:
+        needed = sum(each.sizeHint().width() for each in self._rows) + self._between
+        is_wide = needed <= self._box.contentsRect().width()
+        side, below = QBoxLayout.Direction.LeftToRight, QBoxLayout.Direction.TopToBottom
+        if self._box.direction() is not (wanted := side if is_wide else below):
+            self._box.setDirection(wanted)
+            self._box.setSpacing(self._between if is_wide else 3)
 
 
 LEAST = QSize(160, 68)

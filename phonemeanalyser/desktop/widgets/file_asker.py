@@ -63,8 +63,8 @@ class FileAsker:
     ) -> Path | None:
         """Let the user choose a file to write; where its name lacks an ending, add that of the chosen filter.
 
-        Such a name replaces nothing, since nobody was asked. With `other_endings`, one that no filter has stays, for
-        the engine to refuse; that of "demo 0.10-0.25" is none.
+        Such a name replaces nothing, since no question was asked. With `other_endings`, one that no filter has stays,
+        for the engine to refuse; that of "demo 0.10-0.25" is none.
         """
         paths, chosen = self._ask(Mode.AnyFile, title, suggested, filters, kind)
         path = _first(paths)

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import (
     QTextEdit,
     QWidget,
 )
+from shiboken6 import isValid
 
 _MOVING = frozenset({Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_End})
 _EDITING = frozenset({Qt.Key.Key_Backspace, Qt.Key.Key_Delete, *_MOVING})
@@ -54,6 +55,19 @@ class NumberFieldKeys(QObject):
         return True
 
 
+class ArrowKeys(QObject):
+    """Leaves Left and Right to a widget that moves something by them; with Shift they are shortcuts of the window."""
+
+    def eventFilter(self, _watched: QObject, event: Any) -> bool:
+        """Claim the arrows for the widget."""
+        if event.type() != QEvent.Type.ShortcutOverride or event.modifiers() not in _PLAIN:
+            return False
+        if event.key() not in (Qt.Key.Key_Left, Qt.Key.Key_Right):
+            return False
+        event.accept()
+        return True
+
+
 class ControlKeys(QObject):
     """Leaves keys that would be shortcuts of the window to the control that has the focus.
 
@@ -77,9 +91,9 @@ class ControlKeys(QObject):
 class FocusReturn(QObject):
     """Gives the focus back to the main view of the page, where Qt would give it to the next control.
 
-    It does so when the control that had it was hidden or disabled, when a number was ended by Return, and when a list
-    of choices was closed with the mouse. A list that was closed by a key leaves the focus in its box: more letters
-    still search there.
+    It does so when the control that had it was hidden or disabled, also while a dialog was open, when a number was
+    ended by Return, and when a list of choices was closed with the mouse. A list that was closed by a key leaves the
+    focus in its box: more letters still search there.
 
     Parameters
     ----------
@@ -98,6 +112,7 @@ class FocusReturn(QObject):
         self._window = window
         self._main_view = main_view
         self._closed_by_key = False
+        self._last: QWidget | None = None
         application = QApplication.instance()
         assert isinstance(application, QApplication)
         self._application = application
@@ -126,11 +141,23 @@ class FocusReturn(QObject):
         if now is not None and isinstance(_box_of(now), QComboBox):
             self._closed_by_key = False
             now.installEventFilter(self)
-        elif old is not None and self._is_left(old, now):
+        elif (old is not None and self._is_left(old, now)) or self._returns_elsewhere(old, now):
             self._main_view().setFocus()
+        if now is not None and now.window() is self._window:
+            self._last = now
+
+    def _returns_elsewhere(self, old: QWidget | None, now: QWidget | None) -> bool:
+        """Return whether the window is active again, and what had its focus before can't have it any more."""
+        last = self._last
+        comes_back = (
+            now is not None and now.window() is self._window and (old is None or old.window() is not self._window)
+        )
+        if not comes_back or last is None or last is now or not isValid(last):
+            return False
+        return last.window() is self._window and (last.isHidden() or not last.isEnabled())
 
     def _is_left(self, old: QWidget, now: QWidget | None) -> bool:
-        """Return whether the focus went somewhere that nobody chose."""
+        """Return whether the focus went somewhere without the user's choice."""
         box = _box_of(old)
         if box is not None:
             return box is now and box.window() is self._window and not self._closed_by_key

@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter
 
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.painting import (
     AT_LEFT,
     AT_RIGHT,
@@ -30,20 +31,18 @@ GRAB = 4
 """Pixels at either side of a boundary at which it is caught."""
 TOUCHING = 1e-6
 """Seconds between two spans that have one boundary."""
-SPACINGS = (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
+SPACINGS = (0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60, 120, 300, 600, 1200, 3600)
 """Between two marks of time, seconds."""
 LEAST_SPACING = 70
 """Pixels between two marks of time."""
 TIME_HEIGHT = 18
 """Pixels of the marks of time with their numbers."""
-PHONEME_NAMES = [{"silence": "–", "unidentified": "?"}.get(p.label, p.label) for p in Phoneme]
-"""What phonemes are called in lanes, in order."""
 LEAST_LOUDNESS = 0.05
 """The amplitude that fills a waveform's height at least."""
 
 
 class TimeAxis(NamedTuple):
-    """Where times lie on a widget: so many seconds from `start` on, over `width` pixels from `left` on."""
+    """Where times lie on a widget: a number of seconds from `start` on, over `width` pixels from `left` on."""
 
     left: float
     width: float
@@ -76,10 +75,11 @@ class Lane:
     colours : of each span, RGB as ``QColor.rgb()`` has it, shape (n_spans,).
     marked : which spans are hatched and underlined, because they fit badly.
     movable : whether its boundaries can be dragged.
-    tips : what is told of each span under the mouse; of none, nothing.
-    outline : the colour around each span; empty where spans are told apart by their own.
+    tips : the tooltip of each span; of none, nothing.
+    outline : the colour around each span; empty where spans differ by their own.
     are_points : whether spans only begin somewhere, so that their texts stand there.
     least : seconds that a dragged boundary leaves of a span at least.
+    doubtful : which spans are hatched faintly, because what they say is not certain.
     """
 
     name: str
@@ -93,6 +93,7 @@ class Lane:
     outline: str = ""
     are_points: bool = False
     least: float = FRAME_PERIOD
+    doubtful: frozenset[int] = frozenset()
 
     def span_at(self, seconds: float) -> int | None:
         """Return the number of the span at a time; None where there is none."""
@@ -108,7 +109,7 @@ class Lane:
         return 0 < k < len(self.starts) and bool(self.starts[k] - self.ends[k - 1] < TOUCHING)
 
     def room_of(self, boundary: int, duration: float) -> tuple[float, float]:
-        """Return between which times a boundary can be dragged in a sound of so many seconds."""
+        """Return between which times a boundary can be dragged in a sound of a given length."""
         k, is_end = divmod(boundary, 2)
         if is_end:
             after = self.starts[k + 1] if k + 1 < len(self.starts) else duration
@@ -126,13 +127,13 @@ def lane_of_frames(
     first: int = 0,
     breaks: Sequence[int] = (),
 ) -> Lane:
-    """Return the stretches of frames in a row that have one code.
+    """Return the runs of frames in a row that have one code.
 
     Parameters
     ----------
     codes : of the frames from `first` on, shape (n_frames,).
     texts, colours : by code.
-    breaks : frames at which a stretch begins in any case, counted from `first` on.
+    breaks : frames at which a run begins in any case, counted from `first` on.
     """
     begins = np.ones(len(codes), bool)
     begins[1:] = codes[1:] != codes[:-1]
@@ -141,6 +142,12 @@ def lane_of_frames(
     found = codes[edges[:-1]]
     times = (first + edges) * FRAME_PERIOD
     return Lane(name, times[:-1], times[1:], np.array(texts, object)[found].tolist(), colours[found])
+
+
+def names_in_lanes() -> list[str]:
+    """Return what phonemes are called in lanes, in order."""
+    marks = {Phoneme.SILENCE: "–", Phoneme.UNIDENTIFIED: "?"}
+    return [marks.get(phoneme) or sound_name(phoneme) for phoneme in Phoneme]
 
 
 class Drag(NamedTuple):
@@ -178,7 +185,7 @@ class BoundaryDrag:
     def press(
         self, rows: Sequence[tuple[QRectF, Lane]], axis: TimeAxis, place: QPointF, duration: float
     ) -> Drag | None:
-        """Take the boundary at a pixel in the hand, in a sound of so many seconds; return it."""
+        """Grab the boundary at a pixel, in a sound of a given length; return it."""
         self.held = self._caught = self.boundary_at(rows, axis, place)
         if self.held is not None:
             self._room = rows[self.held.lane][1].room_of(self.held.boundary, duration)
@@ -227,6 +234,10 @@ def _paint_span(painter: QPainter, box: QRectF, lane: Lane, k: int, theme: Theme
         painter.fillRect(box.adjusted(1, 1, 0, -1), colour)
     elif lane.touches(k) and lane.colours[k] == lane.colours[k - 1]:
         painter.fillRect(QRectF(box.left(), box.top(), 1, box.height()), QColor(theme.base))
+    if k in lane.doubtful:
+        faint = QColor(theme.faint)
+        faint.setAlphaF(0.4)
+        painter.fillRect(box, QBrush(faint, Qt.BrushStyle.FDiagPattern))
     if k in lane.marked:
         painter.fillRect(box, QBrush(QColor(theme.bad), Qt.BrushStyle.BDiagPattern))
         painter.fillRect(box.adjusted(0, box.height() - UNDERLINE, 0, 0), QColor(theme.bad))
@@ -255,7 +266,8 @@ def paint_wave(painter: QPainter, row: QRectF, peaks: Peaks, theme: Theme) -> No
     n, height = len(peaks.low), max(3, round(row.height()))
     loudest = max(LEAST_LOUDNESS, float(np.nanmax([np.abs(peaks.low), np.abs(peaks.high), np.zeros(n)])))
     pixels = wave_pixels(peaks, loudest, height, QColor(theme.signal).rgb(), QColor(theme.base).rgb())
-    painter.drawImage(row, QImage(pixels.data, n, height, 4 * n, QImage.Format.Format_RGB32))
+    place = QRectF(row.left(), row.top(), row.width(), height)  # scaled down, a line of one pixel would have gaps
+    painter.drawImage(place, QImage(pixels.data, n, height, 4 * n, QImage.Format.Format_RGB32))
 
 
 def wave_pixels(
@@ -273,5 +285,6 @@ def wave_pixels(
 def _clock(seconds: float, spacing: float) -> str:
     """Write a time as finely as marks so far apart need it."""
     if spacing < 0.1:
-        return f"{format_clock(seconds - seconds % 60, False)[:-2]}{seconds % 60:05.2f}"
+        digits = 2 if spacing >= 0.01 else 3
+        return f"{format_clock(seconds - seconds % 60, False)[:-2]}{seconds % 60:0{3 + digits}.{digits}f}"
     return format_clock(seconds, spacing < 1)

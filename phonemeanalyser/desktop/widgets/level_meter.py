@@ -38,12 +38,11 @@ class LevelMeterView(QWidget):
         self._theme = theme
         self.setMinimumSize(200, 28)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(tr("level of the microphone"))
+        self.setAccessibleName(tr("Microphone level"))
         self.setToolTip(
             tr(
-                "Peak level in dB below full scale, with the highest of the last 1.5 s, and how the microphone's "
-                "gain suits it: turn that up where it says soft, down where it says loud. The light tells for a "
-                "minute that the microphone was too loud"
+                "Peak level of the microphone in dBFS, and the highest peak of the last 1.5 s. Raise the gain if "
+                "it reads low, reduce it if it reads high. The light shows for one minute that the signal clipped"
             )
         )
 
@@ -113,6 +112,6 @@ def words_of(ago: float | None, held: float = 0.0) -> str:
         decibels = 20 * math.log10(max(held, 1e-6))
         if decibels <= LOWEST_DB:
             return tr("no clipping")
-        suits = tr("loud") if decibels > LOUD_DB else tr("soft") if decibels < SOFT_DB else tr("good")
+        suits = tr("high") if decibels > LOUD_DB else tr("low") if decibels < SOFT_DB else tr("good")
         return f"{decibels:.0f} dB, {suits}".replace("-", "−")
     return tr("CLIPPED") if ago < 1 else tr("clipped {seconds:.0f} s ago").format(seconds=ago)

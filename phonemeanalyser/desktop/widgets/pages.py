@@ -42,7 +42,7 @@ class LazyPage(Generic[Page]):
 
     Attributes
     ----------
-    made : the page, or None as long as nobody has asked for it.
+    made : the page, or None before it is first shown.
     """
 
     def __init__(self, stack: PageStack, make: Callable[[], Page]) -> None:
@@ -74,7 +74,7 @@ class PageSwitch(QWidget):
 
     def __init__(self, names: tuple[str, ...]) -> None:
         super().__init__()
-        tip = tr("The page {name} (Ctrl+{number})")
+        tip = tr("Show the {name} page (Ctrl+{number})")
         self.buttons = [toggle_button(name, tip.format(name=name, number=k)) for k, name in enumerate(names, 1)]
         self._group = QButtonGroup(self)
         self.setStyleSheet("QToolButton[checkable=true] { padding: 0px 8px }")

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import QGraphicsItem, QLabel, QWidget
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, row
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.builders import Wrapping, column, row
 from phonemeengine.arrays import Float64Array
 
 READOUTS_PER_SECOND = 30
@@ -82,6 +81,10 @@ def polyline_of(x: Float64Array, y: Float64Array) -> QPolygonF:
     return line
 
 
+DIGIT = 10
+"""Pixels between the numbers of a horizontal axis for each digit that they have."""
+
+
 class LiveAxis(pg.AxisItem):
     """An axis beside what is drawn anew up to 60 times a second: painted and measured only when it changes."""
 
@@ -108,6 +111,15 @@ class LiveAxis(pg.AxisItem):
         super().resizeEvent(event)
         if self.orientation == "left" and self.label is not None:
             self.label.setVisible(self.label.boundingRect().width() <= self.size().height())
+
+    def tickSpacing(self, low: float, high: float, size: float) -> list[tuple[float, float]]:
+        """Return the spacings of the ticks; the numbers below a narrow plot are twice as far apart as usual."""
+        levels: list[tuple[float, float]] = super().tickSpacing(low, high, size)
+        if self.orientation == "bottom" and levels:
+            (spacing, offset), *others = levels
+            if spacing / (high - low) * size < DIGIT * len(f"{max(abs(low), abs(high)):.0f}"):
+                levels = [(2 * spacing, offset), *others]
+        return levels
 
     def setGrid(self, grid: float | bool) -> None:
         """Show a grid, or none."""
@@ -193,7 +205,7 @@ class Plot(QWidget):
         self.graphics.setAccessibleName(title.lower())
         self._cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
-        self._hint = QLabel(tr("nothing heard yet: play, or click into the sound"))
+        self._hint = QLabel(tr("No data yet: press Play, or click in the recording"))
         self._style(axes)
         self._lay_out(title, tip)
         self._follow_mouse()
@@ -237,13 +249,14 @@ class Plot(QWidget):
         self._cursor.setVisible(False)
 
     def _lay_out(self, title: str, tip: str) -> None:
-        self.heading = bold(ElidedLabel(title))
+        self.heading = bold(QLabel(title))
         self.heading.setToolTip(tip or title)
-        self.header = row((self.heading, 1), margins=(6, 3, 6, 1), spacing=6)
-        self._body = column(self.header, (self.graphics, 1), on=self, spacing=0)
+        self.header = row(1, spacing=4)
+        above = Wrapping(row(self.heading, 1), self.header, (6, 3, 6, 1))
+        self._body = column(above, (self.graphics, 1), on=self, spacing=0)
         self._hint.setStyleSheet(f"color: {self.theme.faint}; background: transparent")
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        column(self._hint, on=self.graphics, margins=(52, 0, 0, 40))  # beside the axes
+        column(self._hint, on=self.graphics, margins=(60, 0, 12, 40))  # beside the axes
         self._hint.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._hint.setWordWrap(True)
 

@@ -53,13 +53,18 @@ class PlotMenu(QMenu):
         self.at = QPoint()
         if reset is not None:
             self.addAction(tr("Reset Zoom"), reset)
+            self.addSeparator()
             surface = plot.viewport() if isinstance(plot, QAbstractScrollArea) else plot
             surface.installEventFilter(self)
         self.addAction(tr("Copy Values"), self._copy_values)
         self.addAction(tr("Copy Picture"), lambda: QApplication.clipboard().setPixmap(plot.grab()))
-        self.addAction(tr("Save Picture…"), lambda: self.save_asked.emit(plot, name))
+        self.addAction(tr("Save Picture…"), self.ask_save)
         plot.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         plot.customContextMenuRequested.connect(self.open_at)
+
+    def ask_save(self) -> None:
+        """Have the user asked where a picture of the plot is to be saved."""
+        self.save_asked.emit(self._plot, self._name)
 
     def open_at(self, at: QPoint) -> None:
         """Open at a point of the plot."""

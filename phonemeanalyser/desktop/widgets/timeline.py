@@ -48,7 +48,7 @@ class Timeline(QWidget):
 
     Parameters
     ----------
-    outline : gives the waveform of what is seen in so many columns as the axis has pixels; None while it is not
+    outline : gives the waveform of what is seen, a point for each pixel of the axis; None while it is not
         known. Without it neither a waveform nor times stand below the lanes.
 
     Attributes
@@ -56,7 +56,7 @@ class Timeline(QWidget):
     first : the frame of 10 ms at the left edge.
     scale : pixels of a frame.
     lanes, chapters, duration : what there is; see `show_lanes`.
-    playhead : the time that is heard, seconds; None for none.
+    playhead : the time that is playing, seconds; None for none.
     drag : the boundary that is being dragged.
     """
 
@@ -74,7 +74,7 @@ class Timeline(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     def show_lanes(self, lanes: Sequence[Lane], duration: float, chapters: Sequence[Chapter] = ()) -> None:
-        """Show these lanes, from above, of a sound of so many seconds."""
+        """Show these lanes, from above, of a sound of a given length."""
         self.lanes, self.duration, self.chapters = tuple(lanes), duration, tuple(chapters)
         self.setMinimumSize(200, round(self._bottom) + (4 + GAP if self._outline is None else TIME_HEIGHT))
         self.update()
@@ -188,7 +188,7 @@ class TimelineView(QWidget):
         self.bar.valueChanged.connect(self._scroll)
 
     def show_lanes(self, lanes: Sequence[Lane], duration: float, chapters: Sequence[Chapter] = ()) -> None:
-        """Show these lanes of a sound of so many seconds; of another length, from its beginning."""
+        """Show these lanes of a sound of a given length; of another length, from its beginning."""
         fresh = duration != self.lanes.duration
         self.lanes.drag.release()
         self.lanes.show_lanes(lanes, duration, chapters)
@@ -196,7 +196,7 @@ class TimelineView(QWidget):
             self._fit()
 
     def show_playhead(self, seconds: float | None) -> None:
-        """Show which time is heard, and scroll there where it is not seen."""
+        """Show which time is playing, and scroll there where it is not seen."""
         lanes = self.lanes
         lanes.playhead = seconds
         if seconds is not None and not LEFT <= lanes.x_of(seconds) < lanes.width():
@@ -204,7 +204,7 @@ class TimelineView(QWidget):
         lanes.update()
 
     def show_time(self, seconds: float) -> None:
-        """Scroll to a time, so near that its spans are told apart."""
+        """Scroll to a time, so near that its spans are distinguishable."""
         self._filling, self.lanes.scale = None, max(self.lanes.scale, 1.0)
         self._fit()
         self.bar.setValue(round(seconds / FRAME_PERIOD - self.lanes.n_seen / 2))
@@ -214,7 +214,7 @@ class TimelineView(QWidget):
         self.fill(self.lanes.duration)
 
     def fill(self, seconds: float) -> None:
-        """Have so many seconds fill the width from now on, until the user zooms."""
+        """Have a number of seconds fill the width from now on, until the user zooms."""
         self._filling = max(seconds, FRAME_PERIOD)
         self._fit()
 

@@ -1,23 +1,29 @@
-"""The file in hand on its own time: sonagram, phonemes, waveform, and the course of a variable."""
+"""The current file on its own time: sonagram, phonemes, waveform, and the course of a variable."""
 
 import math
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPointF, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QPainter, QWheelEvent
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QWheelEvent
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.file_layout import LEFT, FileLayout
+from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, HeldLine
+from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.file_painter import FilePainter
+from phonemeanalyser.desktop.analyse.lanes.label_editor import LabelEditor
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
+from phonemeanalyser.desktop.session.courses import Courses
+from phonemeanalyser.desktop.session.label_tiers import Boundary, ChosenLabel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Drag, Lane
+from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState
+from phonemeengine.labels.label import ROUNDING
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -25,41 +31,58 @@ WHEEL_STEP = 0.8
 """How much less is seen after a notch of the wheel."""
 GRAB = 3
 """Pixels by which a press may move and still be a click."""
+SNAP = 6
+"""Pixels within which a dragged boundary snaps."""
 
 
 class FileView(QWidget):
     """Paints what is seen of the file; the wheel zooms at the pointer, a drag scrolls, a click goes there.
 
-    With Shift a drag selects. In the lanes of labels a click chooses a label, a double click renames it, and a drag
-    at a boundary moves that.
+    With Shift a drag selects. In the lanes of labels a click chooses a label, a double click or a letter renames it,
+    Enter splits one at the cursor, and a drag at a boundary moves that: see `_drag_boundary`. A drag at a threshold
+    in the course of its variable moves that.
 
     Signals
     -------
     sought : seconds from the file's beginning.
-    rename_asked : the user wants to rename a `ChosenLabel`.
+    rename_asked : the user wants to rename the chosen label.
+    split_asked : the user wants to split the label at the cursor.
+    named : what was typed for a label, its `TimeSpan`, and how many labels further on another one is to be named.
     """
 
     sought = Signal(float)
-    rename_asked = Signal(object)
+    rename_asked = Signal()
+    split_asked = Signal()
+    named = Signal(str, object, int)
 
-    def __init__(self, session: Session, theme: Theme) -> None:
+    def __init__(self, session: Session, courses: Courses, theme: Theme) -> None:
         super().__init__()
-        self._session = session
+        self._session, self._courses = session, courses
         self._labels = session.labels
         self._view = session.view
         self._layout = FileLayout(session, self, theme)
-        self._painter = FilePainter(session, theme, self._layout, self)
+        self._lanes = CourseLanes(session, courses, theme, self._layout)
+        self._painter = FilePainter(session, theme, self._layout, self._lanes, self)
+        self._line: HeldLine | None = None
         self._mouse: QPointF | None = None
         self._pressed: QPointF | None = None
         self._dragged_from = TimeSpan(0.0, 0.0)
         self._selects = False
         self._boundary = BoundaryDrag()
+        self._edges = np.zeros(0)
+        self._named = TimeSpan(0.0, 0.0)
+        self.editor = LabelEditor(self)
+        self.editor.typed.connect(lambda name, step: self.named.emit(name, self._named, step))
         self.setMinimumSize(260, 200)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName(tr("the file over time"))
+        self.setAccessibleName(tr("File over time"))
         self.setToolTip(
-            tr("Wheel: zoom at the pointer. Drag: scroll. Click: go there. Shift+drag: select. Home, End: the ends.")
+            tr(
+                "Wheel: zoom at the pointer. Drag: scroll. Click: go to that time. Shift+drag: select. Home, End: "
+                "go to the start or end. Labels: type to rename, Enter splits at the cursor, drag a boundary (Ctrl: "
+                "without snapping)."
+            )
         )
         self.setMouseTracking(True)
         models = (
@@ -73,11 +96,11 @@ class FileView(QWidget):
         )
         for signal in (*(model.changed for model in models), self._view.moved, self._view.selected):
             signal.connect(self.update)
+        courses.changed.connect(self._show_courses)
 
-    @property
-    def variable(self) -> str:
-        """Name of the variable whose course is drawn."""
-        return self._painter.variable
+    def course_rows(self) -> dict[str, QRectF]:
+        """Return where each variable whose course is drawn has its lane."""
+        return self._lanes.rows()
 
     @property
     def shows(self) -> set[str]:
@@ -89,10 +112,15 @@ class FileView(QWidget):
         self._painter.set_colours(colours)
         self.update()
 
-    def show_variable(self, name: str) -> None:
-        """Draw the course of another variable."""
-        self._painter.variable = name
-        self.update()
+    def _show_courses(self) -> None:
+        """Draw other variables, or only their thresholds where they are the same."""
+        n = len(self._courses.variables)
+        if n != self._layout.n_courses:
+            self._layout.n_courses = n
+            self.update()
+        else:
+            # at once: what a threshold that is dragged changes is recognised after that
+            self.repaint(self._layout.rows()[-1].toAlignedRect().adjusted(-LEFT, 0, 0, 1))
 
     def show_over(self, name: str, *, on: bool) -> None:
         """Draw formants, pitch or level over the sonagram, or not."""
@@ -104,11 +132,11 @@ class FileView(QWidget):
         self._layout.spoken = lanes
         self.update()
 
-    def paintEvent(self, _event: Any) -> None:
-        """Paint all rows, what is selected, and the place that is heard."""
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Paint all rows, what is selected, and the playhead."""
         painter = QPainter(self)
         try:
-            self._painter.paint(painter, self.reading())
+            self._painter.paint(painter, self.reading(), event.rect())
         finally:
             painter.end()  # whatever went wrong: Qt crashes where two paint one widget
 
@@ -122,7 +150,7 @@ class FileView(QWidget):
         if not 0 <= frame < tracks.n_frames or tracks.states[frame] == FrameState.UNKNOWN:
             return ""
         values = tracks.features.frame(frame)
-        parts = [f"{time:.3f} s", Phoneme(int(tracks.phonemes[frame])).label]
+        parts = [f"{time:.3f} s", sound_name(Phoneme(int(tracks.phonemes[frame])))]
         for under, lane in self._layout.spoken_rows():
             if under.contains(self._mouse) and (span := lane.span_at(time)) is not None:
                 parts.append(f"{lane.name}: {lane.texts[span]}")
@@ -131,8 +159,9 @@ class FileView(QWidget):
             share = (row.bottom() - self._mouse.y()) / row.height()
             parts.append(f"{np.interp(share, np.linspace(0, 1, len(frequencies)), frequencies):.0f} Hz")
         parts += self._reading_over(values, frame)
-        if self.variable in values:
-            parts.append(f"{self.variable} {values[self.variable]:.4g}")
+        variable = self._lanes.variable_at(self._mouse) or self._courses.chosen
+        if variable in values:
+            parts.append(f"{variable} {values[variable]:.4g}")
         return "   ".join(parts)
 
     def _reading_over(self, values: dict[str, float], frame: int) -> list[str]:
@@ -164,16 +193,18 @@ class FileView(QWidget):
         if event.button() == Qt.MouseButton.LeftButton:
             self._pressed, self._dragged_from = event.position(), self._view.seen
             self._selects = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-            held = None if self._selects else self._catch(event.position())
-            if held is not None:
-                self._labels.begin_move()
+            self._line = None if self._selects else self._lanes.line_at(event.position())
+            if self._line is not None:
+                self._courses.touch(self._line.name)
+            elif not self._selects:
+                self._catch(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         """Rename the label that lies there."""
         label = self._label_at(event.position())
         if label is not None:
             self._labels.choose(label)
-            self.rename_asked.emit(label)
+            self.rename_asked.emit()
 
     def _label_at(self, place: QPointF) -> ChosenLabel | None:
         for tier, row in self._layout.label_rows().items():
@@ -181,22 +212,62 @@ class FileView(QWidget):
                 return self._labels.label_at(tier, self._layout.time_at(place.x()))
         return None
 
-    def _catch(self, place: QPointF) -> Drag | None:
-        layout = self._layout
-        return self._boundary.press(layout.label_lanes(), layout.axis, place, self._view.duration)
+    def _catch(self, event: QMouseEvent) -> None:
+        """Catch a boundary; it moves alone with Ctrl, and else together with those at its time in other tiers."""
+        lanes, alone = self._layout.label_lanes(), bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        held = self._boundary.press(lanes, self._layout.axis, event.position(), self._view.duration)
+        if held is not None:
+            here = held.seconds
+            others = [lane.boundaries() for k, (_, lane) in enumerate(lanes) if k != held.lane and lane.movable]
+            edges = np.concatenate([np.zeros(0), *others])
+            self._edges = edges[np.abs(edges - here) > ROUNDING]
+            label = ChosenLabel(self._layout.tiers_shown()[held.lane], held.boundary // 2)
+            self._labels.begin_move(Boundary(label, bool(held.boundary % 2)), alone=alone)
+
+    def _drag_boundary(self, event: QMouseEvent) -> bool:
+        """Move a boundary that is held, say whether one is; it snaps to what lies near, unless Ctrl is down."""
+        if self._boundary.held is None:
+            return False
+        time = self._layout.time_at(event.position().x())
+        if not event.modifiers() & Qt.KeyboardModifier.ControlModifier:
+            time = self._snapped(time, SNAP / self._layout.width * self._view.seen.seconds)
+        held = self._boundary.move(time)
+        if held is not None:
+            self._labels.move(held.seconds)
+        return True
+
+    def _snapped(self, time: float, reach: float) -> float:
+        """Return the nearest boundary of another tier within some seconds, or else the nearest zero crossing."""
+        near = self._edges[np.abs(self._edges - time) <= reach]
+        if len(near):
+            return float(near[np.argmin(np.abs(near - time))])
+        crossing = self._session.waveform.crossing_near(self._view.seen, time, reach)
+        return time if crossing is None else crossing
+
+    def ask_name(self, span: TimeSpan, name: str, *, begun: bool = False) -> None:
+        """Have a label named in its place; see `LabelEditor.open_over`."""
+        self._view.reveal(span)
+        self._named = span
+        layout, tier = self._layout, self._labels.tier_in_use
+        row = layout.label_rows().get(-1 if tier is None else tier, layout.rows()[LANE])
+        left, right = (min(max(layout.x_of(t), LEFT), LEFT + layout.width) for t in span)
+        self.editor.open_over(QRectF(left, row.top(), right - left, row.height()), name, begun=begun)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Scroll, or select; with no button, tell what lies there."""
         self._mouse = event.position()
         if self._pressed is None:
             over = self._boundary.boundary_at(self._layout.label_lanes(), self._layout.axis, event.position())
-            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
+            upright = (
+                Qt.CursorShape.SplitVCursor if self._lanes.line_at(event.position()) else Qt.CursorShape.ArrowCursor
+            )
+            self.setCursor(upright if over is None else Qt.CursorShape.SplitHCursor)
             self.update()
             return
-        held = self._boundary.move(self._layout.time_at(event.position().x()))
-        if held is not None:
-            label = ChosenLabel(self._layout.tiers_shown()[held.lane], held.boundary // 2)
-            self._labels.move(label, held.seconds, end=bool(held.boundary % 2))
+        if self._line is not None:
+            self._lanes.drag(self._line, event.position().y())
+            return
+        if self._drag_boundary(event):
             return
         moved = event.position().x() - self._pressed.x()
         if self._selects:
@@ -211,6 +282,10 @@ class FileView(QWidget):
         """Go to a place that was clicked."""
         if self._pressed is None:
             return
+        if self._line is not None:
+            self._pressed = self._line = None
+            self._courses.lines.end_move()
+            return
         clicked = abs(event.position().x() - self._pressed.x()) <= GRAB and not self._selects
         self._pressed = None
         self._boundary.release()
@@ -218,12 +293,8 @@ class FileView(QWidget):
             return
         label = self._label_at(event.position())
         self._labels.choose(label)
-        if label is None:
-            self._view.select(None)
-            self.sought.emit(min(max(self._layout.time_at(event.position().x()), 0.0), self._view.duration))
-        else:
-            raw = self._labels.tiers[label.tier].raw_labels[label.label]
-            self._view.select(TimeSpan(raw.start, raw.end))
+        self._view.select(None if label is None else self._labels.span_of(label))
+        self.sought.emit(min(max(self._layout.time_at(event.position().x()), 0.0), self._view.duration))
 
     def leaveEvent(self, event: Any) -> None:
         """Tell nothing when the mouse leaves."""
@@ -231,14 +302,48 @@ class FileView(QWidget):
         self.update()
         super().leaveEvent(event)
 
+    def event(self, event: QEvent) -> bool:
+        """Keep letters, and Escape, from being shortcuts while a label is chosen: they name it, or let it go."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and self._names(event):
+            event.accept()
+            return True
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip and (tip := self._tip_at(event)):
+            QToolTip.showText(event.globalPos(), tip, self)
+            return True
+        return super().event(event)
+
+    def _tip_at(self, event: QHelpEvent) -> str:
+        """Return why a label is hatched; empty where none is."""
+        time = self._layout.time_at(event.pos().x())
+        for row, lane in self._layout.label_lanes():
+            if row.contains(QPointF(event.pos())) and lane.tips and (k := lane.span_at(time)) is not None:
+                return lane.tips[k]
+        return ""
+
+    def _names(self, event: QKeyEvent) -> bool:
+        """Say whether a key has to do with the name of the chosen label."""
+        control = Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier
+        plain = not event.modifiers() & control or event.modifiers() & control == control  # both: AltGr of Windows
+        letter = event.text().isprintable() and bool(event.text().strip())
+        return self._labels.chosen is not None and ((plain and letter) or event.key() == Qt.Key.Key_Escape)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Scroll by half of what is seen, and zoom."""
+        """Name the chosen label, split the one at the cursor; scroll by half of what is seen, and zoom."""
+        chosen = self._labels.chosen
+        if chosen is not None and self._names(event):
+            if event.key() == Qt.Key.Key_Escape:
+                self._labels.choose(None)
+            else:
+                self.ask_name(self._labels.span_of(chosen), event.text(), begun=True)
+            return
         half, seen = self._view.seen.seconds / 2, self._view.seen
-        acts = {
+        acts: dict[Qt.Key, Callable[[], Any]] = {
             Qt.Key.Key_Left: lambda: self._view.scroll(-half),
             Qt.Key.Key_Right: lambda: self._view.scroll(half),
             Qt.Key.Key_Up: lambda: self._view.zoom((seen.start + seen.end) / 2, WHEEL_STEP),
             Qt.Key.Key_Down: lambda: self._view.zoom((seen.start + seen.end) / 2, 1 / WHEEL_STEP),
+            Qt.Key.Key_Return: self.split_asked.emit,
+            Qt.Key.Key_Enter: self.split_asked.emit,
         }
         act = acts.get(Qt.Key(event.key()))
         if act is None:

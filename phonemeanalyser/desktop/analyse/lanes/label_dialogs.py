@@ -1,29 +1,51 @@
 """What the user is asked about the labels of a file: names, tiers, files, and what becomes of changes."""
 
-from PySide6.QtCore import QObject, Qt
-from PySide6.QtWidgets import QDialog, QInputDialog, QListWidget, QListWidgetItem, QWidget
+from pathlib import Path
 
+from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtWidgets import QDialog, QListWidget, QListWidgetItem, QWidget
+
+from phonemeanalyser.desktop.analyse.lanes.file_view import FileView
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.label_tiers import LabelTiers
-from phonemeanalyser.desktop.session.selection import NOTHING_SELECTED
+from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, column, dialog_buttons, label, named
+from phonemeanalyser.desktop.widgets.builders import (
+    CANCEL,
+    choice,
+    column,
+    dialog_buttons,
+    label,
+    named,
+)
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 
 LABEL_FILTER = tr_noop("Labels (*.TextGrid *.txt *.csv)")
-NONE = tr_noop("none")
-AROUND = 0.5
-"""Seconds that are seen at least on either side of an error."""
+FORMATS = {
+    ".TextGrid": tr_noop("Praat TextGrid"),
+    ".csv": tr_noop("Corpus table: class, phone, certainty"),
+    ".txt": tr_noop("Audacity labels"),
+}
+"""The formats in which labels are saved, by the endings of names."""
+NONE = tr_noop("None")
 
 
 WHAT_WAS_HEARD = tr_noop(
-    "Save what was heard as a sound (Selection > Save Selection as Sound…), open that, and label it."
+    "The history can't be labelled, since it isn't an audio file yet. Save a selection of it by the menu "
+    "Selection, open that file, and label it."
 )
 
 
 class LabelDialogs(QObject):
-    """Asks, and passes the answers to the labels of the session."""
+    """Asks, and passes the answers to the labels of the session.
+
+    Signals
+    -------
+    name_asked : the name of the chosen label, or of a new one, is to be typed: its `TimeSpan`, and the name so far.
+    """
+
+    name_asked = Signal(object, str)
 
     def __init__(self, window: QWidget, session: Session, files: FileAsker) -> None:
         super().__init__(window)
@@ -32,83 +54,136 @@ class LabelDialogs(QObject):
         self._labels = session.labels
         self._files = files
 
+    def join(self, view: FileView) -> None:
+        """Have labels named in the lanes of a view."""
+        self.name_asked.connect(view.ask_name)
+        view.rename_asked.connect(self.ask_rename)
+        view.split_asked.connect(self.split)
+        view.named.connect(self._name)
+
     # -- errors -------------------------------------------------------------------------------------------
 
     def next_error(self, *, back: bool = False) -> None:
-        """Select the next stretch, or the one before, in which something else was recognised than the labels say."""
+        """Select the next segment, or the one before, in which something else was recognised than the labels say."""
         session, tracks = self._session, self._session.whole.tracks
         if not self._has_file():
             return
         if tracks is None or self._labels.said_frames() is None:
-            session.error.emit(tr("No labels say what is said; load some by Labels > Load Labels."))
+            session.error.emit(
+                tr(
+                    "There are no errors to go to, since no tier is compared with the recognised "
+                    "phonemes. Load labels with Labels > Load Labels, or choose a tier with Labels "
+                    "> Tiers."
+                )
+            )
             return
         selected = session.view.selection
         found = self._labels.next_error(
             tracks, session.source.position if selected is None else selected.start, back=back
         )
         if found is None:
-            before, after = tr("There is no error before this place."), tr("There is no error after this place.")
+            before, after = tr("No error before this position."), tr("No error after this position.")
             session.labels.info.emit(before if back else after)
             return
-        session.seek(found.seen_at)
-        session.view.select(TimeSpan(found.start, found.end))
-        seen = session.view.seen
-        if not (seen.start <= found.start and found.end <= seen.end):
-            half = max(seen.seconds / 2, found.end - found.start + AROUND)
-            middle = (found.start + found.end) / 2
-            session.view.show(TimeSpan(middle - half, middle + half))
-        said, recognised = found.said.label, found.recognised.label
+        session.show_segment(TimeSpan(found.start, found.end), found.seen_at)
+        said, recognised = sound_name(found.said), sound_name(found.recognised)
         session.labels.info.emit(
-            tr("{start:.2f} to {end:.2f} s: {said} is said, {recognised} was recognised").format(
+            tr("{start:.2f} to {end:.2f} s: labelled {said}, recognised as {recognised}").format(
                 start=found.start, end=found.end, said=said, recognised=recognised
             )
         )
 
     def _has_file(self) -> bool:
-        """Say whether there is something to label: what a microphone heard becomes a file first."""
+        """Say whether there is something to label: a microphone's recording becomes a file first."""
         if self._session.seen.looks_back:
             self._session.error.emit(tr(WHAT_WAS_HEARD))
         return not self._session.seen.looks_back
 
     # -- labels -------------------------------------------------------------------------------------------
 
+    @property
+    def _cursor(self) -> float:
+        return self._session.source.position
+
     def ask_rename(self) -> None:
-        """Let the user rename the chosen label."""
-        chosen = self._labels.chosen
-        if chosen is None:
-            self._session.error.emit(tr("No label is chosen; click one under the sonagram first."))
-            return
-        name = self._labels.tiers[chosen.tier].raw_labels[chosen.label].name
-        name, wanted = QInputDialog.getText(
-            self._window, tr("Rename the label"), tr("What is said there:"), text=name
-        )
-        if wanted:
-            self._labels.rename(chosen, name)
+        """Have the chosen label renamed in its place, or that at the cursor."""
+        label = self._in_hand()
+        if label is not None:
+            self._labels.choose(label)
+            self.name_asked.emit(self._labels.span_of(label), self._labels.name_of(label))
 
     def ask_insert(self) -> None:
-        """Let the user label what is selected."""
-        span = self._session.view.selection
+        """Have what is selected labelled in its place; without a selection, the gap around the cursor."""
         if not self._has_file():
             return
-        if span is None:
-            self._session.error.emit(tr(NOTHING_SELECTED))
+        span = self._session.view.selection or self._labels.gap_at(self._cursor)
+        if self._labels.has_room(span):
+            self._labels.choose(None)
+            self.name_asked.emit(span, "")
+
+    def _name(self, name: str, span: TimeSpan, step: int) -> None:
+        """Give the chosen label, or a new one, the name that was typed; then go on with one beside it."""
+        labels, chosen = self._labels, self._labels.chosen
+        if chosen is None:
+            if name.strip():
+                labels.insert(labels.tier_in_use, *span, name)
             return
-        question = tr("What is said from {start:.3f} to {end:.3f} s:").format(start=span.start, end=span.end)
-        name, wanted = QInputDialog.getText(self._window, tr("New label"), question)
-        if wanted:
-            self._labels.insert(self._labels.state.said, *span, name)
+        if name != labels.name_of(chosen):
+            labels.rename(chosen, name)
+        labels.choose(chosen if step else None)  # letters are shortcuts again
+        if step and labels.choose_beside(self._cursor, step) != chosen:
+            self.ask_rename()
+
+    def split(self) -> None:
+        """Split the label at the cursor."""
+        if self._has_file():
+            self._labels.split(self._cursor)
+            self._select_chosen()
+
+    def merge(self, *, back: bool = False) -> None:
+        """Merge the chosen label, or that at the cursor, with the next one or the one before."""
+        label = self._in_hand()
+        if label is not None:
+            self._labels.merge(label, back=back)
+            self._select_chosen()
+
+    def set_edge(self, *, end: bool) -> None:
+        """Let the chosen label begin or end at the cursor."""
+        if self._has_file():
+            self._labels.set_edge(self._cursor, end=end)
+
+    def choose(self, *, step: int = 0, tiers: int = 0) -> None:
+        """Choose a label some steps on, or some tiers below, and select it."""
+        labels = self._labels
+        if tiers:
+            labels.choose_tier(self._cursor, tiers)
+        else:
+            labels.choose_beside(self._cursor, step)
+        self._select_chosen()
+
+    def _select_chosen(self) -> None:
+        if self._labels.chosen is not None:
+            span = self._labels.span_of(self._labels.chosen)
+            self._session.view.select(span)
+            self._session.view.reveal(span)
+
+    def _in_hand(self) -> ChosenLabel | None:
+        label = self._labels.in_hand(self._cursor) if self._has_file() else None
+        if label is None and not self._session.seen.looks_back:
+            self._session.error.emit(tr("No label is selected. Click one below the sonagram first."))
+        return label
 
     def delete(self) -> None:
         """Delete the chosen label."""
         if self._labels.chosen is None:
-            self._session.error.emit(tr("No label is chosen; click one under the sonagram first."))
+            self._session.error.emit(tr("No label is selected. Click one below the sonagram first."))
         else:
             self._labels.delete(self._labels.chosen)
 
     def ask_tiers(self) -> None:
         """Let the user choose which tiers are shown, and which one says what is said."""
         if not self._labels.tiers:
-            self._session.error.emit(tr("There are no labels yet; load some by Labels > Load Labels."))
+            self._session.error.emit(tr("There are no tiers yet. Load labels with Labels > Load Labels."))
             return
         dialog = TiersDialog(self._labels, self._window)
         if dialog.exec():
@@ -118,12 +193,12 @@ class LabelDialogs(QObject):
     # -- files --------------------------------------------------------------------------------------------
 
     def ask_load(self) -> None:
-        """Let the user choose a label file for the sound in hand."""
+        """Let the user choose a label file for the current sound."""
         path = self._session.path
         if path is None:
-            self._session.error.emit(tr("There is no sound file in hand; open the one that the labels belong to."))
+            self._session.error.emit(tr("No audio file is open. Open the one that the labels belong to."))
             return
-        file = self._files.ask_file(tr("Load labels"), tr(LABEL_FILTER), "labels", path.parent)
+        file = self._files.ask_file(tr("Load Labels"), tr(LABEL_FILTER), "labels", path.parent)
         if file is not None and self.may_leave():
             self._labels.load(file)
 
@@ -136,10 +211,17 @@ class LabelDialogs(QObject):
         """Let the user choose a file to save the labels to; says whether they were saved."""
         sound = self._session.path
         if sound is None or not self._labels.tiers:
-            self._session.error.emit(tr("There are no labels yet; select a stretch and insert one by Ctrl+I."))
+            self._session.error.emit(
+                tr("There are no labels to save. Select a segment and press Ctrl+I to label it.")
+            )
             return False
-        suggested = self._labels.path or sound.with_suffix(".TextGrid")
-        path = self._files.ask_target(tr("Save the labels"), suggested, tr(LABEL_FILTER), "labels")
+        dialog = FormatDialog(self._labels, self._window)
+        taken, suffix = dialog.exec(), dialog.format.currentData()
+        dialog.deleteLater()
+        if not taken:
+            return False
+        suggested = (self._labels.path or sound).with_suffix(suffix)
+        path = self._files.ask_target(tr("Save Labels"), suggested, f"{tr(FORMATS[suffix])} (*{suffix})", "labels")
         return path is not None and self._labels.save(path)
 
     def may_leave(self) -> bool:
@@ -147,8 +229,40 @@ class LabelDialogs(QObject):
         sound = self._session.path
         if not self._labels.has_unsaved_changes or sound is None:
             return True
-        question = tr("Save the labels of {sound}, which you changed?").format(sound=sound.name)
-        return ask_to_save(self._window, tr("Unsaved labels"), question, self.save)
+        question = tr("Save the changes to the labels of {sound}?").format(sound=sound.name)
+        return ask_to_save(self._window, tr("Unsaved Labels"), question, self.save)
+
+
+class FormatDialog(QDialog):
+    """Asks in which format labels are saved, and says what each loses of them.
+
+    Attributes
+    ----------
+    format : the choice, endings of file names as data.
+    loses : what the chosen one does not keep.
+    """
+
+    def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(tr("Save Labels"))
+        self._labels = labels
+        self.format = choice(((tr(words), suffix) for suffix, words in FORMATS.items()), tr("Format"))
+        self.loses = label("")
+        self.loses.setWordWrap(True)
+        self.loses.setMinimumWidth(360)
+        self.format.currentIndexChanged.connect(lambda _k: self._show_losses())
+        if labels.path is not None:
+            endings = [suffix.lower() for suffix in FORMATS]
+            self.format.setCurrentIndex(max(0, endings.index(labels.path.suffix.lower())))
+        self._show_losses()
+        column(self.format, self.loses, dialog_buttons(self, CANCEL, verb=tr("Save…")), on=self, margins=None)
+
+    def _show_losses(self) -> None:
+        lost = self._labels.lost_in(Path(f"labels{self.format.currentData()}"))
+        words = tr("Keeps everything.")
+        if lost:
+            words = tr("Saves a copy without {lost}.").format(lost=", ".join(lost))
+        self.loses.setText(words)
 
 
 class TiersDialog(QDialog):
@@ -163,8 +277,8 @@ class TiersDialog(QDialog):
     def __init__(self, labels: LabelTiers, parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Tiers"))
-        self.list = named(QListWidget(), tr("tiers that are shown"))
-        self.says = choice([(tr(NONE), None)], tr("tier that is compared with what is recognised"))
+        self.list = named(QListWidget(), tr("Visible tiers"))
+        self.says = choice([(tr(NONE), None)], tr("Tier to compare with the recognised phonemes"))
         for k, tier in enumerate(labels.tiers):
             n = len(tier.raw_labels)
             held = tr("{n} points") if tier.points else tr("{n} labels")
@@ -175,11 +289,11 @@ class TiersDialog(QDialog):
             self.says.addItem(tier.name)
         self.says.setCurrentIndex(0 if labels.state.said is None else labels.state.said + 1)
         column(
-            label(tr("Shown under the sonagram:")),
+            label(tr("Show below the sonagram:")),
             self.list,
-            label(tr("Compared with what is recognised:")),
+            label(tr("Compare with the recognised phonemes:")),
             self.says,
-            dialog_buttons(self, OK, CANCEL),
+            dialog_buttons(self, CANCEL, verb=tr("Apply")),
             on=self,
             margins=None,
         )

@@ -18,28 +18,28 @@ from phonemeanalyser.desktop.analyse.lanes.sonagram import (
     add_colour_maps,
     colours_of,
 )
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
-from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE, PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
+    Wrapping,
     choice,
     column,
     label,
     named,
-    offer,
     row,
     silent,
     toggle_button,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.labels import StillLabel
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, live_axes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, UInt32Array
-from phonemeengine.features.variables import unit_of
+from phonemeengine.dsp.sonagram import LEVELS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
 
@@ -81,39 +81,41 @@ SECONDS_SHOWN = 6.0
 
 
 class ScrollView(QWidget):
-    """Three plots over the same seconds before now; 0 is what is heard."""
+    """Three plots over the same seconds before now; 0 is what is playing.
 
-    def __init__(self, history: History, preset: PresetModel, theme: Theme) -> None:
+    Attributes
+    ----------
+    courses : the variables whose courses are drawn; here it is the chosen one.
+    """
+
+    def __init__(self, history: History, courses: Courses, theme: Theme) -> None:
         super().__init__()
         self._history = history
-        self._preset = preset
+        self.courses = courses
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
-        self._graphics.setAccessibleName(tr("what is heard over time"))
+        self._graphics.setAccessibleName(tr("Live signal over time"))
         self.sonagram = SonagramItem(history, theme)
         self._lane = PhonemeLane(history, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: dict[str, pg.InfiniteLine] = {}
         self._course_range = (0.0, 0.0)
         self._n_bins = 0
-        self.decibels = toggle_button("dB", tr("Brightness in dB, or linear"))
+        self.decibels = toggle_button("dB", tr("Colours by level in dB, or by linear amplitude"))
         self.back = tool_button(
-            tr("look back"), tr("All that the microphone heard since Clear, on its own time (Ctrl+B)")
+            tr("History"), tr("Show all that the microphone recorded since Clear on its own time axis (Ctrl+B)")
         )
         self.low = self._limit(
-            -60,
-            tr("level of the darkest colour"),
-            tr("Level of the darkest colour; where brightness is linear, the amplitude of that level"),
+            LEVELS[0],
+            tr("Level of the darkest colour"),
+            tr("Level of the darkest colour, dBFS; with linear colours, the amplitude of that level"),
         )
         self.high = self._limit(
-            0,
-            tr("level of the brightest colour"),
-            tr("Level of the brightest colour; where brightness is linear, the amplitude of that level"),
+            LEVELS[1],
+            tr("Level of the brightest colour"),
+            tr("Level of the brightest colour, dBFS; with linear colours, the amplitude of that level"),
         )
-        self.colours = choice((), tr("colour map"), tr("Colour map"))
-        self.variable = choice((), tr("variable"), tr("The variable whose course and extremes are shown"))
-        self.variable.setMinimumWidth(150)
-        self._extremes, self._measured = StillLabel(), StillLabel()
+        self.colours = choice((), tr("Colour map"), tr("Colours of the levels in the sonagram"))
         self._mouse: QPointF | None = None
         self._cursor_label = ReadOut(self._graphics, theme)
         self.menu = PlotMenu(self._graphics, "sonagram", self._values_at, self.reset_zoom)
@@ -122,7 +124,7 @@ class ScrollView(QWidget):
         self._make_plots()
         self._lay_out()
         self._connect()
-        self._list_variables()
+        self._show_courses()
         self._choose_colours()
 
     def invite(self, text: str) -> None:
@@ -146,26 +148,12 @@ class ScrollView(QWidget):
         self._plots[0].setXRange(-SECONDS_SHOWN, 0, padding=0)
         self._plots[0].setYRange(0, self._n_bins * BIN_WIDTH, padding=0)
 
-    def refresh_numbers(self) -> None:
-        """Write maximum, mean and minimum of the chosen variable, and over how long they are taken."""
-        name = self.variable.currentText()
-        extremes = self._history.extremes(name)
-        names = (tr("max"), tr("mid"), tr("min"))
-        shown = ("–",) * 3 if extremes is None else tuple(f"{value:.4g}" for value in extremes)
-        text = "".join(
-            f"<span style='color:{self._theme.faint}'>&nbsp; {name}</span> {value}"
-            for name, value in zip(names, shown, strict=True)
-        )
-        of = tr("of {seconds:.1f} s").format(seconds=self._history.n_measured(name) * FRAME_PERIOD)
-        self._extremes.setText(text)
-        self._measured.setText(of)
-
     def _make_plots(self) -> None:
         layout = self._graphics.ci
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
         self._plots = [layout.addPlot(row=row, col=0, enableMenu=False, axisItems=live_axes()) for row in range(3)]
-        labels = (tr("frequency (Hz)"), "", tr("variable"))
+        labels = (tr("Frequency (Hz)"), "", tr("Variable"))
         for plot, item, name in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
@@ -185,7 +173,7 @@ class ScrollView(QWidget):
         lane.setFixedHeight(LANE_HEIGHT)
         lane.getAxis("left").setStyle(showValues=False, tickLength=0)
         course.setFixedHeight(COURSE_HEIGHT)
-        course.setLabel("bottom", tr("time before now (s)"))
+        course.setLabel("bottom", tr("Time before now (s)"))
         for plot in (sonagram, lane):
             plot.hideAxis("bottom")
         for plot in (lane, course):
@@ -200,48 +188,35 @@ class ScrollView(QWidget):
     def _lay_out(self) -> None:
         add_colour_maps(self.colours)
         self.decibels.setChecked(True)
-        tip = tr(
-            "Largest, mean and smallest value of the variable, over all that was heard since Clear (or since the "
-            "sound was opened), however long ago; what a seek in a pause only shows does not count"
-        )
-        for told in (self._extremes, self._measured):
-            told.setToolTip(tip)
-        self._measured.setStyleSheet(f"color: {self._theme.faint}")
         plots = QGridLayout()
         plots.setSpacing(0)
         plots.addWidget(self._graphics, 0, 0, 2, 1)
         plots.addWidget(self._colour_bar, 0, 1)
         plots.setRowMinimumHeight(1, LANE_HEIGHT + COURSE_HEIGHT)
         plots.setRowStretch(0, 1)
-        header = row(
-            label(tr("<b>Sonagram and phonemes</b>")),
-            1,
-            self.back,
-            self.decibels,
-            self.low,
-            self.high,
-            self.colours,
-            margins=(6, 3, 6, 1),
-            spacing=8,
+        header = Wrapping(
+            row(label(tr("<b>Sonagram and phonemes</b>")), 1, self.back, spacing=8),
+            row(
+                1,
+                self.decibels,
+                label(tr("Colours from")),
+                self.low,
+                label(tr("to")),
+                self.high,
+                label(tr("Colour map")),
+                self.colours,
+                spacing=8,
+            ),
+            (6, 3, 6, 1),
         )
-        footer = row(
-            label(tr("<b>Variable</b>")),
-            self.variable,
-            self._extremes,
-            self._measured,
-            1,
-            margins=(6, 1, 6, 3),
-            spacing=8,
-        )
-        column(header, (plots, 1), footer, on=self, spacing=0)
+        column(header, (plots, 1), on=self, spacing=0)
 
     def _connect(self) -> None:
         self.decibels.toggled.connect(lambda _on: self._choose_colours())
         for box in (self.low, self.high):
             box.valueChanged.connect(lambda _value: self._choose_colours())
         self.colours.currentIndexChanged.connect(lambda _k: self._choose_colours())
-        self.variable.currentTextChanged.connect(lambda _name: self._choose_variable())
-        self._preset.changed.connect(self._list_variables)
+        self.courses.changed.connect(self._show_courses)
         self._plots[0].vb.sigXRangeChanged.connect(lambda *_range: self._draw_course())  # who pans back sees it too
         scene = self._graphics.scene()
         self._proxy = pg.SignalProxy(scene.sigMouseMoved, rateLimit=READOUTS_PER_SECOND, slot=self._on_mouse)
@@ -259,37 +234,39 @@ class ScrollView(QWidget):
 
     # -- the variable -------------------------------------------------------------------------------------
 
-    def _list_variables(self) -> None:
-        with silent(self.variable):
-            offer(self.variable, self._preset.variable_names, self.variable.currentText(), usual=USUAL_VARIABLE)
-        self._choose_variable()
-
-    def _choose_variable(self) -> None:
-        course = self._plots[2]
-        course.setLabel("left", self.variable.currentText().replace("_", " "))
-        mine = {c.name: c for c in self._preset.controls.values() if c.variable == self.variable.currentText()}
-        if mine.keys() != self._limits.keys():
-            for line in self._limits.values():
-                course.removeItem(line)
-            self._limits = {name: self._line_called(name) for name in mine}
-            for line in self._limits.values():
-                course.addItem(line, ignoreBounds=True)
-        for name, line in self._limits.items():
-            line.setValue(mine[name].read(self._preset.preset))
+    def _show_courses(self) -> None:
+        """Show the chosen variable, and its thresholds as they are now."""
+        course, lines = self._plots[2], self.courses.lines.lines_of(self.courses.chosen)
+        course.setLabel("left", self.courses.chosen.replace("_", " "))
+        if [line.name for line in lines] != [*self._limits]:
+            for drawn in self._limits.values():
+                course.removeItem(drawn)
+            self._limits = {line.name: self._line_called(line.name) for line in lines}
+            for drawn in self._limits.values():
+                course.addItem(drawn, ignoreBounds=True)
+        for line in lines:
+            drawn = self._limits[line.name]
+            touched = line.name == self.courses.control
+            style = Qt.PenStyle.SolidLine if touched else Qt.PenStyle.DashLine
+            with silent(drawn):
+                drawn.setValue(line.value)
+            drawn.setPen(pg.mkPen(self._theme.bad, style=style, width=2 if touched else 1))
         self._draw_course()
-        self.refresh_numbers()
 
     def _line_called(self, name: str) -> pg.InfiniteLine:
-        """Return a level line with a name, which is dear to make."""
-        pen, colour = pg.mkPen(self._theme.bad, style=Qt.PenStyle.DashLine), self._theme.bad
-        how = {"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": colour}
-        return pg.InfiniteLine(angle=0, pen=pen, label=name, labelOpts=how)
+        """Return a level line with a name, which is dear to make; a drag moves the threshold."""
+        how = {"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": self._theme.bad}
+        line = pg.InfiniteLine(angle=0, movable=True, label=name, labelOpts=how)
+        line.sigDragged.connect(lambda dragged: self.courses.drag(name, float(dragged.value())))
+        line.sigPositionChangeFinished.connect(lambda _line: self.courses.lines.end_move())
+        return line
 
     def _draw_course(self) -> None:
-        n_shown = min(CAPACITY, int(-self._plots[0].vb.viewRange()[0][0] / FRAME_PERIOD) + 1)
+        self.courses.live_seconds = -self._plots[0].vb.viewRange()[0][0]
+        n_shown = min(CAPACITY, int(self.courses.live_seconds / FRAME_PERIOD) + 1)
         n = self.sonagram.n_drawn
         at = self._history.indices(n - n_shown, n)
-        name = self.variable.currentText()
+        name = self.courses.chosen
         if len(at) == 0 or name not in self._history.names:
             self._course.setData([], [])
             return
@@ -336,13 +313,13 @@ class ScrollView(QWidget):
         if len(at) == 0 or self._history.frames[at[0]] == NOWHERE:
             return ""
         k = int(at[0])
-        phoneme = Phoneme(int(self._history.phonemes[k])).label
+        phoneme = sound_name(Phoneme(int(self._history.phonemes[k])))
         text = f"{self._history.frames[k] * FRAME_PERIOD:.2f} s   {phoneme}"
         if plot is self._plots[0]:
             level = float(self._history.spectra[k, min(1023, max(0, round(point.y() / BIN_WIDTH)))])
             decibels = f"{20 * np.log10(level):.1f} dB" if level > 0 else "−∞ dB"
             return f"{text}   {point.y():.0f} Hz   {level:.4f}   {decibels}"
-        name = self.variable.currentText()
+        name = self.courses.chosen
         values = self._history.features(at)
         return f"{text}   {name} {values[name][0]:.4g}" if name in values.names else text
 
@@ -357,13 +334,13 @@ class ScrollView(QWidget):
             "phoneme": [Phoneme(code).label for code in history.phonemes[seen].tolist()],
             "intensity (0..1)": history.intensities[seen],
         }
-        name = self.variable.currentText()
+        name = self.courses.chosen
         if self._plot_at(self._graphics.mapToScene(at)) is self._plots[0]:
             low, high = (round(edge / BIN_WIDTH) for edge in self._plots[0].vb.viewRange()[1])
             bins = range(max(0, low), min(high + 1, history.n_bins))
             columns |= {f"amplitude at {k * BIN_WIDTH:.1f} Hz": history.spectra[seen, k] for k in bins}
         elif name in history.names:
-            unit = unit_of(name, self._preset.preset.variables)
+            unit = self.courses.lines.unit_of(name)
             columns[f"{name} ({unit})"] = history.features(seen)[name]
         return table_of(columns)
 

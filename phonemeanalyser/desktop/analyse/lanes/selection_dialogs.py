@@ -37,13 +37,13 @@ class MeasurementDialog(QDialog):
         self._text = format_measurement(measurement).replace(",", "\t")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(
-            tr("{start:.3f} to {end:.3f} s of {sound}").format(
+            tr("Measurements: {start:.3f} to {end:.3f} s of {sound}").format(
                 start=measurement.start, end=measurement.end, sound=sound
             )
         )
         self.resize(*SIZE)
         rows = measurement.rows()
-        self.table = named(QTableWidget(len(rows), len(MEASUREMENT_COLUMNS)), tr("what was measured"))
+        self.table = named(QTableWidget(len(rows), len(MEASUREMENT_COLUMNS)), tr("Measurements"))
         self.table.setHorizontalHeaderLabels(list(map(tr, MEASUREMENT_COLUMNS)))
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -58,15 +58,14 @@ class MeasurementDialog(QDialog):
                 self.table.setItem(k, place, item)
         told = label(
             tr(
-                "Heard with the preset {preset}. Pitch and formants are of the frames with a pitch; levels are the "
-                "root mean square (mean) and the largest sample (max), dB of full scale; phonemes are shares of the "
-                "frames."
+                "Recognised with the preset {preset}. Pitch and formants: of the voiced frames. Level: root mean "
+                "square (mean) and largest sample (max), dBFS. Phonemes: shares of all frames."
             ).format(preset=preset),
             wraps=True,
         )
         buttons = dialog_buttons(self, CLOSE)
         self.copy = buttons.addButton(tr("Copy"), QDialogButtonBox.ButtonRole.ActionRole)
-        self.copy.setToolTip(tr("Copy the table, with tabs between the columns"))
+        self.copy.setToolTip(tr("Copy the table as tab-separated text"))
         self.copy.clicked.connect(self.copy_table)
         QShortcut(QKeySequence(QKeySequence.StandardKey.Copy), self, self.copy_table)
         column(self.table, told, buttons, on=self, margins=None)
@@ -98,7 +97,7 @@ class SelectionDialogs(QObject):
         if text:
             QGuiApplication.clipboard().setText(text)
             self._selection.info.emit(
-                tr("Copied {n} frames; a spreadsheet takes them.").format(n=text.count(chr(10)) - 1)
+                tr("Copied {n} frames as a table; paste them into a spreadsheet.").format(n=text.count(chr(10)) - 1)
             )
 
     def ask_save(self) -> None:
@@ -108,6 +107,6 @@ class SelectionDialogs(QObject):
             return
         suggested = self._files.folder_of("stretch", path.parent) / f"{path.stem} {span.start:.2f}-{span.end:.2f}.wav"
         if target := self._files.ask_target(
-            tr("Save the selected sound"), suggested, "WAV (*.wav)", "stretch", other_endings=True
+            tr("Save Selection as Audio File"), suggested, "WAV (*.wav)", "stretch", other_endings=True
         ):
             self._selection.save(target)

@@ -13,16 +13,15 @@ from PySide6.QtWidgets import QComboBox
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.lanes import PHONEME_NAMES, TimeAxis, lane_of_frames, paint_lane
+from phonemeanalyser.desktop.widgets.lanes import TimeAxis, lane_of_frames, names_in_lanes, paint_lane
 from phonemeengine.arrays import Float32Array, UInt8Array, UInt32Array
+from phonemeengine.dsp.sonagram import LEVELS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
 
 SPAN = CAPACITY * FRAME_PERIOD
 """Seconds that can be seen."""
 COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
-MOST_GAIN = 10 ** (30 / 20)
-"""What normalising may raise a spectrum by in the picture: 30 dB. A quiet room stays dark."""
 
 
 def add_colour_maps(box: QComboBox) -> None:
@@ -31,8 +30,8 @@ def add_colour_maps(box: QComboBox) -> None:
         box.addItem(tr(name), name)
 
 
-def limit_gain(spectra: NDArray[np.float16], peaks: Float32Array) -> Float32Array:
-    """Return spectra that are raised by `MOST_GAIN` at most over those that were measured.
+def as_measured(spectra: NDArray[np.float16], peaks: Float32Array) -> Float32Array:
+    """Return spectra as loud as they were measured, whatever normalising made of them: a quiet room stays dark.
 
     Parameters
     ----------
@@ -41,8 +40,8 @@ def limit_gain(spectra: NDArray[np.float16], peaks: Float32Array) -> Float32Arra
     """
     amplitudes = spectra.astype(np.float32)
     shown = amplitudes.max(axis=1, initial=0.0)
-    most = np.where(np.isnan(peaks), shown, MOST_GAIN * peaks)
-    amplitudes *= np.minimum(1.0, most / np.maximum(shown, 1e-12)).astype(np.float32)[:, np.newaxis]
+    measured = np.where(np.isnan(peaks), shown, peaks)
+    amplitudes *= (measured / np.maximum(shown, 1e-12)).astype(np.float32)[:, np.newaxis]
     return amplitudes
 
 
@@ -76,7 +75,7 @@ class SonagramItem(pg.GraphicsObject):
         self.n_drawn = self._n_coloured = 0
         self._colours = colours_of(COLOUR_MAPS[0])
         self._in_decibels = True
-        self._low, self._high = -60.0, 0.0
+        self._low, self._high = LEVELS
 
     def set_colours(self, colours: UInt32Array, in_decibels: bool, low: float, high: float) -> None:
         """Choose colours, and the amplitudes (0..1 or dB) of the darkest and the brightest."""
@@ -121,7 +120,7 @@ class SonagramItem(pg.GraphicsObject):
     def _colour(self, first: int, last: int) -> None:
         at = self._history.indices(first, last)
         if len(at):
-            spectra = limit_gain(self._history.spectra[at], self._history.features(at)["max_energy"])
+            spectra = as_measured(self._history.spectra[at], self._history.features(at)["max_energy"])
             self._pixels[:, at] = self._colours[self._levels_of(spectra).T]
             self._pixels[:, at[self._history.frames[at] == NOWHERE]] = self._nothing
         self.update()
@@ -134,7 +133,7 @@ class SonagramItem(pg.GraphicsObject):
 
 
 class PhonemeLane(pg.GraphicsObject):
-    """The recognised phonemes as coloured stretches, named where there is room; as far as the sonagram is drawn."""
+    """The recognised phonemes as coloured segments, named where there is room; as far as the sonagram is drawn."""
 
     def __init__(self, history: History, sonagram: SonagramItem, theme: Theme) -> None:
         super().__init__()
@@ -143,14 +142,14 @@ class PhonemeLane(pg.GraphicsObject):
         self._theme = theme
         colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
         self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
-        self._names = [*PHONEME_NAMES, ""]
+        self._names = [*names_in_lanes(), ""]
 
     def boundingRect(self) -> QRectF:
         """One minute by one."""
         return QRectF(-SPAN, 0, SPAN, 1)
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint the stretches that are in view, and the names of those that are wide enough."""
+        """Paint the segments that are in view, and the names of those that are wide enough."""
         view, n = self.viewRect(), self._sonagram.n_drawn
         first, last = (n + edge(side / FRAME_PERIOD) for edge, side in ((floor, view.left()), (ceil, view.right())))
         last = min(last, n)

@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QScrollArea, QSizePolicy, QSlider, QToolButton, QWidget
 
@@ -19,13 +19,14 @@ from phonemeanalyser.desktop.widgets.builders import (
     leave_wheel,
     line,
     named,
+    row,
     scrolling,
     silent,
     tool_button,
 )
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.presets.controls import unused_settings
-from phonemeengine.presets.ears import figures_ahead, for_live_use, frames_ahead
+from phonemeengine.presets.model_choice import figures_ahead, for_live_use, frames_ahead
 from phonemeengine.recognition.spec import spec_of
 from phonemeengine.settings import FRAME_PERIOD, PARAMETERS, STAGES, Filter, Parameter, Stage
 
@@ -39,7 +40,7 @@ class LookAheadSlider(QSlider):
 
     Attributes
     ----------
-    words : a label to stand under it: how late answers are on this machine, and how right they are.
+    words : a label to stand under it: the latency on this machine, and how right the answers are.
     """
 
     def __init__(self, preset: PresetModel) -> None:
@@ -49,9 +50,9 @@ class LookAheadSlider(QSlider):
         self.words = named(
             label(wraps=True),
             tip=tr(
-                "Late: from a sound to its phoneme on the screen, as this machine measured it since the start, with "
-                "the microphone that was heard last. Macro F1 and right mouth shapes: of speakers whom the model did "
-                "not learn from, as its training measured them."
+                "Latency: from a sound to its phoneme on the screen, measured on this computer since the program "
+                "started, with the microphone used last. Mouth-shape accuracy and macro F1: of speakers the model "
+                "was not trained on, measured after its training."
             ),
         )
         self.setRange(0, round(PARAMETERS[LIVE_LOOK_AHEAD].high / FRAME_PERIOD))
@@ -63,7 +64,7 @@ class LookAheadSlider(QSlider):
         self._show()
 
     def show_latency(self, waiting: float | None) -> None:
-        """Take how late an answer is without any look-ahead, seconds; None says that it is not known."""
+        """Take the latency of an answer without any look-ahead, seconds; None says that it is not known."""
         if waiting != self._waiting:
             self._waiting = waiting
             self._tell()
@@ -94,24 +95,24 @@ class LookAheadSlider(QSlider):
         if waits and preset.model is not None:
             frames = frames_ahead(live)
         ahead = (
-            tr("{ms:.0f} ms ahead").format(ms=FRAME_MS * frames)
+            tr("Look-ahead {ms:.0f} ms").format(ms=FRAME_MS * frames)
             if waits
-            else tr("{recogniser} never waits").format(recogniser=preset.recogniser)
+            else tr("{recogniser}: no look-ahead").format(recogniser=preset.recogniser)
         )
-        late = tr("listen to see how late")
+        late = tr("latency not measured yet")
         if self._waiting is not None:
-            late = tr("{ms:.0f} ms late here").format(ms=1000 * self._waiting + FRAME_MS * frames)
-        lines = [f"{ahead}: {late}"]
+            late = tr("latency {ms:.0f} ms").format(ms=1000 * self._waiting + FRAME_MS * frames)
+        parts = [ahead, late]
         if waits and preset.model is not None:
             figures = figures_ahead(live, frames)
-            lines.append(
-                tr("unheard speakers: macro F1 {macro_f1:.2f}, right mouth shapes {percent:.0f} %").format(
+            parts.append(
+                tr("mouth-shape accuracy {percent:.0f} % · macro F1 {macro_f1:.2f}").format(
                     macro_f1=figures.macro_f1, percent=100 * figures.mouth_shapes
                 )
                 if figures
-                else tr("how right it is then was not measured")
+                else tr("accuracy not measured")
             )
-        text = "\n".join(lines)
+        text = " · ".join(parts)
         if text != self.words.text():
             self.words.setText(text)
 
@@ -123,16 +124,10 @@ FILTERS = frozenset(step.value for step in Filter)
 class FilterColumn(QScrollArea):
     """A switch, the parameters and a reset for each filter, then the statistics and the intensity's range.
 
-    Signals
-    -------
-    bypass_asked : all filters off at once (True), or back to what they were.
-
     Attributes
     ----------
     look_ahead : how far the recogniser of a microphone looks ahead.
     """
-
-    bypass_asked = Signal(bool)
 
     def __init__(self, preset: PresetModel, theme: Theme) -> None:
         super().__init__()
@@ -144,7 +139,7 @@ class FilterColumn(QScrollArea):
         self.resets: dict[str, QToolButton] = {}
         self.look_ahead = LookAheadSlider(preset)
         self.bypass = named(
-            QCheckBox(tr("Bypass all filters")), tip=tr("All filters off at once, and back to what they were (B)")
+            QCheckBox(tr("Bypass all filters")), tip=tr("Switch all filters off, or back to their previous state (B)")
         )
         self.unused = label(colour=theme.accent, wraps=True)
         self._headings: dict[str, QWidget] = {}
@@ -155,7 +150,7 @@ class FilterColumn(QScrollArea):
 
     def _fill(self) -> None:
         self.bypass.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.bypass.toggled.connect(self.bypass_asked)
+        self.bypass.toggled.connect(self._preset.set_bypassed)
         self._grid.setColumnStretch(1, 1)
         self._grid.addWidget(self.bypass, 0, 0, 1, 3)
         self.unused.setTextFormat(Qt.TextFormat.PlainText)
@@ -169,28 +164,27 @@ class FilterColumn(QScrollArea):
         body = QWidget()
         body.setLayout(self._grid)
         leave_wheel(body)
-        self.setAccessibleName(tr("filters"))
+        self.setAccessibleName(tr("Filters"))
         self.setMinimumWidth(scrolling(self, body))
 
     def _add_stage(self, stage: Stage, switch: Callable[[bool], None] | None) -> None:
-        """Add a line above, the switch, its first parameter beside it, further ones below, and the reset."""
-        row = self._grid.rowCount()
-        self._grid.addWidget(line(self._theme.line), row, 0, 1, 3)
+        """Add a line above, the switch, its parameters with their labels, the first beside it, and the reset."""
+        at = self._grid.rowCount()
+        self._grid.addWidget(line(self._theme.line), at, 0, 1, 3)
         heading = self._headings[stage.name] = self._heading(stage, switch)
-        self._grid.addWidget(heading, row + 1, 0)
         reset = self._reset(stage.name, stage.label)
+        hint = tr(stage.hint)
+        parts = [named(label(tr(of.part), self._theme.faint), tip=hint) for of in stage.parameters if of.part]
+        self._grid.addLayout(row(heading, 1, *parts[:1], spacing=3), at + 1, 0)
         for k, of in enumerate(stage.parameters):
             tip = f"{tr(of.label)}: {tr(stage.hint)}"
-            self._grid.addWidget(named(self._field(of), tr(of.label), tip), row + 1 + k, 1)
+            self._grid.addWidget(named(self._field(of), tr(of.label), tip), at + 1 + k, 1)
             if k:
-                parts = " / ".join(tr(parameter.part) for parameter in stage.parameters)
-                both = label(parts, self._theme.faint)
-                both.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                self._grid.addWidget(both, row + 1 + k, 0)
+                self._grid.addWidget(parts[k], at + 1 + k, 0, Qt.AlignmentFlag.AlignRight)
             else:
-                self._grid.addWidget(reset, row + 1, 2)  # here, since Tab goes as the grid was filled
+                self._grid.addWidget(reset, at + 1, 2)  # here, since Tab goes as the grid was filled
         if not stage.parameters:
-            self._grid.addWidget(reset, row + 1, 2)
+            self._grid.addWidget(reset, at + 1, 2)
 
     def _heading(self, stage: Stage, switch: Callable[[bool], None] | None) -> QWidget:
         heading: QLabel | QCheckBox
@@ -208,8 +202,8 @@ class FilterColumn(QScrollArea):
     def _reset(self, key: str, text: str) -> QToolButton:
         reset = self.resets[key] = tool_button(
             "↺",
-            tr("Reset {text} to what the preset's file says").format(text=tr_amid(text)),
-            tr("reset {text}").format(text=tr_amid(text)),
+            tr("Reset {text} to the value in the preset file").format(text=tr_amid(text)),
+            tr("Reset {text}").format(text=tr_amid(text)),
             flat=True,
         )
         reset.setFixedWidth(RESET_WIDTH)
@@ -269,7 +263,7 @@ class FilterColumn(QScrollArea):
         unused = unused_settings(self._preset.preset)
         for key, heading in self._headings.items():
             note = (
-                " " + tr("Not used by the recogniser {name}: it changes only what is seen.").format(name=name)
+                " " + tr("The recogniser “{name}” does not use it: it affects the display only.").format(name=name)
                 if key in unused
                 else ""
             )
@@ -277,9 +271,9 @@ class FilterColumn(QScrollArea):
             heading.setStyleSheet(self._unused_style if key in unused else "")
         if unused >= FILTERS:
             self.unused.setText(
-                tr("{name} hears the bare sound: the filters shape only what is seen").format(name=name)
+                tr("“{name}” uses the unfiltered signal; filters affect the display only").format(name=name)
             )
         else:
             which = ", ".join(tr(stage.label) for stage in STAGES.values() if stage.name in unused)
-            self.unused.setText(tr("Not used by {name}: {which}").format(name=name, which=which))
+            self.unused.setText(tr("Not used by “{name}”: {which}").format(name=name, which=which))
         self.unused.setVisible(bool(unused & self._headings.keys()))

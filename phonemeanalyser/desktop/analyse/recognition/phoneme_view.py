@@ -2,12 +2,14 @@
 
 from typing import Any
 
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QPainter
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QPoint, QRectF
+from PySide6.QtGui import QColor, QHelpEvent, QPainter
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
+from phonemeanalyser.desktop.session.pitch_set_words import pitch_set_in_words, pitch_set_name
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -25,10 +27,22 @@ N_ROWS = 10
 FLICKER_SECONDS = 3.0
 """Over how long the changes of the phoneme are counted."""
 METERS = (
-    ("zc", "zero_crossings", "{:.0f}"),
-    ("vol", "volume", "{:.3f}"),
-    ("e", "energy", "{:.3f}"),
-    ("f(g)", "f0", "{:.0f} Hz"),
+    ("zc", "zero_crossings", "{:.0f}", tr_noop("Zero crossings in the current window of 46.4 ms")),
+    ("vol", "volume", "{:.3f}", tr_noop("Volume: peak level in the current window of 46.4 ms, full scale 1")),
+    ("e", "energy", "{:.3f}", tr_noop("Energy: sum of the amplitudes of the spectrum before denoise and normalise")),
+    ("f(g)", "f0", "{:.0f} Hz", tr_noop("Fundamental frequency of a voice, 60 to 500 Hz; a higher tone has none")),
+)
+"""What is measured: name, variable, form and tip."""
+PHONEME_TIP = tr_noop("Phoneme recognised in the current frame")
+INTENSITY_TIP = tr_noop("Intensity of the current frame: 0 to 1 between the two levels of the filter Intensity")
+CONFIDENCE_TIP = tr_noop(
+    "Estimated probability that the phoneme is right, fitted on labelled speech: of 100 answers with 80 %, 80 are "
+    "right"
+)
+CHANGES_TIP = tr_noop("Phoneme changes per second, over the last 3 seconds")
+TRACE_TIP = tr_noop(
+    "What each rule compared in the current frame, down to the one that fired: value, limit, and the margin by which "
+    "the comparison held (✓) or failed (✗)"
 )
 
 
@@ -45,19 +59,36 @@ class PhonemeView(QWidget):
         self.confidence: float | None = None
         self.changes: float | None = None
         self.input_silent = False
+        self.pitch_set = self.about_set = ""
         self.meters: dict[str, str] = {}
         self.menu = PlotMenu(self, "phoneme", lambda _at: self._values())
         self.setMinimumSize(250, 128 + (N_ROWS + 1) * ROW)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        self.setToolTip(
-            tr(
-                "The phoneme now, its intensity, how sure it is (of a hundred answers that are 80 % sure, eighty are "
-                "right), how often the phoneme changed in the last three seconds, the measures of its window of 46 "
-                "ms: zc (zero crossings in it), vol (peak level, full scale 1), e (energy: sum of the amplitudes "
-                "before denoise and normalise), f(g) (fundamental frequency of a voice, 60 to 500 Hz; a higher tone "
-                "has none), and what each rule said, down to the one that fired"
-            )
-        )
+
+    def event(self, event: QEvent) -> bool:
+        """Show the tip of what lies under the mouse."""
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            QToolTip.showText(event.globalPos(), f"<p>{self.tip_at(event.pos())}</p>", self)
+            return True
+        return super().event(event)
+
+    def tip_at(self, at: QPoint) -> str:
+        """Return what the value at a place is, and of what."""
+        phoneme, intensity, meters, _ = self._boxes()
+        if at.y() < phoneme.bottom():
+            return f"{tr(PHONEME_TIP)}</p><p>{self.about_set}" if self.about_set else tr(PHONEME_TIP)
+        if at.y() < intensity.bottom() + 2:
+            third = int(3 * (at.x() - intensity.left()) / intensity.width())
+            return tr((INTENSITY_TIP, CONFIDENCE_TIP, CHANGES_TIP)[min(max(third, 0), 2)])
+        if at.y() < meters.bottom():
+            cell = int(len(METERS) * (at.x() - meters.left()) / meters.width())
+            return tr(METERS[min(max(cell, 0), len(METERS) - 1)][3])
+        return tr(TRACE_TIP)
+
+    def _boxes(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
+        """Return where phoneme, intensity, measures and the trace's first line are."""
+        width = self.width() - 16
+        return QRectF(8, 4, width, 58), QRectF(8, 66, width, 14), QRectF(8, 84, width, 32), QRectF(8, 122, width, ROW)
 
     def _values(self) -> str:
         """Return what is shown as a table, with every comparison of the rules."""
@@ -70,7 +101,7 @@ class PhonemeView(QWidget):
 
     @property
     def is_outdated(self) -> bool:
-        """Whether another phoneme is heard than the one that is shown."""
+        """Whether another phoneme is recognised than the one that is shown."""
         newest = self._session.history.newest
         return newest is not None and int(newest.phonemes[-1]) != self.phoneme
 
@@ -81,34 +112,38 @@ class PhonemeView(QWidget):
         if newest is None:
             self.phoneme = self.recognised = Phoneme.SILENCE
             self.intensity, self.confidence, self.meters = 0.0, None, {}
+            self.pitch_set = self.about_set = ""
         else:
             values = newest.features.frame(len(newest) - 1)
             self.phoneme, self.recognised = Phoneme(int(newest.phonemes[-1])), Phoneme(int(newest.recognised[-1]))
             _, self.intensity, self.confidence = latest_reading(newest)
-            self.meters = {name: form.format(values[variable]) for name, variable, form in METERS}
+            preset = self._session.preset.in_force
+            self.pitch_set, self.about_set = pitch_set_name(preset, values), pitch_set_in_words(preset, values)
+            self.meters = {name: form.format(values[variable]) for name, variable, form, _ in METERS}
             if values["f0"] == 0:
                 self.meters["f(g)"] = "–"
         self.changes = None if self.input_silent else self._session.history.changes_per_s(FLICKER_SECONDS)
         self.trace = None if self.input_silent else self._session.results.explain()
-        self.setAccessibleName(tr("nothing comes") if self.input_silent else self.phoneme.label)
+        self.setAccessibleName(tr("No signal") if self.input_silent else sound_name(self.phoneme))
         self.update()
 
     def paintEvent(self, _event: Any) -> None:
         """Paint phoneme, intensity, measures and trace from top to bottom."""
         painter = QPainter(self)
-        width = self.width() - 16
-        self._paint_phoneme(painter, QRectF(8, 4, width, 58))
-        self._paint_intensity(painter, QRectF(8, 66, width, 14))
-        self._paint_meters(painter, QRectF(8, 84, width, 32))
+        phoneme, intensity, meters, line = self._boxes()
+        self._paint_phoneme(painter, phoneme)
+        self._paint_intensity(painter, intensity)
+        self._paint_meters(painter, meters)
         if self.trace is not None:
-            self._paint_trace(painter, self.trace, QRectF(8, 122, width, ROW))
+            self._paint_trace(painter, self.trace, line)
 
     def _paint_phoneme(self, painter: QPainter, box: QRectF) -> None:
         colour = QColor(PHONEME_COLOURS[self.phoneme])
         painter.fillRect(box, QColor(colour.red(), colour.green(), colour.blue(), 50))
         painter.fillRect(QRectF(box.left(), box.top(), 5, box.height()), colour)
-        name = tr("nothing comes") if self.input_silent else self.phoneme.label
+        name = tr("No signal") if self.input_silent else sound_name(self.phoneme)
         draw_text(painter, box, name, self._theme.text, 42 if len(name) < 4 else 30, CENTRED)
+        draw_text(painter, box.adjusted(11, 40, 0, 0), self.pitch_set, self._theme.faint, 10)
 
     def _paint_intensity(self, painter: QPainter, box: QRectF) -> None:
         painter.fillRect(box, QColor(self._theme.raised))
@@ -117,13 +152,13 @@ class PhonemeView(QWidget):
         painter.fillRect(bar, QColor(accent.red(), accent.green(), accent.blue(), 110))
         inner = box.adjusted(5, 0, -5, 0)
         draw_text(
-            painter, inner, tr("intensity {intensity:.2f}").format(intensity=self.intensity), self._theme.text, 10
+            painter, inner, tr("Intensity {intensity:.2f}").format(intensity=self.intensity), self._theme.text, 10
         )
         if self.confidence is not None:
             draw_text(
                 painter,
                 inner,
-                tr("{percent:.0f} % sure").format(percent=100 * self.confidence),
+                tr("Confidence {percent:.0f} %").format(percent=100 * self.confidence),
                 self._theme.text,
                 10,
                 CENTRED,
@@ -140,13 +175,13 @@ class PhonemeView(QWidget):
 
     def _paint_meters(self, painter: QPainter, box: QRectF) -> None:
         cell = box.width() / len(METERS)
-        for k, (name, _, _) in enumerate(METERS):
+        for k, (name, *_) in enumerate(METERS):
             place = QRectF(box.left() + k * cell, box.top(), cell, box.height())
             draw_text(painter, place.adjusted(0, 0, 0, -16), name, self._theme.faint, 10)
             draw_text(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
 
     def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
-        rows = rows_of(trace)
+        rows = [(comparison, tr_engine(rule), fired) for comparison, rule, fired in rows_of(trace)]
         set_size(painter, 11)
         widths = [painter.fontMetrics().horizontalAdvance(asked) for _, asked, _ in rows]
         indent = MARK_WIDTH + max([NAME_WIDTH, *widths]) + GAP
@@ -162,11 +197,11 @@ class PhonemeView(QWidget):
             draw_text(painter, line, _signed(comparison.margin), mark, 11, AT_RIGHT)
             line = line.translated(0, ROW)
         if not trace.comparisons:
-            draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), trace.rule, self._theme.text, 11)
+            draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), tr_engine(trace.rule), self._theme.text, 11)
             line = line.translated(0, ROW)
         if self.recognised is not self.phoneme:
-            calmed = tr("statistics: {recognised} → {phoneme}").format(
-                recognised=self.recognised.label, phoneme=self.phoneme.label
+            calmed = tr("Smoothing: {recognised} → {phoneme}").format(
+                recognised=sound_name(self.recognised), phoneme=sound_name(self.phoneme)
             )
             draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), calmed, self._theme.accent, 11)
 
@@ -174,7 +209,7 @@ class PhonemeView(QWidget):
 def rows_of(trace: Trace) -> list[tuple[RuleComparison, str, bool]]:
     """Return a line for each rule that failed (its first failed comparison) and all of the one that fired.
 
-    Where these are more than there is room for, only those rules are told that failed by the least share of a limit,
+    Where these are more than fit, only those rules are listed that failed by the least share of a limit,
     each with the comparison that failed by the most.
     """
     failed: dict[str, list[RuleComparison]] = {}

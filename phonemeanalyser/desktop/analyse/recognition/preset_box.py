@@ -1,82 +1,82 @@
-"""The box of presets in the tool bar: which one is in use, and all others a click away."""
+"""The preset in the tool bar: which one is in use, A or B, and all others a click or a key away."""
 
 from collections.abc import Callable
-from functools import partial
+from html import escape
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QPushButton, QSizePolicy
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QSizePolicy
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker, Sections
 from phonemeengine.presets.files import PresetEntry
+from phonemeengine.recognition.spec import BUILT_IN, recogniser_names
 
-WIDTH = 150
-Sections = dict[str, tuple[PresetEntry, ...]]
+WIDTH = 170
+_RECOGNISER = Path("recogniser")
+"""Stands before the name of a recogniser of another package, as if that were a file."""
 
 
-class PresetBox(QPushButton):
-    """Shows the preset in use, and opens a menu of the others, with a line that says what each is.
+class PresetBox(PresetPicker):
+    """Shows the preset in use, and lists the others, and the recognisers that other packages bring.
 
     Parameters
     ----------
-    preset : the preset in use.
-    sections : gives the presets to choose from, by heading; asked whenever the menu opens.
+    preset : the presets A and B.
+    sections, files : as of `PresetPicker`.
 
     Signals
     -------
-    chosen : path of the preset that the user wants.
+    recogniser_chosen : name of the recogniser of another package that the user wants.
     """
 
-    chosen = Signal(Path)
+    recogniser_chosen = Signal(str)
 
-    def __init__(self, preset: PresetModel, sections: Callable[[], Sections]) -> None:
-        super().__init__()
+    def __init__(self, preset: PresetModel, sections: Callable[[], Sections], files: FileAsker) -> None:
+        super().__init__(lambda: {**sections(), tr("Recognisers of other packages"): _of_packages()}, files)
         self._preset = preset
-        self._sections = sections
-        self._commands: list[QAction] = []
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        menu.aboutToShow.connect(self._fill)
-        self.setMenu(menu)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setFixedWidth(WIDTH)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(tr("preset"))
-        preset.changed.connect(self._show_preset)
-        preset.file_changed.connect(self._show_preset)
+        self.list.as_other.show()
+        for signal in (preset.changed, preset.file_changed, preset.sides_changed):
+            signal.connect(self._show_preset)
         self._show_preset()
 
-    def add_commands(self, *commands: QAction) -> None:
-        """Let the menu end with these, such as Save As."""
-        self._commands = list(commands)
+    def _marks(self) -> dict[Path, str]:
+        here, other = self._preset.document, self._preset.other
+        if other is None:
+            return {here.path.resolve(): "✓"}
+        marks = {other.path.resolve(): self._preset.other_letter}
+        mine = marks.get(here.path.resolve(), "")
+        return {**marks, here.path.resolve(): "".join(sorted(f"{mine}{self._preset.letter}"))}
 
-    def _fill(self) -> None:
-        menu = self.menu()
-        menu.clear()
-        for heading, entries in self._sections().items():
-            if entries:
-                menu.addSection(heading)
-            for entry in entries:
-                self._add(menu, entry)
-        menu.addSeparator()
-        menu.addActions(self._commands)
-
-    def _add(self, menu: QMenu, entry: PresetEntry) -> None:
-        text = f"{entry.name}:  {tr(entry.summary)}" if entry.summary else entry.name
-        action = menu.addAction(text.replace("&", "&&"), partial(self.chosen.emit, entry.path))
-        action.setToolTip(str(entry.path))
-        action.setCheckable(True)
-        action.setChecked(entry.path == self._preset.path.resolve())
+    def _take(self, value: Path | str | None, other: bool) -> None:
+        if isinstance(value, Path) and value.parent == _RECOGNISER:
+            self.recogniser_chosen.emit(value.name)
+        else:
+            super()._take(value, other)
 
     def _show_preset(self) -> None:
-        preset = self._preset.preset
+        preset, other = self._preset.preset, self._preset.other
         mark = "*" if self._preset.has_unsaved_changes else ""
-        room = WIDTH - 30
-        name = self.fontMetrics().elidedText(preset.name + mark, Qt.TextElideMode.ElideMiddle, room)
-        self.setText(name.replace("&", "&&"))
-        changed = ", " + tr("changed since it was saved") if mark else ""
-        self.setToolTip(
-            f"<p>{tr('Preset')} <b>{preset.name}</b>{changed}. {tr(preset.summary)}</p><p>{self._preset.path}</p>"
-        )
+        self.show_name(f"{self._preset.title}{mark}")
+        changed = ", " + tr("unsaved changes") if mark else ""
+        told = [
+            f"{tr('Preset')} <b>{escape(self._preset.title)}</b>{changed}. {escape(tr_engine(preset.summary))}",
+            escape(str(self._preset.path)),
+        ]
+        if other is not None:
+            words = tr("{letter}: {preset}; X uses it")
+            told.append(escape(words.format(letter=self._preset.other_letter, preset=other.preset.name)))
+        self.setToolTip("".join(f"<p>{words}</p>" for words in told))
+        as_other = tr("Set as {letter}").format(letter=self._preset.other_letter)
+        self.list.as_other.setText(as_other)
+        self.list.as_other.setToolTip(tr("Compare the marked preset with the one in use (Ctrl+Return)"))
+
+
+def _of_packages() -> tuple[PresetEntry, ...]:
+    names = (name for name in recogniser_names() if name not in BUILT_IN)
+    return tuple(PresetEntry(_RECOGNISER / name, name, "") for name in names)

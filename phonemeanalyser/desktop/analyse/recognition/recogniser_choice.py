@@ -1,4 +1,4 @@
-"""Which recogniser names the phonemes, its models for live sound and for files, and where the speech encoder is."""
+"""The models of a preset for live sound and for files, and where the speech encoder is."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -7,10 +7,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-from phonemeanalyser.desktop.widgets.builders import CLOSE, choice, column, dialog_buttons, label, row
+from phonemeanalyser.desktop.widgets.builders import CLOSE, choice, column, dialog_buttons, grid, label
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.encoder.model_folder import (
     choose_whisper,
@@ -19,107 +20,82 @@ from phonemeengine.encoder.model_folder import (
     has_whisper,
     whisper_in_words,
 )
-from phonemeengine.presets.ears import has_ear, offered_ear
-from phonemeengine.recognition.spec import recogniser_names
-from phonemeengine.settings import Ear
+from phonemeengine.presets.model_choice import has_model, offered_model, why_without
+from phonemeengine.settings import ModelKind
 
-NAMES_WIDTH = 86
-"""Pixels that the recogniser's name has at least."""
-LIVE_MODELS = {Ear.LIVE: tr_noop("network"), Ear.ENCODER: tr_noop("encoder")}
-EARS = {Ear.LIVE: tr_noop("live"), Ear.ENCODER: tr_noop("encoder"), Ear.TWIN: tr_noop("twin"), Ear.WHISPER: "Whisper"}
+LIVE_MODELS = {ModelKind.REAL_TIME: tr_noop("network"), ModelKind.ENCODER: tr_noop("encoder")}
+FILE_MODELS = {
+    ModelKind.REAL_TIME: tr_noop("real-time"),
+    ModelKind.ENCODER: tr_noop("encoder"),
+    ModelKind.OFFLINE: tr_noop("offline"),
+    ModelKind.WHISPER: "Whisper",
+}
 
 
 class RecogniserChoice(QWidget):
-    """Offers all recognisers that are installed, and the models for live sound and for files, and shows the preset's.
-
-    Signals
-    -------
-    chosen : name of the recogniser that the user wants.
-    live_model_chosen : the `Ear` that the user wants live sound to be recognised with.
-    ear_chosen : the `Ear` that the user wants files to be heard with.
-    """
-
-    chosen = Signal(str)
-    live_model_chosen = Signal(object)
-    ear_chosen = Signal(object)
+    """Offers the preset's models for live sound and for files, and says how to get those that are not there."""
 
     def __init__(self, preset: PresetModel) -> None:
         super().__init__()
         self._preset = preset
-        self.names = choice(
-            ((name, None) for name in recogniser_names()),
-            tr("recogniser"),
-            tr(
-                "<p>What names the phoneme of each frame. Another one brings the front end and the numbers that it "
-                "was tuned with, unless you tuned it yourself. What it is tuned by is below.</p><p>To add one, "
-                "install its package beside this program, and start the program again. How to write one is in the "
-                "README.</p>"
-            ),
-        )
-        self.names.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self.names.setMinimumWidth(NAMES_WIDTH)
         self.live_models = choice(
             ((tr(words), None) for words in LIVE_MODELS.values()),
-            tr("model for the microphone"),
+            tr("Real-time model"),
             tr(
-                "<p>What recognises a microphone. <i>network</i>: the small network, which costs next to nothing and "
-                "looks ahead as little as you like. <i>encoder</i>: the lower layers of a speech encoder, which "
-                "knows very many voices, together with the network; it looks ahead 20 or 40 ms and takes a few "
-                "percent of a processor core.</p><p>What is grey is not there.</p>"
+                "<p>Model that recognises the microphone.</p><p><i>network</i>: the small network; next to no "
+                "processor load, any look-ahead.<br><i>encoder</i>: the lower layers of a speech encoder, trained "
+                "on very many voices, together with the network; look-ahead 20 or 40 ms, a few percent of a "
+                "processor core.</p><p>Models that are not available are grey and say why.</p>"
             ),
         )
-        self.ears = choice(
-            ((tr(words), None) for words in EARS.values()),
-            tr("ear for files"),
+        self.file_models = choice(
+            ((tr(words), None) for words in FILE_MODELS.values()),
+            tr("File model"),
             tr(
-                "<p>The best that files are heard with. <i>live</i>: as a microphone. <i>twin</i>: by a network that "
-                "hears half a second ahead. <i>Whisper</i>: with a speech encoder besides, where all of a file is "
-                "recognised at once: saved, exported or aligned with its text; while it plays, the twin serves.</p>"
-                "<p>What is grey is not there; <i>File &gt; Speech Encoder…</i> gets Whisper.</p>"
+                "<p>Best model that files are recognised with.</p><p><i>real-time</i>: the preset's recogniser, as "
+                "for a microphone.<br><i>encoder</i>: the real-time model with the encoder.<br><i>offline</i>: a "
+                "network with half a second of context on both sides.<br><i>Whisper</i>: the offline model and a "
+                "speech encoder, where a whole file is recognised at once: saving, exporting, aligning with its "
+                "text. Playback uses the offline model.</p><p>Models that are not available are grey and say why.</p>"
             ),
         )
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        recogniser, live, files = label(tr("Recogniser")), label(tr("Microphone")), label(tr("Files"))
-        for words, box in ((recogniser, self.names), (live, self.live_models), (files, self.ears)):
+        rows = grid(self, margins=(8, 4, 8, 2), down=4)
+        for k, box in enumerate((self.live_models, self.file_models)):
+            words = label(box.accessibleName())
             words.setBuddy(box)
-        models = row(live, (self.live_models, 1), files, (self.ears, 1))
-        column(row(recogniser, (self.names, 1)), models, on=self, margins=(8, 4, 8, 2), spacing=4)
-        self.names.activated.connect(self._choose)
+            rows.addWidget(words, k, 0)
+            rows.addWidget(box, k, 1)
+        rows.setColumnStretch(1, 1)
         self.live_models.activated.connect(self._choose_live_model)
-        self.ears.activated.connect(self._choose_ear)
+        self.file_models.activated.connect(self._choose_file_model)
         preset.changed.connect(self._show_preset)
         self._show_preset()
 
-    def _choose(self, index: int) -> None:
-        self.chosen.emit(self.names.itemText(index))
-        self._show_preset()  # where it was refused, the old one is in use still
-
     def _choose_live_model(self, index: int) -> None:
-        self.live_model_chosen.emit(list(LIVE_MODELS)[index])
+        self._preset.set_live_model(list(LIVE_MODELS)[index])
         self._show_preset()
 
-    def _choose_ear(self, index: int) -> None:
-        self.ear_chosen.emit(list(EARS)[index])
+    def _choose_file_model(self, index: int) -> None:
+        self._preset.set_file_model(list(FILE_MODELS)[index])
         self._show_preset()
 
     def _show_preset(self) -> None:
         preset = self._preset.preset
-        for box, ears in ((self.live_models, LIVE_MODELS), (self.ears, EARS)):
+        for box, kinds in ((self.live_models, LIVE_MODELS), (self.file_models, FILE_MODELS)):
             model = box.model()
             assert isinstance(model, QStandardItemModel)
-            for k, ear in enumerate(ears):
-                model.item(k).setEnabled(has_ear(preset, ear))
-        live = preset.live_model if has_ear(preset, preset.live_model) else Ear.LIVE
+            for k, kind in enumerate(kinds):
+                why_not = tr_engine(why_without(preset, kind))
+                model.item(k).setEnabled(not why_not)
+                model.item(k).setToolTip(f"<p>{why_not[:1].upper()}{why_not[1:]}.</p>" if why_not else "")
+        live = preset.live_model if has_model(preset, preset.live_model) else ModelKind.REAL_TIME
         self.live_models.setCurrentIndex(list(LIVE_MODELS).index(live))
-        self.ears.setCurrentIndex(list(EARS).index(offered_ear(preset)))
-        name = self._preset.preset.recogniser
-        self.names.setCurrentIndex(
-            self.names.findText(name, Qt.MatchFlag.MatchExactly | Qt.MatchFlag.MatchCaseSensitive)
-        )
+        self.file_models.setCurrentIndex(list(FILE_MODELS).index(offered_model(preset)))
 
 
 WIDTH = 560
-LOOKING = tr_noop("Looking for the model …")
+LOOKING = tr_noop("Looking for the model…")
 
 
 class EncoderDialog(QDialog):
@@ -139,9 +115,9 @@ class EncoderDialog(QDialog):
         self._work = TaskQueue(self._refuse)
         intro = QLabel(
             tr(
-                "Files are heard best by the network and the encoder of Whisper base together, which knows very many "
-                "voices. It works on this computer, takes 250 MB of memory, and helps where all of a file is "
-                "recognised at once: saved, exported, or aligned with its text."
+                "The offline model recognises files best together with the encoder of Whisper base, which was "
+                "trained on very many voices. The encoder runs on this computer, takes 250 MB of memory, and is "
+                "used where a whole file is recognised at once: saving, exporting, aligning with its text."
             )
         )
         self.state = QLabel()
@@ -152,7 +128,7 @@ class EncoderDialog(QDialog):
         buttons = dialog_buttons(self, CLOSE)
         self.buttons = [
             buttons.addButton(text, QDialogButtonBox.ButtonRole.ActionRole)
-            for text in (tr("Choose Folder…"), tr("Forget the Folder"), tr("Fetch It (145 MB)"))
+            for text in (tr("Choose Folder…"), tr("Clear Folder"), tr("Download (145 MB)"))
         ]
         for button, act in zip(self.buttons, (self.ask_folder, self.forget, self.fetch), strict=True):
             button.clicked.connect(act)
@@ -162,8 +138,8 @@ class EncoderDialog(QDialog):
 
     def ask_folder(self) -> None:
         """Let the user choose the folder of a model."""
-        if folder := self._files.ask_folder(tr("The folder with model.bin of Whisper base"), Path()):
-            self._do(tr_noop("Opening the model …"), lambda: choose_whisper(folder))
+        if folder := self._files.ask_folder(tr("Choose the Folder with model.bin of Whisper base"), Path()):
+            self._do(tr_noop("Opening the model…"), lambda: choose_whisper(folder))
 
     def forget(self) -> None:
         """Use the chosen folder no longer."""
@@ -171,7 +147,7 @@ class EncoderDialog(QDialog):
 
     def fetch(self) -> None:
         """Get the model over the network."""
-        self._do(tr_noop("Fetching the model, 145 MB …"), fetch_whisper)
+        self._do(tr_noop("Downloading the model (145 MB)…"), fetch_whisper)
 
     def done(self, result: int) -> None:
         """Close, and leave alone what is still fetched."""
@@ -195,7 +171,7 @@ class EncoderDialog(QDialog):
 
     def _refuse(self, words: str) -> None:
         if not has_whisper() and self._asked == LOOKING:
-            words = tr("there is no model yet: fetch it, or choose the folder of one that you have")
+            words = tr("no model is installed: download it, or choose the folder of one that you have")
         self._show(f"{words[:1].upper()}{words[1:]}.", is_idle=True)
         self.model_changed.emit()
 

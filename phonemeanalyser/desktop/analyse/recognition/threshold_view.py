@@ -6,8 +6,8 @@ from functools import partial
 from html import escape
 from typing import Any
 
-from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPolygonF
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPolygonF
 from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -16,14 +16,19 @@ from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import grid, label, leave_wheel, named, scrolling, silent, tool_button
+from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
+from phonemeengine.features.variables import readable_name
 from phonemeengine.presets.controls import Control, ControlGroup, Moment
 
-LABEL_WIDTH = 104
+LABEL_WIDTH = 112
 LARGEST = 1e6
 """A number that is typed lies within ± this."""
+BY_KEY = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason)
+STEPS: dict[int, int] = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
+"""Which way the arrow keys move a handle."""
 CURVATURE = 2.5
 """Sliders give small values more room: position = (value / highest) ** (1 / CURVATURE)."""
 
@@ -52,8 +57,9 @@ class ThresholdSlider(QWidget):
         self._sign = control.sign
         self._theme = theme
         self._mark_at = -1
-        self.setMinimumSize(70, 20)
+        self.setMinimumSize(62, 20)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.installEventFilter(ArrowKeys(self))
 
     def set_value(self, value: float) -> None:
         """Move the handle."""
@@ -113,12 +119,11 @@ class ThresholdSlider(QWidget):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move by a hundredth of the track, with Shift by a tenth of that."""
-        steps = {Qt.Key.Key_Left: -1, Qt.Key.Key_Right: 1}
-        if event.key() not in steps:
+        if event.key() not in STEPS:
             super().keyPressEvent(event)
             return
         fine = 0.1 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1.0
-        self._choose(self._share_of(self.value) + steps[Qt.Key(event.key())] * 0.01 * fine)
+        self._choose(self._share_of(self.value) + STEPS[Qt.Key(event.key())] * 0.01 * fine)
 
     def _follow(self, event: QMouseEvent) -> None:
         self.setFocus()
@@ -147,11 +152,18 @@ class Row:
 
 
 class ThresholdView(QScrollArea):
-    """All controls of the recogniser in use, in groups; another recogniser has others."""
+    """All controls of the recogniser in use, in groups; another recogniser has others.
+
+    Signals
+    -------
+    touched : the user pressed a control, or came to it by a key; its name.
+    """
+
+    touched = Signal(str)
 
     def __init__(self, preset: PresetModel, history: History, theme: Theme) -> None:
         super().__init__()
-        self.setAccessibleName(tr("thresholds"))
+        self.setAccessibleName(tr("Thresholds"))
         self._preset = preset
         self._history = history
         self._theme = theme
@@ -181,6 +193,16 @@ class ThresholdView(QScrollArea):
         except (EngineError, ValueError):  # the frame was measured for another recogniser
             return None
         return None if deficits is None else float(deficits[0, phoneme])
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Tell which control is touched."""
+        pressed = event.type() == QEvent.Type.MouseButtonPress
+        reached = isinstance(event, QFocusEvent) and event.gotFocus() and event.reason() in BY_KEY
+        if pressed or reached:
+            for name, row in self.rows.items():
+                if watched in (row.slider, row.number):
+                    self.touched.emit(name)
+        return super().eventFilter(watched, event)
 
     # -- rows ---------------------------------------------------------------------------------------------
 
@@ -220,27 +242,35 @@ class ThresholdView(QScrollArea):
         return heading
 
     def _add_row(self, fields: QGridLayout, at: int, control: Control) -> Row:
-        hint = escape(tr_engine(control.hint))
+        hint = self._hint_of(control)
         words = named(label(tr_engine(control.label)), tip=f"<p>{hint}</p>")
         words.setTextFormat(Qt.TextFormat.PlainText)
         words.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
-        tip = f"<p>{hint}</p><p>{tr('Drag, or arrow keys (with Shift finer).')}</p>"
+        tip = f"<p>{hint}</p><p>{tr('Drag, or press the arrow keys (Shift: finer steps).')}</p>"
         slider = named(ThresholdSlider(control, self._theme), control.name, tip)
         row = Row(control, slider, self._number(control), self._reset())
         for column, widget in enumerate((words, slider, row.number, row.reset)):
             fields.addWidget(widget, at, column)
+        for widget in (slider, row.number):
+            widget.installEventFilter(self)
         slider.moved.connect(partial(self._preset.tune, control.name))
         slider.released.connect(self._preset.end_edit)
         row.number.valueChanged.connect(partial(self._type, row))
         row.reset.clicked.connect(lambda _checked: self._restore(control.name))
         return row
 
+    def _hint_of(self, control: Control) -> str:
+        """Return what a control does, and what the variable measures that is compared with it; as rich text."""
+        words = readable_name(control.variable, self._preset.preset.variables)
+        hint = escape(tr_engine(control.hint))
+        return f"{hint}<br>{control.variable}: {tr_engine(words)}" if words != control.variable else hint
+
     def _number(self, control: Control) -> NumberField:
         step = (control.high - control.low) / 100
         number = named(
             NumberField(-LARGEST, LARGEST, decimals=control.decimals, step=step, waits=True),
             control.name,
-            f"{control.name}{', ' + control.unit if control.unit else ''}: " + tr("type a number, or arrow keys"),
+            f"<p>{self._hint_of(control)}</p><p>{tr('Type a number, or press the arrow keys.')}</p>",
         )
         number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
         number.setFixedWidth(60)
@@ -248,7 +278,7 @@ class ThresholdView(QScrollArea):
         return number
 
     def _reset(self) -> QToolButton:
-        reset = tool_button("↺", tr("Reset to what the preset's file says"), tr("reset"), flat=True)
+        reset = tool_button("↺", tr("Reset to the value in the preset file"), tr("Reset"), flat=True)
         keep_place = reset.sizePolicy()
         keep_place.setRetainSizeWhenHidden(True)
         reset.setSizePolicy(keep_place)

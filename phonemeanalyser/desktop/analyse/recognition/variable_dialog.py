@@ -5,18 +5,19 @@ from collections.abc import Callable
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDialog, QFormLayout, QLineEdit, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.widgets.builders import CANCEL, OK, choice, dialog_buttons, label
+from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Kind, Spectrum, Variable
 from phonemeengine.settings import SAMPLE_RATE
 
 SOURCES = {
-    Spectrum.NORMALISED: tr_noop("after all filters"),
-    Spectrum.FILTERED: tr_noop("after smoothing and pass filters"),
-    Spectrum.RAW: tr_noop("before all filters of the spectrum"),
-    Spectrum.MEL: tr_noop("through the mel bank"),
+    Spectrum.NORMALISED: tr_noop("After all filters"),
+    Spectrum.FILTERED: tr_noop("After smoothing, high-pass and low-pass"),
+    Spectrum.RAW: tr_noop("Before all spectral filters"),
+    Spectrum.MEL: tr_noop("Mel filter bank"),
 }
 
 
@@ -31,7 +32,7 @@ class VariableDialog(QDialog):
 
     def __init__(self, low: float, high: float, add: Callable[[Variable], object], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle(tr("New variable"))
+        self.setWindowTitle(tr("New Variable"))
         self._add = add
         self.name, self.trouble = QLineEdit(), label(wraps=True)
         self.low, self.high = (NumberField(0, SAMPLE_RATE / 2, decimals=1, unit=" Hz") for _ in range(2))
@@ -39,13 +40,13 @@ class VariableDialog(QDialog):
         self.source = choice((tr(words), source) for source, words in SOURCES.items())
         self._fill(low, high)
         form = QFormLayout(self)
-        form.addRow(tr("name"), self.name)
+        form.addRow(tr("Name"), self.name)
         form.addRow(self.trouble)
-        form.addRow(tr("from"), self.low)
-        form.addRow(tr("to"), self.high)
-        form.addRow(tr("kind"), self.kind)
-        form.addRow(tr("spectrum"), self.source)
-        form.addRow(dialog_buttons(self, OK, CANCEL))
+        form.addRow(tr("From"), self.low)
+        form.addRow(tr("To"), self.high)
+        form.addRow(tr("Measure"), self.kind)
+        form.addRow(tr("Spectrum"), self.source)
+        form.addRow(dialog_buttons(self, CANCEL, verb=tr("Add")))
 
     def variable(self) -> Variable:
         """Return what was asked for; SettingsError where it is impossible."""
@@ -57,15 +58,16 @@ class VariableDialog(QDialog):
         try:
             self._add(self.variable())
         except EngineError as error:
-            self.trouble.setText(str(error))
+            self.trouble.setText(tr_engine(str(error)))
             self.trouble.show()
+            self.resize(self.width(), self.heightForWidth(self.width()))
             self.name.setFocus()
             self.name.selectAll()
         else:
             super().accept()
 
     def _fill(self, low: float, high: float) -> None:
-        self.name.setPlaceholderText(tr("a-z, 0-9, _, such as my_hiss"))
+        self.name.setPlaceholderText(tr("a-z, 0-9 and _, such as my_hiss"))
         self.name.textEdited.connect(self.trouble.hide)
         self.trouble.setTextFormat(Qt.TextFormat.PlainText)
         self.trouble.hide()

@@ -1,104 +1,105 @@
 """The averaged spectrum, curves beside it, and a region that becomes a variable."""
 
-import re
 from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QColor, QKeySequence, QPainter, QShortcut
-from PySide6.QtWidgets import QLabel, QMenu, QWidget
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QColor, QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtWidgets import QGraphicsPolygonItem, QLabel, QMenu
 
-from phonemeanalyser.desktop.analyse.spectra.spectrum_view import SpectrumView
+from phonemeanalyser.desktop.analyse.spectra.spectrum_view import FLOOR_DB, SpectrumView, reading_of
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.averages import AveragesModel
-from phonemeanalyser.desktop.theme import CURVE_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.builders import open_at_once, row, toggle_button, tool_button
+from phonemeanalyser.desktop.session.averages import RunningAverage
+from phonemeanalyser.desktop.session.curves import CurveTable
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.builders import open_at_once, toggle_button, tool_button
+from phonemeanalyser.desktop.widgets.plot import polyline_of
 from phonemeengine.arrays import Float64Array
-from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeengine.errors import CurveError
+from phonemeengine.inspection.averaged_spectrum import AveragedSpectrum, check_comparable, distance_of
+from phonemeengine.settings import BIN_WIDTH
 
-TIP = tr_noop(
-    "The mean of all spectra that were heard since Play, Record or Clear; when other filters are heard, a new mean "
-    "begins"
-)
+TIP = tr_noop("Mean of all spectra since Play, Record or Clear; a change of the filters begins a new mean")
+EMPTY = tr_noop("No data yet: press Play, or add an averaged spectrum to the table")
+MOST_NAMED = 8
+"""Curves in the legend at most; the table lists all."""
+LONGEST = 30
+"""Letters of a name in the legend; of a longer one the middle is left out."""
+LINE = 44
+"""Pixels beside a name in the legend: the line of the curve, and gaps."""
+BAND = 46
+"""Opacity of the spread, 0..255."""
 
 
-_SINCE = re.compile(r"(.*?) at ([\d.]+) s of (.*)")
-DELTA = tr_noop("Δ is how differently it is shaped from the averaged spectrum, whatever the loudness")
+class LegendLine(pg.graphicsItems.LegendItem.ItemSample):
+    """A curve's line in the legend, which does nothing when it is clicked: the table hides curves."""
 
-
-class LegendEntry(QLabel):
-    """A curve's name and distance in its colour; where there is little room, the middle is left out."""
-
-    def __init__(self, text: str, colour: str, tip: str) -> None:
-        super().__init__(text)
-        self._colour = QColor(colour)
-        font = self.font()
-        font.setPixelSize(11)
-        self.setFont(font)
-        self.setToolTip(tip)
-
-    def minimumSizeHint(self) -> QSize:
-        """Many curves must not widen the window."""
-        return QSize(8, super().minimumSizeHint().height())
-
-    def paintEvent(self, _event: Any) -> None:
-        """Paint as much of the text as there is room for."""
-        painter = QPainter(self)
-        painter.setPen(self._colour)
-        text = self.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideMiddle, self.width())
-        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignVCenter, text)
+    def mouseClickEvent(self, event: Any) -> None:
+        """Leave the click to the plot."""
+        event.ignore()
 
 
 class AveragedView(SpectrumView):
-    """Draws the running mean and every loaded curve on one frequency axis.
+    """Draws the running mean and every curve that is shown on one frequency axis, with its spread as a band.
 
     Signals
     -------
     load_asked, save_asked : the user wants to load or save a curve.
+    table_asked : the user wants to see the table of the curves.
     variable_asked : the user wants a variable over this range (Hz).
     """
 
     load_asked = Signal()
     save_asked = Signal()
+    table_asked = Signal()
     variable_asked = Signal(float, float)
 
-    def __init__(self, averages: AveragesModel, theme: Theme) -> None:
+    def __init__(self, averages: RunningAverage, curves: CurveTable, theme: Theme) -> None:
+        self._averages, self._curves = averages, curves
         super().__init__(tr_noop("Averaged spectrum"), tr(TIP), theme)
-        self._averages = averages
+        self._hint.setText(tr(EMPTY))
         self._since = QLabel(self.graphics)
-        self._overlays: list[pg.PlotCurveItem] = []
-        self._legend = QWidget()
-        self._entries = row(on=self._legend, margins=(8, 0, 4, 2), spacing=2)
-        self._names: list[LegendEntry] = []
+        self._drawn: list[tuple[AveragedSpectrum, pg.PlotCurveItem, QGraphicsPolygonItem | None]] = []
+        self.legend = pg.LegendItem(
+            offset=(-8, 26), labelTextSize="7.5pt", labelTextColor=theme.text, sampleType=LegendLine, verSpacing=-8,
+        )  # fmt: skip
         self.region = pg.LinearRegionItem((1000, 1500), brush=pg.mkBrush(theme.accent + "33"), movable=False)
         self.measure = toggle_button(
-            tr("variable"), tr("Mark a range of frequencies as a variable of your own (V): drag anywhere in the plot")
+            tr("Variable"), tr("Make a frequency range a variable of your own (V): drag in the plot, then press Add")
         )
         self._escape = QShortcut(QKeySequence("Escape"), self)
         self._dropped = False
+        self._reached = 0.0
         self._add_curve_controls()
         self._add_region()
-        averages.curves_changed.connect(self._show_curves)
+        curves.changed.connect(self._show_curves)
+        self.coarse.toggled.connect(lambda _on: self._draw_curves())
         self._show_curves()
 
     def refresh(self) -> None:
         """Draw the running mean as it is now, and say of how much it is."""
         current = self._averages.current()
         self.draw(current.amplitudes.astype(np.float32))
-        self.tell_empty(not (current.n_frames or self._overlays))
         self._tell_since(current)
-        for label, curve, distance in zip(
-            self._names, self._averages.curves, self._averages.distances(), strict=True
-        ):
-            label.setText(curve.name if np.isnan(distance) else f"{curve.name} Δ {distance:.1f} dB")
+        self._name_curves(current)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether neither a mean nor a curve is drawn."""
+        return super().is_empty and not self._curves.shown
+
+    @property
+    def highest(self) -> float:
+        """Where the frequency axis ends, Hz: where all curves have ended."""
+        ends = [float(curve.frequencies[-1]) + BIN_WIDTH for curve in self._curves.shown]
+        return max([*ends, super().highest] if len(self._amplitudes) else ends, default=super().highest)
 
     def _tell_since(self, current: AveragedSpectrum) -> None:
-        seconds = current.n_frames * FRAME_PERIOD
         text = (
-            tr("mean of {seconds:.1f} s since {event}").format(
-                seconds=seconds, event=tr(current.since.partition(" at ")[0])
+            tr("Mean of {seconds:.1f} s since {event}").format(
+                seconds=current.seconds, event=tr(current.since.partition(" at ")[0])
             )
             if current.n_frames
             else ""
@@ -106,31 +107,55 @@ class AveragedView(SpectrumView):
         if text != self._since.text():
             self._since.setText(text)
             self._since.adjustSize()
-            of = f"<p>{tr('Now')}: {_told(current)}</p>" if current.n_frames else ""
+            now = tr("{n} frames since {event}; {front_end}").format(
+                n=current.n_frames, event=tr_engine(current.since), front_end=current.front_end
+            )
+            of = f"<p>{tr('Now')}: {now}</p>" if current.n_frames else ""
             self.heading.setToolTip(f"<p>{tr(TIP)}.</p>{of}")
 
     def _columns(self) -> dict[str, Float64Array]:
-        curves, columns = self._averages.curves, super()._columns()
+        curves, columns = self._curves.shown, super()._columns()
         finest = max([columns["frequency (Hz)"], *(c.frequencies for c in curves)], key=len)
         short = len(finest) - len(self._amplitudes)
         padded = {name: np.pad(column, (0, short), constant_values=np.nan) for name, column in columns.items()}
         of_curves = {f"{k + 1} {c.name}, amplitude (linear)": c.at(finest) for k, c in enumerate(curves)}
         return {**padded, "frequency (Hz)": finest, **of_curves}
 
+    def _describe(self, frequency: float, height: float) -> str:
+        """Read the mean, or the curve that is nearest."""
+        k, nearest, gap = round(frequency / BIN_WIDTH), super()._describe(frequency, height), np.inf
+        if 0 <= k < len(self._amplitudes):
+            gap = abs(float(self.heights_of(self._amplitudes[k : k + 1])[0]) - height)
+        for curve in self._curves.shown:
+            amplitude = curve.at(np.array([frequency]))
+            away = abs(float(self.heights_of(amplitude)[0]) - height)
+            if away < gap:
+                gap, nearest = away, f"{_short(curve.name)}   {reading_of(frequency, float(amplitude[0]))}"
+        return nearest
+
     def _change_scale(self) -> None:
         super()._change_scale()
-        for overlay, curve in zip(self._overlays, self._averages.curves, strict=True):
-            overlay.setData(curve.frequencies, self.heights_of(curve.amplitudes))
+        self._draw_curves()
 
     def _add_curve_controls(self) -> None:
         menu = QMenu(self)
+        menu.addAction(tr("Show Table"), self.table_asked.emit)
+        self.spread = menu.addAction(tr("Show Spread"))
+        self.spread.setCheckable(True)
+        self.spread.setChecked(True)
+        self.spread.setToolTip(tr("Standard deviation of the level, as a band about each curve"))
+        self.spread.toggled.connect(lambda _on: self._show_curves())
+        menu.setToolTipsVisible(True)
+        menu.addSeparator()
         menu.addAction(tr("Load Curve…"), self.load_asked.emit)
         menu.addAction(tr("Save Curve…"), self.save_asked.emit)
-        curves = tool_button(tr("curves"), tr("Save the averaged spectrum, or load saved ones to compare with"))
+        curves = tool_button(
+            tr("Curves"), tr("Save the averaged spectrum as a curve, or load saved curves to compare with")
+        )
         open_at_once(curves, menu)
         self.header.addWidget(curves)
-        self._legend.setVisible(False)
-        self._body.addWidget(self._legend)
+        self.legend.setParentItem(self.item.vb)
+        self.legend.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
     def _add_region(self) -> None:
         self.measure.setFixedWidth(self.measure.sizeHint().width())  # other words on it must not widen the window
@@ -152,7 +177,7 @@ class AveragedView(SpectrumView):
         self.measure.setChecked(False)
 
     def _toggle_region(self, on: bool) -> None:
-        self.measure.setText(tr("name it") if on else tr("variable"))
+        self.measure.setText(tr("Add…") if on else tr("Variable"))
         self.region.setVisible(on)
         self._escape.setEnabled(on)
         self.item.vb.draw = (lambda start, end: self.region.setRegion((start, end))) if on else None
@@ -162,47 +187,90 @@ class AveragedView(SpectrumView):
             self.variable_asked.emit(round(low / BIN_WIDTH) * BIN_WIDTH, round(high / BIN_WIDTH) * BIN_WIDTH)
 
     def _show_curves(self) -> None:
-        self._remove_curves()
-        for k, curve in enumerate(self._averages.curves):
-            colour = CURVE_COLOURS[k % len(CURVE_COLOURS)]
-            overlay = pg.PlotCurveItem(curve.frequencies, self.heights_of(curve.amplitudes), pen=pg.mkPen(colour))
-            self.item.addItem(overlay)
-            self._overlays.append(overlay)
-            self._names.append(
-                self._legend_entry(k, curve.name, f"{curve.name}: {_told(curve)}; {tr(DELTA)}", colour)
-            )
-        self._entries.addStretch(1)
-        self._legend.setVisible(bool(self._overlays))
+        for _, line, band in self._drawn:
+            for item in (line, band):
+                if item is not None:
+                    self.item.removeItem(item)
+        self._drawn.clear()
+        self.legend.clear()
+        for k, curve in enumerate(self._curves.shown):
+            band = self._band(curve) if self.spread.isChecked() and curve.spread is not None else None
+            line = pg.PlotCurveItem(pen=pg.mkPen(curve.colour))
+            self.item.addItem(line, ignoreBounds=True)
+            self._drawn.append((curve, line, band))
+            if k < MOST_NAMED:
+                self.legend.addItem(line, "")
+        if self.highest != self._reached:
+            self._reached = self.highest
+            self.reset_zoom()
+        self._draw_curves()
+        self.tell_empty(self.is_empty)
+        self._name_curves(self._averages.current())
 
-    def _remove_curves(self) -> None:
-        for overlay in self._overlays:
-            self.item.removeItem(overlay)
-        self._overlays.clear()
-        self._names.clear()
-        while self._entries.count():
-            entry = self._entries.takeAt(0)
-            widget = entry.widget() if entry else None
-            if widget is not None:
-                widget.deleteLater()
+    def _band(self, curve: AveragedSpectrum) -> QGraphicsPolygonItem:
+        band = QGraphicsPolygonItem()
+        colour = QColor(curve.colour)
+        colour.setAlpha(BAND)
+        band.setBrush(colour)
+        band.setPen(QColor(Qt.GlobalColor.transparent))
+        band.setZValue(-1)
+        self.item.addItem(band, ignoreBounds=True)
+        return band
 
-    def _legend_entry(self, k: int, name: str, tip: str, colour: str) -> LegendEntry:
-        label = LegendEntry(name, colour, tip)
-        tip = tr("Remove {name}").format(name=name)
-        button = tool_button("✕", tip, act=lambda: self._averages.remove(k), flat=True)
-        button.setFixedWidth(18)
-        self._entries.addWidget(label)
-        self._entries.addWidget(button)
-        return label
+    def _draw_curves(self) -> None:
+        """Draw the curves at the scale of the plot: fine or coarse, linear or in dB."""
+        for curve, line, band in self._drawn:
+            x, y = self.line_of(curve.frequencies, curve.amplitudes)
+            line.setData(x, y)
+            if band is not None and curve.spread is not None:
+                factor = 10 ** (curve.spread / 20)
+                _, upper = self.line_of(curve.frequencies, curve.amplitudes * factor)
+                _, lower = self.line_of(curve.frequencies, curve.amplitudes / factor)
+                band.setPolygon(polyline_of(np.append(x, x[::-1]), np.append(upper, lower[::-1])))
+        self._place_legend()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Lay the legend out for another width."""
+        super().resizeEvent(event)
+        self._place_legend()
+
+    def _place_legend(self) -> None:
+        """Have the legend lie where curves seldom are: below loud ones in dB, else at the upper right."""
+        labels = [label for _, label in self.legend.items]
+        if not labels:
+            return
+        widest = max(label.itemRect().width() for label in labels) + LINE
+        n_columns = max(1, min(len(labels), int(self.item.vb.width() // widest)))
+        if n_columns != self.legend.columnCount:
+            self.legend.setColumnCount(n_columns)
+        levels = [float(curve.levels.mean()) for curve, _, _ in self._drawn]
+        is_below = self.in_decibels and bool(levels) and np.mean(levels) > FLOOR_DB / 2
+        corner, offset = ((0, 1), (30, 0)) if is_below else ((1, 0), (-8, 26))
+        self.legend.anchor(corner, corner, offset)
+
+    def _name_curves(self, current: AveragedSpectrum) -> None:
+        """Name the curves in the legend, with their difference from the running mean where there is one."""
+        n_more = len(self._drawn) - MOST_NAMED
+        for k, (curve, line, _) in enumerate(self._drawn[:MOST_NAMED]):
+            text = _short(curve.name) + _difference(curve, current)
+            if n_more > 0 and k == MOST_NAMED - 1:
+                text = tr("{name} (and {n} more)").format(name=text, n=n_more)
+            named = self.legend.getLabel(line)
+            if named is not None and named.text != text:
+                named.setText(text)
+                self.legend.updateSize()
+                self._place_legend()
 
 
-def _told(curve: AveragedSpectrum) -> str:
-    since = " " + tr("since {event}").format(event=_in_words(curve.since)) if curve.since else ""
-    return tr("{n} frames{since}; {front_end}").format(n=curve.n_frames, since=since, front_end=curve.front_end)
+def _difference(curve: AveragedSpectrum, current: AveragedSpectrum) -> str:
+    """Return the difference from the running mean in words; nothing where they cannot be compared."""
+    try:
+        check_comparable(curve, current)
+    except CurveError:
+        return ""
+    return f" Δ {distance_of(curve, current):.1f} dB" if current.n_frames else ""
 
 
-def _in_words(since: str) -> str:
-    """Return what an average begins with in the language of the window; words of others stay as they are."""
-    found = _SINCE.fullmatch(since)
-    if found is None:
-        return since
-    return tr("{cause} at {seconds} s of {sound}").format(cause=tr(found[1]), seconds=found[2], sound=found[3])
+def _short(name: str) -> str:
+    half = (LONGEST - 1) // 2
+    return name if len(name) <= LONGEST else f"{name[:half]}…{name[-half:]}"

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QSlider
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import named, toggle_button
+from phonemeanalyser.desktop.widgets.builders import label, named, toggle_button
 from phonemeanalyser.desktop.widgets.plot import LiveCurve, Plot
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
@@ -31,20 +31,20 @@ class SpectrumView(Plot):
     """
 
     def __init__(self, title: str, tip: str, theme: Theme) -> None:
-        super().__init__(tr(title), tip, ((tr("frequency"), "Hz"), (tr("amplitude"), "")), self._describe, theme)
+        super().__init__(tr(title), tip, ((tr("Frequency"), "Hz"), (tr("Amplitude"), "")), self._describe, theme)
         self.menu = PlotMenu(self.graphics, title.lower(), lambda _at: table_of(self._columns()), self.reset_zoom)
         self._frequencies: Float64Array = np.zeros(0)
         self._amplitudes = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
         self.coarse = toggle_button(
-            tr("coarse"), tr("Coarse display: the highest of eight neighbouring bins as one step")
+            tr("Coarse"), tr("Coarse display: the maximum of each eight adjacent bins as one step")
         )
-        self.decibels = toggle_button("dB", tr("Amplitude axis in dB"))
+        self.decibels = toggle_button("dB", tr("Show the amplitude in dB"))
         self.scale = named(
             QSlider(Qt.Orientation.Horizontal),
-            tr("{plot}: amplitude scale").format(plot=self.heading.text()),
-            tr("Amplitude scale: enlarges small amplitudes, in dB"),
+            tr("{plot}: display gain").format(plot=self.heading.text()),
+            tr("Display gain, 0 to 60 dB: enlarges small amplitudes"),
         )
         self._add_controls()
         self.reset_zoom()
@@ -55,13 +55,29 @@ class SpectrumView(Plot):
         if len(self._frequencies) != len(amplitudes):
             self._frequencies = np.arange(len(amplitudes), dtype=float) * BIN_WIDTH
             self.reset_zoom()
-        x, y = self._frequencies, amplitudes
-        if self.coarse.isChecked() and len(y):
-            x, y = x[::COARSE], y.reshape(-1, COARSE).max(axis=1)
-            x, y = np.repeat(np.append(x, x[-1] + COARSE * BIN_WIDTH), 2)[1:-1], np.repeat(y, 2)
-        self._curve.setData(x, self.heights_of(y))
-        self.tell_empty(not len(amplitudes))
+        self._curve.setData(*self.line_of(self._frequencies, amplitudes))
+        self.tell_empty(self.is_empty)
         self.refresh_read_out()
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing is drawn."""
+        return not len(self._amplitudes)
+
+    def line_of(
+        self, frequencies: Float64Array, amplitudes: Float64Array | Float32Array
+    ) -> tuple[Float64Array, Float64Array]:
+        """Return a spectrum as it is drawn, fine or coarse: places and heights."""
+        x, y = frequencies, np.asarray(amplitudes, float)
+        if self.coarse.isChecked() and len(y):
+            x, y = x[::COARSE], np.maximum.reduceat(y, np.arange(0, len(y), COARSE))
+            x, y = np.repeat(np.append(x, x[-1] + COARSE * BIN_WIDTH), 2)[1:-1], np.repeat(y, 2)
+        return x, self.heights_of(y)
+
+    @property
+    def highest(self) -> float:
+        """Where the frequency axis ends, Hz."""
+        return float(self._frequencies[-1]) + BIN_WIDTH if len(self._frequencies) else SAMPLE_RATE / 8
 
     def clear(self) -> None:
         """Draw nothing."""
@@ -80,8 +96,8 @@ class SpectrumView(Plot):
 
     def _add_controls(self) -> None:
         self.scale.setRange(0, SCALE_STEPS)
-        self.scale.setFixedWidth(54)
-        for widget in (self.coarse, self.decibels, self.scale):
+        self.scale.setFixedWidth(44)
+        for widget in (self.coarse, self.decibels, label(tr("Gain")), self.scale):
             self.header.addWidget(widget)
         self.coarse.toggled.connect(lambda _on: self.draw(self._amplitudes))
         self.decibels.toggled.connect(lambda _on: self._change_scale())
@@ -93,14 +109,13 @@ class SpectrumView(Plot):
 
     def reset_zoom(self) -> None:
         """Show the whole spectrum, as high as the amplitude scale says."""
-        highest = self._frequencies[-1] + BIN_WIDTH if len(self._frequencies) else SAMPLE_RATE / 8
-        zoom = float(self.scale.value())
+        highest, zoom = self.highest, float(self.scale.value())
         low, high = (FLOOR_DB, HEAD_ROOM_DB - zoom) if self.in_decibels else (0.0, 10 ** (-zoom / 20))
         bottom, top = (FLOOR_DB - 5, 2 * HEAD_ROOM_DB) if self.in_decibels else (0.0, 1.05)
         self.item.vb.setLimits(xMin=0, xMax=highest, yMin=bottom, yMax=top)
         self.item.setXRange(0, highest, padding=0)
         self.item.setYRange(low, high + (high - low) * 0.03, padding=0)
-        self.item.setLabel("left", tr("level (dB)") if self.in_decibels else tr("amplitude"))
+        self.item.setLabel("left", tr("Level (dB)") if self.in_decibels else tr("Amplitude"))
 
     def _columns(self) -> dict[str, Float64Array]:
         """Return what is drawn as columns, each under its name and unit."""
@@ -113,6 +128,10 @@ class SpectrumView(Plot):
         k = round(frequency / BIN_WIDTH)
         if not 0 <= k < len(self._amplitudes):
             return f"{frequency:.0f} Hz"
-        amplitude = float(self._amplitudes[k])
-        decibels = f"{20 * math.log10(amplitude):.1f} dB" if amplitude > 0 else "−∞ dB"
-        return f"{frequency:.0f} Hz   {amplitude:.4f}   {decibels}"
+        return reading_of(frequency, float(self._amplitudes[k]))
+
+
+def reading_of(frequency: float, amplitude: float) -> str:
+    """Return what is read at a frequency (Hz): the amplitude, also in dB."""
+    decibels = f"{20 * math.log10(amplitude):.1f} dB" if amplitude > 0 else "−∞ dB"
+    return f"{frequency:.0f} Hz   {amplitude:.4f}   {decibels}"

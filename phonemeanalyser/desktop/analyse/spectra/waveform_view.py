@@ -34,24 +34,24 @@ class WaveformView(Plot):
     """
 
     def __init__(self, theme: Theme) -> None:
-        tip = tr("The newest window of 46.4 ms, after the filters of the time domain; full scale is ±1")
+        tip = tr("Current window of 46.4 ms, after the time-domain filters; full scale is ±1")
         super().__init__(
-            tr("Waveform"), tip, ((tr("time in the window"), "ms"), (tr("amplitude"), "")), self._describe, theme
+            tr("Waveform"), tip, ((tr("Time in the window"), "ms"), (tr("Amplitude"), "")), self._describe, theme
         )
         self.menu = PlotMenu(self.graphics, "waveform", lambda _at: table_of(self._columns()), self.reset_zoom)
         self._wave = np.zeros(0, np.float32)
         self._curve = LiveCurve(pen=pg.mkPen(theme.signal))
         self.item.addItem(self._curve)
         self.coarse = toggle_button(
-            tr("coarse"), tr("Coarse display: lowest and highest of eight neighbouring samples")
+            tr("Coarse"), tr("Coarse display: minimum and maximum of each eight adjacent samples")
         )
         self.auto = toggle_button(
-            tr("auto"), tr("The vertical scale follows the loudness; the slider beside it ends that")
+            tr("Auto"), tr("Adapt the display gain to the loudness; moving the slider switches this off")
         )
         self.scale = named(
             QSlider(Qt.Orientation.Horizontal),
-            tr("vertical scale of the waveform"),
-            tr("Vertical scale: enlarges quiet sound, in dB"),
+            tr("Waveform: display gain"),
+            tr("Display gain, 0 to 40 dB: enlarges quiet signals"),
         )
         self._loudest = SOFTEST
         self._half = 0.0
@@ -80,7 +80,7 @@ class WaveformView(Plot):
     def _add_controls(self) -> None:
         self.scale.setRange(0, 40)
         self.scale.setFixedWidth(70)
-        for widget in (self.coarse, label(tr("scale")), self.auto, self.scale):
+        for widget in (self.coarse, label(tr("Gain")), self.auto, self.scale):
             self.header.addWidget(widget)
         self.coarse.toggled.connect(lambda _on: self.draw(self._wave))
         self.auto.setChecked(True)

@@ -15,7 +15,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, offer, row, silent, tool_button
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 
-DEFAULT = tr_noop("default microphone")
+DEFAULT = tr_noop("Default microphone")
 
 
 class MicrophoneBar(QWidget):
@@ -24,21 +24,19 @@ class MicrophoneBar(QWidget):
     def __init__(self, microphone: Microphone, theme: Theme) -> None:
         super().__init__()
         self._microphone = microphone
-        self.device = choice((), tr("microphone"))
+        self.device = choice((), tr("Microphone"))
         self.device.setMinimumWidth(150)
         self.device.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.again = tool_button(
-            "⟳", tr("Look again which microphones there are (F5)"), tr("look for microphones again")
-        )
+        self.again = tool_button("⟳", tr("Rescan audio devices (F5)"), tr("Rescan audio devices"))
         self.channel = choice(
             (),
-            tr("channel of the microphone"),
-            tr("The channel that is heard and recorded, or the first two: mixed and recorded as stereo"),
+            tr("Channel of the microphone"),
+            tr("Channel that is analysed and recorded; 1 + 2: mixed for analysis, recorded in stereo"),
         )
         self.rate = choice(
-            ((f"{rate:,} Hz".replace(",", " ") if rate else tr("best rate"), rate) for rate in RATES),
-            tr("sample rate"),
-            tr("Sample rate of the microphone; the best is 44 100 Hz where it can do that"),
+            ((f"{rate:,} Hz".replace(",", " ") if rate else tr("Best rate"), rate) for rate in RATES),
+            tr("Sample rate"),
+            tr("Sample rate of the microphone; best: 44 100 Hz, if the device supports it"),
         )
         self.meter = LevelMeterView(microphone.read_level, theme)
         row((self.device, 2), self.again, self.channel, self.rate, (self.meter, 3), on=self, spacing=6)
@@ -69,15 +67,13 @@ class MicrophoneBar(QWidget):
         """Show the devices that are there, and what is chosen; one that has gone stays in the list, marked."""
         wanted, devices = self._microphone.choice, self._microphone.devices
         labels = {"": tr(DEFAULT)} | {device.label: device.label for device in devices}
-        labels.setdefault(wanted.label, tr("{name} (not there)").format(name=wanted.label))
+        labels.setdefault(wanted.label, tr("{name} (not connected)").format(name=wanted.label))
         offer(self.device, [(text, name) for name, text in labels.items()], wanted.label)
         self.device.view().setMinimumWidth(self.device.view().sizeHintForColumn(0))
-        self.device.setToolTip(
-            tr("The microphone, by name and sound system: {name}").format(name=self.device.currentText())
-        )
+        self.device.setToolTip(tr("Microphone (name, sound system): {name}").format(name=self.device.currentText()))
         chosen = next((d for d in devices if d.label == wanted.label), devices[0] if devices else None)
         most = min(chosen.n_inputs, MOST_CHANNELS) if chosen else 1
-        channels = [(tr("channel {k}").format(k=k), k) for k in range(1, max(most, wanted.channel) + 1)]
+        channels = [(tr("Channel {k}").format(k=k), k) for k in range(1, max(most, wanted.channel) + 1)]
         mixed = [("1 + 2", 0)] if most > 1 or wanted.channel == 0 else []
         offer(self.channel, channels + mixed, wanted.channel)
         self.rate.setCurrentIndex(max(0, self.rate.findData(wanted.rate)))
@@ -85,11 +81,11 @@ class MicrophoneBar(QWidget):
 
 Key = TypeVar("Key")
 
-KINDS = {".wav": tr_noop("WAV, RF64 beyond 4 GB"), ".flac": tr_noop("FLAC, half the size")}
+KINDS = {".wav": tr_noop("WAV (RF64 beyond 4 GB)"), ".flac": tr_noop("FLAC (half the size)")}
 BUFFERS = {
-    0.04: tr_noop("Short Buffer: Blocks of 10 ms, the Least Latency"),
-    0.08: tr_noop("Medium Buffer: Blocks of 20 ms"),
-    0.2: tr_noop("Long Buffer: Blocks of 50 ms, for a Busy Machine"),
+    0.04: tr_noop("Short Buffer: 10 ms, Lowest Latency"),
+    0.08: tr_noop("Medium Buffer: 20 ms"),
+    0.2: tr_noop("Long Buffer: 50 ms, for a Busy Computer"),
 }
 """What is asked of the microphone, seconds, and how that is called."""
 
@@ -112,7 +108,7 @@ class RecordButton(QToolButton):
         self.setStyleSheet(f"QToolButton[checkable=true]:checked {{ background: {theme.bad} }}")
         self.setCheckable(True)
         self.setFixedWidth(46)
-        self.setAccessibleName(tr("record"))
+        self.setAccessibleName(tr("Record"))
         self.setPopupMode(QToolButton.ToolButtonPopupMode.MenuButtonPopup)
         menu = QMenu(self)
         self.folder = QAction(self)
@@ -123,11 +119,11 @@ class RecordButton(QToolButton):
         menu.addSeparator()
         self.buffers = self._add_choices(menu, BUFFERS, self._microphone.set_latency)
         menu.addSeparator()
-        self.phonemes = self._add_switch(menu, tr("Write the Phonemes Beside It (.csv)"))
+        self.phonemes = self._add_switch(menu, tr("Save Phonemes with the Recording (.csv)"))
         self.phonemes.toggled.connect(self._set_phonemes)
-        self.gaps = self._add_switch(menu, tr("Fill Gaps with Silence, Besides Marking Them"))
+        self.gaps = self._add_switch(menu, tr("Fill Gaps with Silence (and Mark Them)"))
         self.gaps.toggled.connect(self._set_fill_gaps)
-        self.else_default = self._add_switch(menu, tr("Go On with the Default Microphone if It Vanishes"))
+        self.else_default = self._add_switch(menu, tr("Use Default Microphone if Disconnected"))
         self.else_default.toggled.connect(self._microphone.set_else_default)
         menu.aboutToShow.connect(self.show_state)
         self.setMenu(menu)
@@ -139,11 +135,11 @@ class RecordButton(QToolButton):
         self.setChecked(recording)
         self.setIcon(_dot(self._theme, recording))
         self.setToolTip(
-            tr("End the recording (R)")
+            tr("Stop recording (R)")
             if recording
-            else tr("Record the microphone into {folder} (R)").format(folder=microphone.folder)
+            else tr("Record from the microphone to {folder} (R)").format(folder=microphone.folder)
         )
-        self.folder.setText(tr("Recordings Go to {folder}…").format(folder=microphone.folder))
+        self.folder.setText(tr("Save Recordings to {folder}…").format(folder=microphone.folder))
         for suffix, action in self.kinds.items():
             action.setChecked(suffix == microphone.suffix)
         for latency, action in self.buffers.items():

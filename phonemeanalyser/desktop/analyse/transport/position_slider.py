@@ -1,4 +1,4 @@
-"""The whole file as a line: its waveform in the colours of its phonemes, and where it is heard."""
+"""The whole file as a line: its waveform in the colours of its phonemes, and the playhead."""
 
 from typing import Any
 
@@ -50,11 +50,11 @@ class PositionSlider(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setToolTip(
             tr(
-                "The whole file: how loud it is, in the colours of its phonemes (grey where it is not analysed yet). "
-                "Click to go there; arrow keys go by a second"
+                "Waveform of the whole file in the colours of its phonemes (grey: not analysed yet). Click to go "
+                "to that time; arrow keys move by 1 s"
             )
         )
-        self.setAccessibleName(tr("time line"))
+        self.setAccessibleName(tr("Timeline"))
         session.whole.changed.connect(self.update)
 
     def refresh(self) -> None:
@@ -65,7 +65,7 @@ class PositionSlider(QWidget):
             self.update()
 
     def paintEvent(self, _event: Any) -> None:
-        """Paint the whole sound, how much of it has been heard, marks of time, and the place."""
+        """Paint the whole sound, how much of it has been played, marks of time, and the place."""
         painter = QPainter(self)
         try:
             self._paint(painter)

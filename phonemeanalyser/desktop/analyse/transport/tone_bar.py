@@ -25,15 +25,15 @@ class ToneNumber:
 
 
 NUMBERS: dict[str, ToneNumber] = {
-    "frequency": ToneNumber("", 1, 10, tr_noop("Frequency of the sine")),
-    "low": ToneNumber(tr_noop("from "), 0, 10, tr_noop("Where the sweep begins")),
-    "high": ToneNumber(tr_noop("to "), 0, 100, tr_noop("Where the sweep ends")),
-    "sweep_seconds": ToneNumber(tr_noop("in "), 1, 1, tr_noop("How long the sweep takes")),
-    "f0": ToneNumber("f0 ", 0, 5, tr_noop("Fundamental of the voice")),
+    "frequency": ToneNumber("", 1, 10, tr_noop("Frequency of the sine wave")),
+    "low": ToneNumber(tr_noop("from "), 0, 10, tr_noop("Start frequency of the sweep")),
+    "high": ToneNumber(tr_noop("to "), 0, 100, tr_noop("End frequency of the sweep")),
+    "sweep_seconds": ToneNumber(tr_noop("in "), 1, 1, tr_noop("Duration of the sweep")),
+    "f0": ToneNumber("f0 ", 0, 5, tr_noop("Fundamental frequency of the vowel")),
     "F1": ToneNumber("F1 ", 0, 10, tr_noop("First formant")),
     "F2": ToneNumber("F2 ", 0, 20, tr_noop("Second formant")),
     "F3": ToneNumber("F3 ", 0, 20, tr_noop("Third formant")),
-    "level": ToneNumber(tr_noop("level "), 0, 1, tr_noop("Level: the highest peak below full scale")),
+    "level": ToneNumber(tr_noop("level "), 0, 1, tr_noop("Level of the highest peak")),
 }
 FORMANTS = ("F1", "F2", "F3")
 OF_VOWEL = ("f0", *FORMANTS)
@@ -44,7 +44,7 @@ OF_KIND: dict[ToneKind, tuple[str, ...]] = {
     ToneKind.SWEEP: ("low", "high", "sweep_seconds"),
     ToneKind.VOWEL: OF_VOWEL,
 }
-OWN = tr_noop("own")
+OWN = tr_noop("custom")
 LEAST_RISE = 1.0
 """A sweep's end lies at least so far above its beginning, Hz."""
 SLIDER_STEPS = 1000
@@ -55,7 +55,7 @@ ARROW_STEPS, PAGE_STEPS = 10, 100
 
 
 class ToneBar(QWidget):
-    """Which tone is heard in place of a sound.
+    """Which tone is played in place of a sound.
 
     Signals
     -------
@@ -72,8 +72,8 @@ class ToneBar(QWidget):
         self.kind = choice(kinds, tr("Kind of tone"), tr("Kind of tone"))
         self.slider = named(
             QSlider(Qt.Orientation.Horizontal),
-            tr("Frequency of the sine on a logarithmic scale"),
-            tr("Frequency of the sine: arrow keys by a semitone, page keys by an octave"),
+            tr("Frequency of the sine wave on a logarithmic scale"),
+            tr("Frequency of the sine wave; arrow keys: by a semitone, page keys: by an octave"),
         )
         self.unit = label("Hz", theme.faint)
         self.vowel = choice([(tr(name), name) for name in (*VOWEL_FORMANTS, OWN)], tr("Vowel"), tr("Vowel"))

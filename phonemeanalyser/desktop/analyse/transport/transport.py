@@ -30,7 +30,7 @@ from phonemeanalyser.desktop.widgets.labels import StillLabel
 from phonemeengine.settings import Channel
 
 SPEEDS = (1.0, 0.85, 0.7, 0.5, 0.35, 0.25)
-DEFAULT = tr_noop("the system's output")
+DEFAULT = tr_noop("System default")
 
 
 class OutputButton(QToolButton):
@@ -41,7 +41,9 @@ class OutputButton(QToolButton):
         self._playback = playback
         self._menu = QMenu(self)
         open_at_once(self, self._menu)
-        named(self, tr("output device and speed"), tr("Volume in dB; click for the output device and the speed"))
+        named(
+            self, tr("Output device and speed"), tr("Playback volume in dB; click to choose output device and speed")
+        )
         self._menu.aboutToShow.connect(playback.outputs.look)
         playback.outputs.changed.connect(self._fill)
         playback.changed.connect(self._show_state)
@@ -50,7 +52,7 @@ class OutputButton(QToolButton):
 
     def _show_state(self) -> None:
         playback = self._playback
-        volume = tr("silent") if playback.volume <= QUIETEST_DB else f"{playback.volume:.0f} dB".replace("-", "−")
+        volume = tr("muted") if playback.volume <= QUIETEST_DB else f"{playback.volume:.0f} dB".replace("-", "−")
         speed = "" if playback.speed == 1 else f", {100 * playback.speed:.0f} %"
         self.setText(f"♪ {volume}{speed}")
         for action in self._menu.actions():
@@ -60,7 +62,7 @@ class OutputButton(QToolButton):
         playback = self._playback
         self._menu.clear()
         labels = {"": tr(DEFAULT)} | {device.label: device.label for device in playback.outputs.devices}
-        labels.setdefault(playback.device, tr("{name} (not there)").format(name=playback.device))
+        labels.setdefault(playback.device, tr("{name} (not connected)").format(name=playback.device))
         devices, speeds = QActionGroup(self._menu), QActionGroup(self._menu)
         for label, text in labels.items():
             action = self._menu.addAction(text, partial(playback.choose_device, label))
@@ -119,23 +121,25 @@ class Transport(QWidget):
         self._session = session
         self._theme = theme
         pixmap = QStyle.StandardPixmap
-        self.open = self._button(pixmap.SP_DialogOpenButton, tr("Open a sound file (Ctrl+O)"))
+        self.open = self._button(pixmap.SP_DialogOpenButton, tr("Open an audio file (Ctrl+O)"))
         self.play = self._button(pixmap.SP_MediaPlay, tr("Play or pause (Space)"))
-        self.stop = self._button(pixmap.SP_MediaStop, tr("Stop (Escape); a file goes to its beginning"))
+        self.stop = self._button(pixmap.SP_MediaStop, tr("Stop (Escape); a file returns to its start"))
         self.record = RecordButton(session, theme)
-        self.loop = self._button(pixmap.SP_BrowserReload, tr("Begin again at the end (L)"))
+        self.loop = self._button(pixmap.SP_BrowserReload, tr("Loop playback (L)"))
         self.source = choice(
-            ((tr(source.value), source) for source in SourceKind), tr("source"), tr("Where the sound comes from")
+            ((tr(source.value), source) for source in SourceKind),
+            tr("Source"),
+            tr("Source of the signal: file, microphone, tone or text"),
         )
         self.position_slider = PositionSlider(session, theme)
         self.microphone = MicrophoneBar(session.microphone, theme)
         self.tone = ToneBar(theme)
         self.tone.show_tone(session.playback.tone)
         self.pages = Pages()
-        self.time = StillLabel(LEAST_TIME_WIDTH)
-        self.output, self.channel_label = OutputButton(session.playback), QLabel(tr("channel"))
-        self.volume = named(QSlider(Qt.Orientation.Horizontal), tr("volume"))
-        self.channel = choice((), tr("channel of the file"), tr("Which channel of the file is analysed"))
+        self.time = named(StillLabel(LEAST_TIME_WIDTH), tip=tr("Position and duration, in minutes and seconds"))
+        self.output, self.channel_label = OutputButton(session.playback), QLabel(tr("Channel"))
+        self.volume = named(QSlider(Qt.Orientation.Horizontal), tr("Volume"))
+        self.channel = choice((), tr("Channel of the file"), tr("Channel of the file that is analysed"))
         self._wrapped_for: tuple[int, SourceKind] | None = None
         self._first = (self.source, self.open, self.play, self.stop, self.record, self.loop)
         self._last = (self.time, self.output, self.volume, self.channel_label, self.channel)
@@ -237,12 +241,12 @@ class Transport(QWidget):
         icon = QStyle.StandardPixmap.SP_MediaPause if source.playing else QStyle.StandardPixmap.SP_MediaPlay
         self.play.setIcon(tinted_icon(self.style(), icon, self._theme))
         key = QKeySequence("Space").toString(QKeySequence.SequenceFormat.NativeText)
-        tip = tr("Listen, or let the microphone go") if source.kind is SourceKind.MICROPHONE else tr("Play or pause")
+        tip = tr("Listen, or release the microphone") if source.kind is SourceKind.MICROPHONE else tr("Play or pause")
         self.play.setToolTip(f"{tip} ({key})")
         self.volume.setToolTip(
-            tr("Volume {volume:.0f} dB").format(volume=playback.volume)
+            tr("Playback volume {volume:.0f} dB").format(volume=playback.volume)
             if playback.volume > QUIETEST_DB
-            else tr("Silent")
+            else tr("Muted")
         )
         with silent(self.volume, self.loop):
             self.volume.setValue(round(playback.volume))
@@ -258,8 +262,8 @@ class Transport(QWidget):
         """Offer the channels of the file, and the mix of them where there are several."""
         file = self._session.file
         n = 2 if file is None else file.n_file_channels
-        names = {1: [tr("mono")], 2: [tr("mix"), tr("left"), tr("right")]}
-        texts = names.get(n) or [tr("mix"), *(str(number) for number in range(1, n + 1))]
+        names = {1: [tr("Mono")], 2: [tr("Mix"), tr("Left"), tr("Right")]}
+        texts = names.get(n) or [tr("Mix"), *(str(number) for number in range(1, n + 1))]
         if texts != [self.channel.itemText(k) for k in range(self.channel.count())]:
             self.channel.clear()
             self.channel.addItems(texts)

@@ -1,8 +1,8 @@
-"""The guided calibration: it waits for each thing that is said, hears it, checks it, and says what to repeat.
+"""The guided calibration: it waits for each thing that is said, records it, checks it, and says what to repeat.
 
 A sentence is read, from which the voice is learned, or nine single sounds are said instead. Then another sentence is
-read, from which nothing is learned: what the calibration gains is told on it alone. Time is told by the sound that
-comes, not by a clock: where the microphone stands still, so does the guide.
+read, from which nothing is learned: what the calibration gains is measured on it alone. Time is measured by
+the sound that arrives, not by a clock: where the microphone stands still, so does the guide.
 """
 
 from dataclasses import dataclass, replace
@@ -12,6 +12,7 @@ from functools import partial
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import UNNAMED, TakesModel
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import language_in_use, tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -29,19 +30,19 @@ from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 
 ABOVE_ROOM = 4.0
-"""A voice begins where it is so many times as loud as the room."""
+"""A voice begins where it is this many times as loud as the background noise."""
 LEAST_VOICE = 0.004
 """... and as loud as this, RMS amplitude (-48 dB)."""
 BEFORE = 0.2
 """What is kept from before a sound begins, seconds."""
 PATIENCE = 6.0
-"""Seconds for which nothing may be heard before that is said."""
+"""Seconds without sound before that is said."""
 PRAISE, ADVICE = 0.6, 2.0
 """For how long it is shown that a take is good, or what is to be done, seconds."""
 BEFORE_SENTENCE, AFTER_SENTENCE = 0.6, 0.8
 """What is kept from before the sentence, and the quiet that ends it, seconds."""
 LONGEST_SENTENCE = 15.0
-"""Seconds after which nobody waits for its end."""
+"""Seconds after which its end is no longer waited for."""
 COUNTDOWN = 2.0
 """Seconds from *Start* until something is recorded: the click of the button is not part of the room."""
 SENTENCES_OF = {"en": "English", "de": "German"}
@@ -75,21 +76,26 @@ class Step:
     def name(self) -> str:
         """What it is called where there is little room."""
         if self.sentence is None:
-            return self.phoneme.label
-        return tr("sentence") if self.teaches else tr("check")
+            return sound_name(self.phoneme)
+        return tr("Sentence") if self.teaches else tr("Test")
 
 
-QUIET = Step(Phoneme.SILENCE, tr_noop("keep quiet"), tr_noop("two seconds of your room, with nobody speaking"), 2.0)
+QUIET = Step(
+    Phoneme.SILENCE,
+    tr_noop("Keep quiet"),
+    tr_noop("Say nothing for two seconds while the background noise is measured"),
+    2.0,
+)
 SOUNDS = (
-    Step(Phoneme.A, "aaaa", tr_noop("hold the a of “father”")),
-    Step(Phoneme.E, "eeee", tr_noop("hold the e of “bed”")),
-    Step(Phoneme.I, "iiii", tr_noop("hold the sound of “see”")),
-    Step(Phoneme.O, "oooo", tr_noop("hold the o of “more”")),
-    Step(Phoneme.U, "uuuu", tr_noop("hold the sound of “food”")),
-    Step(Phoneme.SZ, "ssss", tr_noop("hold the s of “see”")),
-    Step(Phoneme.SCH, "shhh", tr_noop("hold the sh of “she”")),
-    Step(Phoneme.M, "mmmm", tr_noop("hum with your lips closed")),
-    Step(Phoneme.P, "p  p  p  p", tr_noop("only the puff of the lips, quickly, with no vowel after it"), 1.6),
+    Step(Phoneme.A, "aaaa", tr_noop("Hold the a in “father”")),
+    Step(Phoneme.E, "eeee", tr_noop("Hold the e in “bed”")),
+    Step(Phoneme.I, "iiii", tr_noop("Hold the ee in “see”")),
+    Step(Phoneme.O, "oooo", tr_noop("Hold the o in “more”")),
+    Step(Phoneme.U, "uuuu", tr_noop("Hold the oo in “food”")),
+    Step(Phoneme.SZ, "ssss", tr_noop("Hold the s in “see”")),
+    Step(Phoneme.SCH, "shhh", tr_noop("Hold the sh in “she”")),
+    Step(Phoneme.M, "mmmm", tr_noop("Hum with your lips closed")),
+    Step(Phoneme.P, "p  p  p  p", tr_noop("Say only the burst of the p, in quick succession, without a vowel"), 1.6),
 )
 
 
@@ -103,7 +109,7 @@ def steps_of(language: str, *, by_sounds: bool) -> tuple[Step, ...]:
 
 def _reading(sentence: Sentence, *, teaches: bool) -> Step:
     seconds = len(sentence.sounds) / SOUNDS_PER_S
-    return Step(Phoneme.UNIDENTIFIED, tr_noop("read aloud"), sentence.text, seconds, sentence, teaches)
+    return Step(Phoneme.UNIDENTIFIED, tr_noop("Read aloud"), sentence.text, seconds, sentence, teaches)
 
 
 class Phase(StrEnum):
@@ -121,7 +127,7 @@ class Phase(StrEnum):
 
 
 class GuideModel(QObject):
-    """Leads through all that is asked for; it goes on whenever sound was heard.
+    """Leads through all that is asked for; it goes on whenever sound has arrived.
 
     Signals
     -------
@@ -173,7 +179,7 @@ class GuideModel(QObject):
 
     @property
     def running(self) -> bool:
-        """Whether somebody is being led."""
+        """Whether the guide runs."""
         return self.phase is not Phase.OFF
 
     @property
@@ -203,21 +209,21 @@ class GuideModel(QObject):
 
     @property
     def measured_on(self) -> str:
-        """What the figures are measured on, in words."""
+        """What the figures are measured on, a sentence."""
         if self.outcome is None:
             return ""
         if self.outcome.cross_validated:
-            return tr("on quarters of what was said, each held back in turn, {seconds:.0f} s").format(
-                seconds=self.outcome.seconds
-            )
-        seconds = f"{self.outcome.seconds:.1f} s"
-        return tr("on one sentence that was held back, {seconds}, labels aligned by the known text").format(
-            seconds=seconds
-        )
+            return tr(
+                "Measured by four-fold cross-validation: each quarter of your recordings ({seconds:.0f} s) in turn "
+                "was left out of the calibration."
+            ).format(seconds=self.outcome.seconds)
+        return tr(
+            "Measured on the test sentence only ({seconds:.1f} s), whose labels were aligned with its known text."
+        ).format(seconds=self.outcome.seconds)
 
     @property
     def share(self) -> float:
-        """How much of the sound that is asked for was heard, 0..1; of the learning, how much is done."""
+        """How much of the sound that is asked for was recorded, 0..1; of the learning, how much is done."""
         if self.phase is Phase.LEARNING:
             return self._work.progress
         if self.phase is Phase.COUNTING:
@@ -231,7 +237,7 @@ class GuideModel(QObject):
     # -- what the user wants ------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """Tell what will be asked for, with the microphone heard, and wait for `start`."""
+        """Say what will be asked for, with the microphone on, and wait for `start`."""
         self.numbers, self.room, self.outcome, self.sentences, self._awaited = {}, None, None, {}, []
         if not self._language_chosen:
             self.language = SENTENCES_OF.get(language_in_use(), LANGUAGES[0])
@@ -310,7 +316,7 @@ class GuideModel(QObject):
     # -- how it goes on -----------------------------------------------------------------------------------
 
     def _follow(self) -> None:
-        """Look whether what is awaited was heard."""
+        """Look whether what is awaited was said."""
         if self.phase is Phase.WAITING:
             self._look_for_voice()
         elif self.phase is Phase.HEARING and self._voice_at is not None:
@@ -336,7 +342,7 @@ class GuideModel(QObject):
             self._show(Phase.WAITING)
 
     def _hear(self) -> None:
-        """Keep what is heard from now on."""
+        """Keep the microphone's samples from now on."""
         if not self._session.microphone.active:
             self._session.play()
         self._capture.begin()
@@ -350,7 +356,10 @@ class GuideModel(QObject):
             self._show(Phase.HEARING)
         elif len(sound) >= PATIENCE * rate:
             self._go_to(
-                self.index, advice=tr("Nothing was heard that stands out from the room; say it louder or closer.")
+                self.index,
+                advice=tr(
+                    "No voice was detected above the background noise. Speak louder or move closer to the microphone."
+                ),
             )
 
     def _has_ended(self, voice_at: float) -> bool:
@@ -378,7 +387,9 @@ class GuideModel(QObject):
             for fault in check_take(mono, room, Phoneme.A).faults.values():
                 raise TakeError(fault)
             if folder is None:
-                raise TakeError(tr("No sound was kept before it; go back, and keep quiet for two seconds."))
+                raise TakeError(
+                    tr("The background noise has not been recorded yet. Go back and keep quiet for two seconds.")
+                )
             return keep_sentence(folder, samples, rate, mono, sentence, speaker, teaches=teaches)
 
         self._checks.replace(keep, self._take_sentence)
@@ -389,7 +400,8 @@ class GuideModel(QObject):
         self._tell_checked("")
 
     def _ask_again(self, sentence: str) -> None:
-        self._tell_checked(f"{sentence[0].upper()}{sentence[1:].rstrip('.')}.")
+        words = tr_engine(sentence)
+        self._tell_checked(f"{words[0].upper()}{words[1:].rstrip('.')}.")
 
     def _tell_checked(self, advice: str) -> None:
         """Show for a while what came of a check."""

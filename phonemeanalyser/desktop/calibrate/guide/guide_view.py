@@ -8,7 +8,7 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QPainter, QPen, QShortcut
 from PySide6.QtWidgets import QSizePolicy, QToolButton, QWidget
 
-from phonemeanalyser.desktop.calibrate.guide.guide_model import Phase
+from phonemeanalyser.desktop.calibrate.guide.guide_model import SOUNDS, Phase
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.workbench.figures_table import FiguresTable
 from phonemeanalyser.desktop.engine_words import tr_engine
@@ -18,14 +18,17 @@ from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, row, silent, spoken_button, tab_buttons
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
 from phonemeengine.calibration.sentences import LANGUAGES
+from phonemeengine.phonemes import Phoneme
 
-UNCLEAR = tr_noop("So small a gain on so little speech may be chance. Listen to both, then choose.")
+UNCLEAR = tr_noop(
+    "Such a small gain on so little speech may be due to chance. Listen to both presets before you decide."
+)
 LINES_AHEAD = tr_noop(
-    "Keep quiet for two seconds, then read two lines aloud. Nothing is recorded before you press start."
+    "Keep quiet for two seconds, then read two sentences aloud. Nothing is recorded until you press Start."
 )
 SOUNDS_AHEAD = tr_noop(
-    "Keep quiet for two seconds, then say nine sounds and read a line aloud. "
-    "Nothing is recorded before you press start."
+    "Keep quiet for two seconds, then say nine sounds and read a sentence aloud. Nothing is recorded until "
+    "you press Start."
 )
 """What will be asked for."""
 RING = 15
@@ -35,7 +38,7 @@ SIZES = (12, 64)
 
 
 class CountdownRing(QWidget):
-    """A ring that fills while the sound is heard, around what is to be said."""
+    """A ring that fills while the sound is recorded, around what is to be said."""
 
     def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
@@ -67,12 +70,12 @@ class CountdownRing(QWidget):
     def _words(self) -> str:
         guide = self._guide
         words = {
-            Phase.READY: tr("ready?"),
+            Phase.READY: tr("Ready?"),
             Phase.COUNTING: str(max(1, math.ceil(guide.seconds_left))),
             Phase.CHECKING: "…",
-            Phase.SHOWING: tr("again") if guide.advice else "✓",
-            Phase.LEARNING: tr("learning"),
-            Phase.DONE: tr("done"),
+            Phase.SHOWING: tr("Try again") if guide.advice else "✓",
+            Phase.LEARNING: tr("Calibrating"),
+            Phase.DONE: tr("Done"),
         }
         return words.get(guide.phase) or tr(guide.step.say)
 
@@ -110,7 +113,7 @@ class GuideView(QWidget):
 
     Parameters
     ----------
-    head : says what is heard.
+    head : says what is recognised.
 
     Signals
     -------
@@ -130,48 +133,60 @@ class GuideView(QWidget):
         self.steps = StepsLine(calibration, theme)
         self.ring = CountdownRing(calibration, theme)
         self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
-        self.figures = FiguresTable((tr("before"), tr("after")), theme)
+        self.figures = FiguresTable((tr("Before"), tr("After")), theme)
         self.head = head
         guide = calibration.guide
         self.language = choice(
             ((tr(name), name) for name in LANGUAGES),
-            tr("language of the sentences"),
-            tr("The language of the sentences that are read"),
+            tr("Sentence language"),
+            tr("Language of the sentences to read"),
         )
         self.sounds = spoken_button(
-            tr("single sounds"),
-            tr("Say nine single sounds in place of the sentence that is learned from"),
+            tr("Single sounds"),
+            tr("Calibrate with nine single sounds instead of a sentence"),
             lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
         )
         self.hear_old, self.hear_new = (
             spoken_button(words, tip, partial(self._hear, new=new))
             for words, tip, new in (
-                (tr("▶ old preset"), tr("Hear the sentence, and see the head with the old preset"), False),
-                (tr("▶ new preset"), tr("Hear the sentence, and see the head with the new preset"), True),
+                (
+                    tr("▶ Old preset"),
+                    tr("Play the sentence; the head shows the mouth shapes of the old preset"),
+                    False,
+                ),
+                (
+                    tr("▶ New preset"),
+                    tr("Play the sentence; the head shows the mouth shapes of the new preset"),
+                    True,
+                ),
             )
         )
         self.save = spoken_button(
-            tr("use and save as…"), tr("Change the preset, and save it under a name of its own"), self._save
+            tr("Use and save as…"), tr("Use the new preset and save it under a new name"), self._save
         )
-        self.start = spoken_button(tr("start"), tr("Count down from two, then keep quiet (Return)"), guide.start)
-        self.back = spoken_button(tr("◀ back"), tr("Say what came before once more (Backspace)"), guide.back)
-        self.again = spoken_button(tr("again"), tr("Say this once more (R)"), guide.again)
-        self.skip = spoken_button(tr("skip ▶"), tr("Go on without this (Right)"), guide.skip)
+        self.start = spoken_button(
+            tr("Start"), tr("Start recording after a two-second countdown (Return)"), guide.start
+        )
+        self.back = spoken_button(tr("◀ Back"), tr("Repeat the previous step (Backspace)"), guide.back)
+        self.again = spoken_button(tr("Repeat"), tr("Repeat this step (R)"), guide.again)
+        self.skip = spoken_button(tr("Skip ▶"), tr("Skip this step (Right arrow)"), guide.skip)
         self.cancel = spoken_button(
-            tr("cancel"), tr("End the guide, and delete its takes; Ctrl+Z brings them back (Escape)"), guide.cancel
+            tr("Cancel"),
+            tr("Cancel the calibration and delete its takes; Ctrl+Z restores them (Escape)"),
+            guide.cancel,
         )
         self.refuse = spoken_button(
-            tr("keep the old preset"), tr("Leave the preset as it was; the takes stay (Escape)"), guide.cancel
+            tr("Keep old preset"), tr("Leave the preset unchanged; the takes are kept (Escape)"), guide.cancel
         )
         self.accept = spoken_button(
-            tr("use the new preset"), tr("Change the preset; Ctrl+Z takes it back (Return)"), self._accept
+            tr("Use new preset"), tr("Use the new preset; Ctrl+Z restores the old one (Return)"), self._accept
         )
         self._lay_out()
         self._connect()
         self._show()
 
     def refresh(self) -> None:
-        """Show how far it is, and whether the microphone is heard."""
+        """Show how far it is, and whether the microphone gives sound."""
         self._show_hint()
         self.ring.update()
         self.meter.update()
@@ -225,7 +240,7 @@ class GuideView(QWidget):
         guide.changed.connect(self._show)
 
     def _hear(self, *, new: bool) -> None:
-        """Play the sentence; the button of what is heard stays down."""
+        """Play the sentence; the button of what is playing stays down."""
         self._calibration.hear(new=new)
         self.hear_old.setChecked(not new)
         self.hear_new.setChecked(new)
@@ -246,12 +261,12 @@ class GuideView(QWidget):
         self.advice.setText(self._advice())
         room = guide.room
         said = (
-            tr("room noise {decibels:.0f} dB").format(decibels=_decibels(room.level))
+            tr("Background noise {decibels:.0f} dBFS").format(decibels=_decibels(room.level))
             if room is not None
-            else tr("the room is not measured yet")
+            else tr("Background noise not measured yet")
         )
         self.room.setText(
-            said + "   ·   " + tr("voice by {speaker}").format(speaker=self._calibration.takes.speaker or tr("me"))
+            said + "   ·   " + tr("Speaker: {speaker}").format(speaker=self._calibration.takes.speaker or tr("me"))
         )
         for button in (self.skip, self.again):
             button.setVisible(asking)
@@ -267,7 +282,7 @@ class GuideView(QWidget):
         gains = done and guide.outcome is not None and guide.outcome.gains
         self.cancel.setVisible(not done)
         self.refuse.setVisible(done)
-        self.refuse.setText(tr("keep the old preset") if gains else tr("close"))
+        self.refuse.setText(tr("Keep old preset") if gains else tr("Close"))
         self.accept.setVisible(gains)
         self.save.setVisible(gains)
         self.figures.setVisible(done and guide.outcome is not None)
@@ -290,51 +305,53 @@ class GuideView(QWidget):
     def _title(self) -> str:
         guide = self._calibration.guide
         if guide.phase is Phase.LEARNING:
-            return tr("Learning your voice")
+            return tr("Calibrating to your voice")
         if guide.phase is Phase.DONE:
             if guide.outcome is None or not guide.outcome.gains:
-                return tr("Nothing better was found")
-            return tr("It knows your voice better now") if guide.outcome.is_clear else tr("No clear change")
+                return tr("No improvement found")
+            return tr("Your voice is now recognised better") if guide.outcome.is_clear else tr("No clear change")
         if guide.phase in {Phase.READY, Phase.COUNTING}:
-            return tr("Ready?")
+            return tr("Guided calibration")
         if guide.step.sentence is None:
             return (
-                tr("Sound {index} of {n}").format(index=guide.index + 1, n=len(guide.steps) - 1)
-                if guide.by_sounds
-                else tr("First your room")
+                tr("Measure background noise")
+                if guide.step.phoneme is Phoneme.SILENCE
+                else tr("Sound {index} of {n}").format(index=guide.index, n=len(SOUNDS))
             )
-        return tr("Read this as you speak") if guide.step.teaches else tr("Now this one, to tell what was gained")
+        return tr("Read aloud in your normal voice") if guide.step.teaches else tr("Now read this test sentence")
 
     def _hint(self) -> str:
         guide = self._calibration.guide
         if guide.phase is Phase.LEARNING:
-            return tr("this takes a few seconds")
+            return tr("This takes a few seconds")
         if guide.phase is Phase.DONE:
             return self._found()
         if not self._calibration.session.microphone.listening:
-            return f"{tr_engine(self._calibration.session.microphone.words)} …"
+            words = tr_engine(self._calibration.session.microphone.words)
+            return f"{words[:1].upper()}{words[1:]}…"
         if guide.phase is Phase.READY:
             return tr(SOUNDS_AHEAD if guide.by_sounds else LINES_AHEAD)
         return tr(guide.step.hint)
 
     def _found(self) -> str:
-        """Return what the figures are measured on, and how sure the room is told from speech."""
+        """Return what the figures are measured on, and how well background noise is distinguished from speech."""
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""
         sure = (
-            f"<br>{tr_engine(str(guide.outcome.silence_accuracy))}"
+            f"<br>{tr_engine(str(guide.outcome.silence_accuracy))}."
             if guide.outcome.silence_accuracy is not None
             else ""
         )
         unclear = tr(UNCLEAR) + "<br>" if guide.outcome.gains and not guide.outcome.is_clear else ""
         unsaved = f"<br><b>{tr('The new preset is not saved yet.')}</b>" if guide.outcome.gains else ""
-        return unclear + tr("Measured {on_what}.").format(on_what=guide.measured_on) + sure + unsaved
+        return unclear + guide.measured_on + sure + unsaved
 
     def _advice(self) -> str:
-        outcome = self._calibration.guide.outcome
-        done = self._calibration.guide.phase is Phase.DONE
-        return tr_engine(outcome.refusal if done and outcome is not None else self._calibration.guide.advice)
+        guide = self._calibration.guide
+        if guide.phase is not Phase.DONE or guide.outcome is None:
+            return tr_engine(guide.advice)
+        return " ".join(tr_engine(said) for said in (guide.outcome.refusal, guide.outcome.warning) if said)
 
 
 def _click(*buttons: QToolButton) -> None:

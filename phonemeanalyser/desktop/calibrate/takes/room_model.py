@@ -1,10 +1,11 @@
-"""Measuring the room by itself: two seconds in which nobody speaks set silence and denoising, whatever recognises."""
+"""Measuring the background noise by itself: two seconds without speech set silence and denoising."""
 
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -17,13 +18,13 @@ from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.presets.preset import Preset
 
 SECONDS = 2.0
-"""How long the room is heard."""
+"""How long the background noise is recorded."""
 
 Found = tuple[RoomNoise, Preset, SilenceAccuracy]
 
 
 class RoomModel(QObject):
-    """Hears the room, sets the preset's silence by it, and says how sure that is.
+    """Records background noise, sets the preset's silence by it, and says how well that works.
 
     Signals
     -------
@@ -48,10 +49,12 @@ class RoomModel(QObject):
         session.microphone.changed.connect(self._look_for_end)
 
     def begin(self) -> None:
-        """Hear the room for two seconds; the microphone listens already."""
+        """Record background noise for two seconds; the microphone listens already."""
         self._capture.begin()
         self._listen(on=True)
-        self.info.emit(tr("Keep quiet: the room is heard for {seconds:g} seconds …").format(seconds=SECONDS))
+        self.info.emit(
+            tr("Keep quiet: measuring the background noise for {seconds:g} seconds…").format(seconds=SECONDS)
+        )
 
     def cancel(self) -> None:
         """End it; nothing changes."""
@@ -66,13 +69,13 @@ class RoomModel(QObject):
         self._work.close()
 
     def _look_for_end(self) -> None:
-        """Take what was heard, once it is enough."""
+        """Take what was recorded, once it is enough."""
         if not self.listening:
             return
         if not self._session.microphone.active:
             self.cancel()
             self.error.emit(
-                tr("The room was not heard to the end, since the microphone was let go; measure it again.")
+                tr("The background noise was not measured, because the microphone stopped. Measure it again.")
             )
         elif self._capture.seconds >= SECONDS:
             samples, rate = self._capture.end()
@@ -81,14 +84,19 @@ class RoomModel(QObject):
             self._work.replace(lambda _progress: _found_in(samples, rate, preset, takes), self._use)
 
     def _use(self, found: Found) -> None:
-        room, preset, sure = found
+        room, preset, accuracy = found
         if room.notes:
-            self.error.emit(room.notes[0])
+            self.error.emit(tr_engine(room.notes[0]))
             return
         try:
             self._preset.end_edit()
-            self._preset.edit(replace(preset, name=self._preset.preset.name), tr("room"))
-            self.info.emit(tr("Room of {room}: {sure}; Ctrl+Z takes it back.").format(room=room, sure=sure))
+            self._preset.edit(replace(preset, name=self._preset.preset.name), tr("background noise measurement"))
+            told = tr(
+                "Background noise {decibels:.0f} dBFS, measured for {seconds:.1f} s. {accuracy}. Ctrl+Z undoes this."
+            )
+            self.info.emit(
+                told.format(decibels=room.decibels, seconds=room.seconds, accuracy=tr_engine(str(accuracy)))
+            )
         except EngineError as error:
             self.error.emit(str(error))
 

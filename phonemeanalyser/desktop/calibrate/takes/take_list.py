@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
@@ -16,13 +16,13 @@ from phonemeanalyser.desktop.widgets.key_filters import give_letters_to_page
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.takes.take import Take
 
-HEADINGS = (tr_noop("sound"), tr_noop("speaker"), "s", "dB", tr_noop("check"))
+HEADINGS = (tr_noop("Phoneme"), tr_noop("Speaker"), "s", "dBFS", tr_noop("Check"))
 TIPS = (
-    tr_noop("What was said"),
-    tr_noop("Who said it"),
-    tr_noop("How much of it counts, seconds"),
-    tr_noop("Level of that, dB below full scale (RMS)"),
-    tr_noop("Whether it is good enough to calibrate with"),
+    tr_noop("Phoneme that the take holds"),
+    tr_noop("Speaker of the take"),
+    tr_noop("Duration of the trimmed part in seconds"),
+    tr_noop("RMS level of the trimmed part in dBFS"),
+    tr_noop("Whether the take is good enough for calibration"),
 )
 NUMBER = Qt.ItemDataRole.UserRole
 
@@ -105,7 +105,7 @@ class TakeListView(QTableWidget):
         style_list(self, 22, (70, 0, 40, 38, 82))
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self.setAccessibleName(tr("takes"))
+        self.setAccessibleName(tr("Takes"))
 
     def _fill(self) -> None:
         takes, chosen, all_chosen = self._takes.now.takes, self.chosen, self.all_chosen
@@ -129,13 +129,13 @@ class TakeListView(QTableWidget):
         left_out = report is not None and report.too_little  # which is why it is, unless the user says otherwise
         verdict = fault if left_out or not take.excluded else tr("excluded")
         level = f"{report.level:.0f}" if report else "–"
-        words = (take.phoneme.label, take.speaker, f"{take.end - take.start:.2f}", level, verdict)
+        words = (sound_name(take.phoneme), take.speaker, f"{take.end - take.start:.2f}", level, verdict)
         items = [QTableWidgetItem(text) for text in words]
         items[0].setData(NUMBER, take.number)
         items[0].setData(Qt.ItemDataRole.DecorationRole, QColor(PHONEME_COLOURS[take.phoneme]))
         told_of = " ".join(map(tr_engine, faults.values())) or f"{take.name}, {take.device}, {take.time}"
         if take.excluded and left_out:
-            told_of = tr("{take} is left out: {reason}").format(take=take.name, reason=told_of)
+            told_of = tr("{take} is excluded: {reason}").format(take=take.name, reason=told_of)
         told = self._theme.faint if take.excluded else self._theme.text
         judged = self._theme.faint if take.excluded else self._theme.bad if faults else self._theme.good
         for column, item in enumerate(items):

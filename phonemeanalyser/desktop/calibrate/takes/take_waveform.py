@@ -11,6 +11,7 @@ from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import draw_text, mixed
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
+from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane, TimeAxis, wave_pixels
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.arrays import Float32Array, Float64Array
@@ -48,10 +49,11 @@ class TakeWaveform(QWidget):
         self.setMinimumSize(120, 64)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.installEventFilter(ArrowKeys(self))
         self.setMouseTracking(True)
-        self.setAccessibleName(tr("trim the take"))
+        self.setAccessibleName(tr("Trim take"))
         self.setToolTip(
-            tr("Drag the ends of what counts; arrow keys move the beginning by 10 ms, with Shift the end")
+            tr("Drag the edges to trim the take; the arrow keys move the start by 10 ms, with Shift the end")
         )
         self.menu = PlotMenu(self, "take", lambda _at: table_of(self._columns()))
         takes.changed.connect(self._show)
@@ -65,7 +67,7 @@ class TakeWaveform(QWidget):
         sound = self._takes.sound
         if take is None or self.ends is None or not len(sound):
             painter.setPen(QColor(self._theme.faint))
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, tr("choose a take to hear and trim it"))
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, tr("Select a take to play and trim it"))
             return
         left, right = (self.axis.x_of(end) for end in self.ends)
         counting = QColor(PHONEME_COLOURS[take.phoneme])

@@ -8,8 +8,8 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand
 
-from phonemeanalyser.desktop.engine_words import tr_engine
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
+from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader, mono_of
@@ -25,9 +25,9 @@ from phonemeengine.settings import SAMPLE_RATE, Channel
 LEAST_SECONDS = 0.05
 """What is shorter was no take but a slip of the finger, seconds."""
 AROUND = 0.3
-"""What is kept before and after a stretch of a file, seconds: so it is recognised as it was said."""
+"""What is kept before and after a segment of a file, seconds: so it is recognised as it was said."""
 UNNAMED = "me"
-"""The speaker, until somebody is named."""
+"""The speaker, until one is named."""
 
 
 @dataclass(frozen=True)
@@ -78,11 +78,11 @@ class TakeEdit(QUndoCommand):
 
 
 class TakesModel(QObject):
-    """The takes of the project in hand. The disk is asked in the background.
+    """The takes of the current project. The disk is asked in the background.
 
     Signals
     -------
-    opened : another project is in hand.
+    opened : another project is open.
     changed : the takes are others.
     edited : a change was made that can be undone: what, in words, and how many takes it changed.
     emptied : deleted takes are gone for ever, and what was done before cannot be undone.
@@ -151,7 +151,7 @@ class TakesModel(QObject):
     # -- the project --------------------------------------------------------------------------------------
 
     def open(self, folder: Path) -> None:
-        """Open a project, made where there is none; what was in hand is let go when that went well."""
+        """Open a project, made where there is none; the one before is closed when that went well."""
 
         if self.folder is None or folder.resolve() != self.folder.resolve():
             self._disk.submit(lambda _progress: self._opened_in_work(folder), self._show)
@@ -182,9 +182,9 @@ class TakesModel(QObject):
         """
         if len(samples) < LEAST_SECONDS * rate:
             self.error.emit(
-                tr("Hold {phoneme} for as long as you say the sound: {seconds:.2f} s were heard.").format(
-                    phoneme=phoneme.label, seconds=len(samples) / rate
-                )
+                tr(
+                    "The take is too short ({seconds:.2f} s). Hold {phoneme} for as long as you say the sound."
+                ).format(phoneme=sound_name(phoneme), seconds=len(samples) / rate)
             )
             return
         speaker = self.speaker.strip() or UNNAMED
@@ -200,7 +200,7 @@ class TakesModel(QObject):
         self._change(act, self._tell_added)
 
     def add_from_file(self, path: Path, channel: Channel, start: float, end: float, phoneme: Phoneme) -> None:
-        """Make a stretch of a file, in seconds, a take; what lies around it is kept, and does not count.
+        """Make a segment of a file, in seconds, a take; what lies around it is kept, and does not count.
 
         The mix keeps both channels of a stereo file.
         """
@@ -226,7 +226,7 @@ class TakesModel(QObject):
 
         if end - start < LEAST_SECONDS:
             self.error.emit(
-                tr("The stretch of {path} lasts {seconds:.2f} s; mark a longer one.").format(
+                tr("The range marked in {path} is too short ({seconds:.2f} s). Mark a longer one.").format(
                     path=path.name, seconds=max(0.0, end - start)
                 )
             )
@@ -234,7 +234,7 @@ class TakesModel(QObject):
         self._change(act, self._tell_added)
 
     def trim(self, number: int, start: float, end: float) -> None:
-        """Let another stretch of a take count, seconds."""
+        """Let another segment of a take count, seconds."""
         self._change_take(number, lambda project, take: project.trim(take, start, min(end, take.duration)))
 
     def relabel(self, number: int, phoneme: Phoneme) -> None:
@@ -348,7 +348,9 @@ class TakesModel(QObject):
     def _show_emptied(self, found: tuple[int, Snapshot]) -> None:
         self._show(found[1])
         self.emptied.emit()
-        self.info.emit(tr("Deleted takes removed from the disk: {n}.").format(n=found[0]))
+        self.info.emit(
+            tr_count("1 deleted take removed from the disk.", "{n} deleted takes removed from the disk.", found[0])
+        )
 
     def _show(self, now: Snapshot) -> None:
         self.now = now
@@ -378,7 +380,7 @@ class TakesModel(QObject):
         self.added.emit(take.number)
         report = self.now.reports[take.number]
         for sentence in list(report.faults.values())[:1]:
-            words = tr("{take} is left out: {reason}") if take.excluded else "{take}: {reason}"
+            words = tr("{take} is excluded: {reason}") if take.excluded else "{take}: {reason}"
             self.error.emit(words.format(take=take.name, reason=tr_engine(sentence)))
 
     def _show_sound(self, number: int | None, sound: Float32Array) -> None:
@@ -390,10 +392,14 @@ class TakesModel(QObject):
 def _write_labels(project: TakeProject | None, suffix: str, program: str) -> str:
     """Write label files beside all takes, and say how many."""
     if project is None or not project.takes:
-        raise TakeError(tr("There are no takes yet whose labels could be written; record one first."))
+        raise TakeError(tr("There are no takes to write labels for. Record one first."))
     aside, n = project.write_copies(suffix), len(project.takes)
-    one = tr("1 label file for {program} lies beside the takes in {folder}.")
-    many = tr("{n} label files for {program} lie beside the takes in {folder}.")
+    one = tr("1 label file for {program} written to {folder}.")
+    many = tr("{n} label files for {program} written to {folder}.")
     files = (one if n == 1 else many).format(n=n, program=program, folder=project.folder / TAKES)
-    kept = " " + tr("What else was there is kept, such as {name}.").format(name=aside[0].name) if aside else ""
+    kept = (
+        " " + tr("Files that were changed were kept under another name, such as {name}.").format(name=aside[0].name)
+        if aside
+        else ""
+    )
     return files + kept

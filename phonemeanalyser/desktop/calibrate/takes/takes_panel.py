@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QMenu, QSizePolicy
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.takes.take_list import TakeListView
 from phonemeanalyser.desktop.calibrate.takes.take_waveform import TakeWaveform
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import CENTRED, draw_text, format_clock, letters_on
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -40,11 +41,11 @@ class PhonemeButton(QToolButton):
         self._theme = theme
         self.setMinimumSize(52, 40)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        name = phoneme.label
-        self.setAccessibleName(tr("record a take of {name}").format(name=name))
+        name = sound_name(phoneme)
+        self.setAccessibleName(tr("Record a take of {name}").format(name=name))
         self.setToolTip(
             tr(
-                "Hold the button, or the key {key}, while you say {name}; or while it is heard in the file that plays"
+                "Hold the button or the {key} key while you say {name}, or while it sounds in the playing file"
             ).format(key=KEYS[phoneme], name=name)
         )
 
@@ -60,7 +61,7 @@ class PhonemeButton(QToolButton):
         painter.drawRoundedRect(box, 4, 4)
         painter.fillRect(box.left() + 4, box.bottom() - 4, box.width() - 8, 3, colour)
         text = QColor(letters_on(PHONEME_COLOURS[self.phoneme]) if down else self._theme.text)
-        name = self.phoneme.label
+        name = sound_name(self.phoneme)
         inner = self.rect().adjusted(5, 2, -5, -3)
         draw_text(painter, inner.adjusted(-5, 0, 5, 0), name, text, 15 if len(name) < 4 else 12, CENTRED)
         faint = text if down else QColor(self._theme.faint)
@@ -70,7 +71,7 @@ class PhonemeButton(QToolButton):
 
 
 class RecordPanel(QWidget):
-    """Records takes, of the microphone or of the file that plays, and marks stretches of it."""
+    """Records takes, of the microphone or of the file that plays, and marks segments of it."""
 
     def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
         super().__init__()
@@ -78,8 +79,8 @@ class RecordPanel(QWidget):
         self._theme = theme
         self.buttons = {phoneme: PhonemeButton(phoneme, theme) for phoneme in KEYS}
         self.hint = QLabel()
-        self.start = spoken_button("[", tr("The marked stretch of the file begins where the file stands ([)"))
-        self.end = spoken_button("]", tr("The marked stretch of the file ends where the file stands (])"))
+        self.start = spoken_button("[", tr("Start the marked range at the playback position ([)"))
+        self.end = spoken_button("]", tr("End the marked range at the playback position (])"))
         self._lay_out()
         self._connect()
         self._show_takes()
@@ -91,14 +92,14 @@ class RecordPanel(QWidget):
         held = self._calibration.phoneme
         of_file = session.source.path is not None
         if held is not None:
-            text = tr("<b>Taking {phoneme}</b>: let go when it is said").format(phoneme=held.label)
+            text = tr("<b>Recording {phoneme}</b>: release to finish").format(phoneme=sound_name(held))
         elif of_file and selection is not None and not session.source.playing:
             start, end = (format_clock(seconds, True) for seconds in selection)
-            text = tr("Marked <b>{start} – {end} s</b>: choose its sound").format(start=start, end=end)
+            text = tr("<b>{start} – {end}</b>: choose a phoneme").format(start=start, end=end)
         elif of_file and session.source.playing:
-            text = tr("Hold a key while its sound is heard")
+            text = tr("Hold a key while its sound plays")
         else:
-            text = tr("Hold a key, or a button, and say the sound")
+            text = tr("Hold a key or button and say its sound")
         self.hint.setText(text)
         for button in (self.start, self.end):
             button.setEnabled(of_file)
@@ -162,33 +163,36 @@ class TakesPanel(QWidget):
         self._theme = theme
         self.project, self.recordings = ElidedLabel(), ElidedLabel()
         self.open = spoken_button(
-            tr("folder…"), tr("Choose the folder of the takes, or write labels for other programs beside them")
+            tr("Folder"), tr("Choose the takes folder, write label files, or remove deleted takes")
         )
-        self.add = spoken_button(tr("load"), tr("Load labelled recordings: TextGrid, Audacity's labels, CSV"))
-        self.clear = spoken_button("✕", tr("Forget the labelled recordings; their files stay"))
+        self.add = spoken_button(tr("Load"), tr("Load labelled recordings: TextGrid, Audacity labels or CSV"))
+        self.clear = spoken_button("✕", tr("Unload all labelled recordings; their files are kept"))
         self.speaker = named(
             QLineEdit(calibration.takes.speaker),
-            tr("speaker"),
-            tr("Who says the takes that are recorded from now on"),
+            tr("Speaker"),
+            tr("Speaker of the takes recorded from now on"),
         )
         self.guide = spoken_button(
-            tr("Guided calibration…"), tr("Be led through silence and all sounds in under a minute (G)")
+            tr("Guided calibration…"), tr("Calibrate to your voice step by step, in under a minute (G)")
         )
         self.room = spoken_button(
-            tr("room"), tr("Measure the room: two seconds of quiet set silence and denoising of any recogniser")
+            tr("Measure noise"),
+            tr("Measure the background noise for two seconds; sets silence and denoising for every recogniser"),
         )
         self.record = RecordPanel(calibration, theme)
         self.list = TakeListView(calibration.takes, theme)
         self.wave = TakeWaveform(calibration.takes, theme)
-        self.play = spoken_button(tr("play"), tr("Play what counts of the take (Return, or a double click)"))
+        self.play = spoken_button(tr("Play"), tr("Play the trimmed part of the take (Return or double-click)"))
         self.exclude = spoken_button(
-            tr("exclude"), tr("Let the chosen takes count for nothing for now, or count again (X)")
+            tr("Exclude"), tr("Exclude the selected takes from calibration, or include them again (X)")
         )
-        self.delete = spoken_button(tr("delete"), tr("Delete the chosen takes (Delete); Ctrl+Z brings them back"))
+        self.delete = spoken_button(
+            tr("Delete", "verb"), tr("Delete the selected takes (Delete); Ctrl+Z restores them")
+        )
         self.phoneme = choice(
-            ((phoneme.label, phoneme) for phoneme in KEYS),
-            tr("sound of the take"),
-            tr("What the chosen take is: choose another sound to relabel it"),
+            ((sound_name(phoneme), phoneme) for phoneme in KEYS),
+            tr("Phoneme of the take"),
+            tr("Phoneme of the selected take; choose another to relabel it"),
         )
         self._fill()
         self._lay_out()
@@ -200,16 +204,16 @@ class TakesPanel(QWidget):
     def _fill(self) -> None:
         self._add_menu(
             self.add,
-            (tr("A Folder of Labelled Recordings…"), lambda: self.import_asked.emit(True)),
-            (tr("Sounds with Labels Beside Them…"), lambda: self.import_asked.emit(False)),
+            (tr("Folder of Labelled Recordings…"), lambda: self.import_asked.emit(True)),
+            (tr("Audio Files with Label Files…"), lambda: self.import_asked.emit(False)),
         )
         write = self._calibration.takes.write_labels
         self._add_menu(
             self.open,
-            (tr("Choose the Folder…"), self.project_asked.emit),
+            (tr("Choose Folder…"), self.project_asked.emit),
             (tr("Write Labels for Praat (TextGrid)"), lambda: write(".TextGrid", "Praat")),
-            (tr("Write Labels for Audacity (txt)"), lambda: write(".txt", "Audacity")),
-            (tr("Empty Deleted Takes…"), self.empty_asked.emit),
+            (tr("Write Labels for Audacity (TXT)"), lambda: write(".txt", "Audacity")),
+            (tr("Remove Deleted Takes…"), self.empty_asked.emit),
         )
         self.guide.setSizePolicy(self.record.sizePolicy())
         for button in (self.guide, self.room):
@@ -285,34 +289,34 @@ class TakesPanel(QWidget):
 
     def _show_project(self) -> None:
         folder = self._calibration.takes.folder
-        self.project.setText(_short(folder) if folder else tr("none yet: the first take makes one"))
-        self.project.setToolTip(str(folder) if folder else tr("Takes go into a folder that you may choose"))
+        self.project.setText(_short(folder) if folder else tr("Created with the first take"))
+        self.project.setToolTip(str(folder) if folder else tr("Folder in which takes are saved"))
 
     def _show_recordings(self) -> None:
         recordings = self._calibration.recordings
         n, speakers = len(recordings.utterances), recordings.n_speakers
         text = (
-            (tr("{n} by {speakers} speakers") if speakers > 1 else tr("{n} by 1 speaker")).format(
+            (tr("{n} from {speakers} speakers") if speakers > 1 else tr("{n} from 1 speaker")).format(
                 n=n, speakers=speakers
             )
             if n
-            else tr("none loaded")
+            else tr("None loaded")
         )
         self.recordings.setText(text)
         self.recordings.setToolTip(
-            "\n".join(map(str, recordings.sources)) or tr("Labelled recordings beside the takes")
+            "\n".join(map(str, recordings.sources)) or tr("Labelled recordings used in addition to the takes")
         )
         self.clear.setEnabled(n > 0)
 
     def _show_room(self) -> None:
-        self.room.setText(tr("keep quiet …") if self._calibration.room.listening else tr("room"))
+        self.room.setText(tr("Keep quiet…") if self._calibration.room.listening else tr("Measure noise"))
 
     def _show_take(self) -> None:
         takes = self._calibration.takes
         take = takes.take(takes.selected) if takes.selected is not None else None
         for widget in (self.play, self.exclude, self.delete, self.phoneme):
             widget.setEnabled(take is not None)
-        self.exclude.setText(tr("include") if take is not None and take.excluded else tr("exclude"))
+        self.exclude.setText(tr("Include") if take is not None and take.excluded else tr("Exclude"))
         if take is not None:
             with silent(self.phoneme):
                 self.phoneme.setCurrentIndex(self.phoneme.findData(take.phoneme))

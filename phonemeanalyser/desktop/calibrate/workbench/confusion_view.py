@@ -8,10 +8,11 @@ from PySide6.QtCore import QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, letters_on
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.lanes import Lane, lane_of_frames
+from phonemeanalyser.desktop.widgets.lanes import Lane, lane_of_frames, names_in_lanes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeanalyser.desktop.widgets.timeline import Chapter, Timeline, TimelineView
 from phonemeengine.arrays import Int64Array
@@ -22,7 +23,6 @@ from phonemeengine.settings import FRAME_PERIOD
 
 LEFT, TOP = 62, 34
 SAID, TAKEN = SCORED_PHONEMES, (*SCORED_PHONEMES, Phoneme.UNIDENTIFIED)
-SHORT = {Phoneme.UNIDENTIFIED: "?", Phoneme.SILENCE: "sil."}
 WIDE, TALL = 58, 27
 """Pixels from which on a cell has room for the count beside the percentage, or below it; else its tip tells it."""
 
@@ -46,7 +46,7 @@ class ConfusionView(QWidget):
         self.setMinimumSize(LEFT + 11 * 32, TOP + 10 * 17)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName(tr("confusion matrix"))
+        self.setAccessibleName(tr("Confusion matrix"))
         self.menu = PlotMenu(self, "confusion matrix", lambda _at: table_of(self._columns()))
 
     def show_counts(self, counts: Int64Array | None, against: Int64Array | None = None) -> None:
@@ -69,19 +69,20 @@ class ConfusionView(QWidget):
         painter = QPainter(self)
         painter.fillRect(self.rect(), QColor(self._theme.base))
         draw_text(
-            painter, QRectF(LEFT, 1, self.width() - LEFT, 15), tr("recognised as →"), self._theme.faint, 10, CENTRED
+            painter, QRectF(LEFT, 1, self.width() - LEFT, 15), tr("Recognised as →"), self._theme.faint, 10, CENTRED
         )
         draw_text(
-            painter, QRectF(6, TOP - 17, LEFT, 15), tr("said ↓"), self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft
+            painter, QRectF(6, TOP - 17, LEFT, 15), tr("Label ↓"), self._theme.faint, 10, Qt.AlignmentFlag.AlignLeft
         )
+        short = names_in_lanes()
         for column, phoneme in enumerate(TAKEN):
             box = self.cell_rect(0, column)
             heading = QRectF(box.left(), TOP - 18, box.width(), 16)
-            draw_text(painter, heading, SHORT.get(phoneme, phoneme.label), self._theme.text, 12, CENTRED)
+            draw_text(painter, heading, short[phoneme], self._theme.text, 12, CENTRED)
         for row, phoneme in enumerate(SAID):
             box = self.cell_rect(row, 0)
             place = QRectF(6, box.top(), LEFT - 10, box.height())
-            draw_text(painter, place, phoneme.label, self._theme.text, 12)
+            draw_text(painter, place, sound_name(phoneme), self._theme.text, 12)
             for column in range(len(TAKEN)):
                 self._paint_cell(painter, row, column)
         if self.cell is not None:
@@ -158,8 +159,7 @@ class ConfusionView(QWidget):
         """Return what a cell holds."""
         count = int(self.counts[SAID[row], TAKEN[column]]) if self.counts is not None else 0
         share = _share(self.counts, row, column)
-        taken = TAKEN[column].label
-        said = SAID[row].label
+        said, taken = sound_name(SAID[row]), sound_name(TAKEN[column])
         return tr("{said} recognised as {taken}: {count} frames of 10 ms, {share:.1%} of {said}").format(
             said=said, taken=taken, count=count, share=share
         )
@@ -190,8 +190,7 @@ def _blend(one: str, other: str, share: float) -> QColor:
     return QColor(*(round(p + share * (q - p)) for p, q in pairs))
 
 
-NAMES = (tr_noop("said"), tr_noop("recognised"))
-LABELS = [phoneme.label for phoneme in Phoneme]
+NAMES = (tr_noop("Label"), tr_noop("Recognised"))
 
 
 class ConfusionLanes(Timeline):
@@ -206,9 +205,10 @@ class ConfusionLanes(Timeline):
 
     def lanes_of(self, confusion: Confusion) -> list[Lane]:
         """Return both lanes."""
+        sounds = list(map(sound_name, Phoneme))
         lines = (confusion.labels.phonemes, confusion.predicted)
         return [
-            lane_of_frames(tr(name), codes, LABELS, self._colours, breaks=confusion.edges[:-1].tolist())
+            lane_of_frames(tr(name), codes, sounds, self._colours, breaks=confusion.edges[:-1].tolist())
             for name, codes in zip(NAMES, lines, strict=True)
         ]
 
@@ -218,7 +218,7 @@ class ConfusionTimeline(TimelineView):
 
     Signals
     -------
-    chosen : recording, start and end (seconds) of the stretch that was clicked.
+    chosen : recording, start and end (seconds) of the segment that was clicked.
     """
 
     chosen = Signal(int, float, float)
@@ -229,8 +229,8 @@ class ConfusionTimeline(TimelineView):
         self.menu = PlotMenu(
             self.lanes, "said and recognised", lambda _at: table_of(self._columns()), self.show_whole
         )
-        self.setToolTip(tr("Click a stretch to hear it; the wheel zooms at the pointer, a drag scrolls"))
-        self.setAccessibleName(tr("said and recognised"))
+        self.setToolTip(tr("Click a segment to play it; scroll the wheel to zoom, drag to pan"))
+        self.setAccessibleName(tr("Labels and recognised phonemes"))
         self.span_clicked.connect(self._choose)
 
     def show_confusion(self, confusion: Confusion | None, names: list[str]) -> None:
@@ -249,7 +249,7 @@ class ConfusionTimeline(TimelineView):
             self.show_time(int(self.lanes.confusion.edges[recording]) * FRAME_PERIOD + seconds)
 
     def _choose(self, number: int, span: int) -> None:
-        """Choose the labelled stretch, or the recognised one."""
+        """Choose the labelled segment, or the recognised one."""
         confusion, lane = self.lanes.confusion, self.lanes.lanes[number]
         if confusion is None:
             return

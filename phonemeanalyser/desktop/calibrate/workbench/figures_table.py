@@ -1,4 +1,4 @@
-"""Figures of agreement side by side, and lists of stretches, such as those of a cell of the matrix."""
+"""Figures of agreement side by side, and lists of segments, such as those of a cell of the matrix."""
 
 import math
 from collections.abc import Sequence
@@ -9,66 +9,41 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
+from phonemeanalyser.desktop.widgets.figures import FIGURES, colour_of_gain, figure_in_words
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeengine.arrays import Int64Array
+from phonemeengine.calibration.scores.gains import Gain, Gains
 from phonemeengine.calibration.scores.scoring import Scores
+from phonemeengine.phonemes import Phoneme
 
-ROWS: tuple[tuple[str, str, bool, str], ...] = (
-    (
-        tr_noop("macro F1, ten sounds"),
-        "macro_f1",
-        True,
-        tr_noop("The mean F1 of the ten sounds: no figure hides a rare one"),
-    ),
-    (tr_noop("frames right, ten sounds"), "accuracy", True, tr_noop("Share of frames that are right")),
-    (
-        tr_noop("clear vowels right"),
-        "vowel_accuracy",
-        True,
-        tr_noop("Share of frames of a, e, i, o and u that are right"),
-    ),
-    (
-        tr_noop("mouth shapes right"),
-        "viseme_accuracy",
-        True,
-        tr_noop("Share of frames with the right one of six mouth shapes"),
-    ),
-    (tr_noop("silence found"), "silence_recall", True, tr_noop("Share of silent frames that are called silence")),
-    (
-        tr_noop("speech called silence"),
-        "false_silence",
-        False,
-        tr_noop("Share of spoken frames that are called silence"),
-    ),
-    (
-        tr_noop("changes per second"),
-        "changes_per_s",
-        False,
-        tr_noop("How often the answer changes: flicker, where labels change less"),
-    ),
-)
-"""Heading, name of the figure, whether more is better, and what it means."""
+COLUMN_WIDTH = 56
+"""Pixels that a figure needs; narrower tables are scrolled."""
 
 
 class FiguresTable(QTableWidget):
     """A row for each figure, a column for each that is compared."""
 
     def __init__(self, columns: Sequence[str], theme: Theme) -> None:
-        super().__init__(len(ROWS), len(columns))
+        super().__init__(len(FIGURES), len(columns))
         self._theme = theme
-        self.setVerticalHeaderLabels([tr(heading) for heading, _, _, _ in ROWS])
+        self.setVerticalHeaderLabels([tr(heading) for heading, _, _, _ in FIGURES])
         self.set_columns(columns)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.NoSelection)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         let_copy(self)
         self.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        self.horizontalHeader().setMinimumSectionSize(COLUMN_WIDTH)
         self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setTextElideMode(Qt.TextElideMode.ElideRight)
         self.verticalHeader().setDefaultSectionSize(22)
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        for row, (_, _, _, tip) in enumerate(ROWS):
+        for row, (_, _, _, tip) in enumerate(FIGURES):
             self.model().setHeaderData(row, Qt.Orientation.Vertical, tr(tip), Qt.ItemDataRole.ToolTipRole)
 
     def set_columns(self, names: Sequence[str]) -> None:
@@ -76,28 +51,66 @@ class FiguresTable(QTableWidget):
         self.setColumnCount(len(names))
         self.setHorizontalHeaderLabels(list(names))
 
-    def show_scores(self, scores: Sequence[Scores | None]) -> None:
-        """Show figures; those after the first are coloured by whether they are better than it."""
-        for row, (_, name, more_is_better, _) in enumerate(ROWS):
+    def show_scores(self, scores: Sequence[Scores | None], gains: Gains | None = None) -> None:
+        """Show figures; those after the first are coloured by whether they are better than it.
+
+        A further column shows how much higher the second ones are, of some with the range that chance would give.
+        """
+        for row, (_, name, more_is_better, _) in enumerate(FIGURES):
             for column, found in enumerate(scores):
                 value = float(getattr(found, name)) if found is not None else math.nan
-                item = QTableWidgetItem(words_of(name, value))
+                item = QTableWidgetItem(figure_in_words(name, value))
                 item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
                 first = scores[0]
                 if column and first is not None and not math.isnan(value):
                     gain = (value - float(getattr(first, name))) * (1 if more_is_better else -1)
-                    colour = (
-                        self._theme.good if gain > 5e-4 else self._theme.bad if gain < -5e-4 else self._theme.text
-                    )
-                    item.setForeground(QColor(colour))
+                    item.setForeground(QColor(colour_of_gain(gain, self._theme)))
                 self.setItem(row, column, item)
+            if len(scores) < self.columnCount():
+                item = QTableWidgetItem(_difference(name, scores, gains))
+                item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
+                item.setToolTip(tr("B minus A, in percent; after ± half the interval of 95 % that chance would give"))
+                self.setItem(row, len(scores), item)
 
 
-def words_of(name: str, value: float) -> str:
-    """Write a figure: shares in percent, rates as they are."""
-    if math.isnan(value):
+def _difference(name: str, scores: Sequence[Scores | None], gains: Gains | None) -> str:
+    """Return by how much the second figure is higher than the first, with its range where that is known."""
+    one, other = (math.nan if found is None else float(getattr(found, name)) for found in scores)
+    if math.isnan(other - one):
         return "–"
-    return f"{value:.1f}" if name.endswith("per_s") else f"{value:.1%}"
+    if name.endswith("per_s"):
+        return f"{other - one:+.1f}"
+    gain: Gain | None = getattr(gains, name, None)
+    percent = f"{100 * (other - one):+.1f}"
+    return percent if gain is None else f"{percent} ±{50 * (gain.high - gain.low):.1f}"
+
+
+class ChangesTable(QTableWidget):
+    """The frames whose phoneme is another one with B than with A, by phoneme."""
+
+    def __init__(self) -> None:
+        super().__init__(0, 4)
+        self.setHorizontalHeaderLabels([tr("Phoneme"), A, B, tr("Becomes")])
+        self.setAccessibleName(tr("Frames whose phoneme changes"))
+        self.setToolTip(tr("Frames of 10 ms with A and with B, and which phonemes B gives"))
+        style_list(self, 20, (62, 52, 46, 0))
+        let_copy(self)
+
+    def show_counts(self, counts: Int64Array | None) -> None:
+        """Show frames, shape (11, 11): by what A answers (row), and what B answers (column)."""
+        self.setRowCount(0 if counts is None else len(Phoneme))
+        if counts is None:
+            return
+        for line, phoneme in enumerate(Phoneme):
+            becomes = sorted(((int(counts[phoneme, p]), p) for p in Phoneme if p is not phoneme), reverse=True)
+            words = ", ".join(f"{sound_name(p)} {n}" for n, p in becomes if n)
+            cells = (sound_name(phoneme), str(counts[phoneme].sum()), str(counts[:, phoneme].sum()), words)
+            for column, text in enumerate(cells):
+                item = QTableWidgetItem(text)
+                item.setToolTip(text)
+                if column in {1, 2}:
+                    item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                self.setItem(line, column, item)
 
 
 MOST = 500
@@ -106,7 +119,7 @@ MOST = 500
 
 @dataclass(frozen=True)
 class SegmentRow:
-    """A stretch in a list: the file, its seconds, and what is told of it."""
+    """A segment in a list: the file, its seconds, and a remark."""
 
     path: Path
     start: float
@@ -115,7 +128,7 @@ class SegmentRow:
 
 
 class SegmentList(QTableWidget):
-    """Shows stretches; a click, or Return, plays one.
+    """Shows segments; a click, or Return, plays one.
 
     Signals
     -------
@@ -127,9 +140,9 @@ class SegmentList(QTableWidget):
     def __init__(self, name: str, words: str) -> None:
         super().__init__(0, 4)
         self.rows: list[SegmentRow] = []
-        self.setHorizontalHeaderLabels([tr("recording"), tr("from (s)"), "ms", words])
+        self.setHorizontalHeaderLabels([tr("Recording"), tr("Start (s)"), "ms", words])
         self.setAccessibleName(name)
-        self.setToolTip(tr("Click a stretch to hear it, or choose one and press Return"))
+        self.setToolTip(tr("Click a segment to play it, or select one and press Return"))
         style_list(self, 20, (0, 60, 44, 90))
         self.setColumnHidden(3, not words)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -139,7 +152,7 @@ class SegmentList(QTableWidget):
         self.cellActivated.connect(lambda row, _column: self._play(row))
 
     def show_rows(self, rows: Sequence[SegmentRow]) -> None:
-        """Show stretches, as many as there is use for."""
+        """Show segments, as many as there is use for."""
         if list(rows[:MOST]) == self.rows:
             return
         self.rows = list(rows[:MOST])

@@ -1,29 +1,27 @@
-"""The fit of thresholds or limits to what is loaded, and a second preset to compare with."""
+"""The fit of thresholds or limits to what is loaded, and A compared with B."""
 
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.preset import PresetModel
+from phonemeanalyser.desktop.session.preset import A, B, PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.fitting import FitReport, fit_preset
+from phonemeengine.calibration.fits.rule_finding import rules_from
 from phonemeengine.calibration.scores.comparison import PresetComparison, compare
 from phonemeengine.calibration.scores.confusion import Confusion
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, Predictions, group_scores_of
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.errors import EngineError
 from phonemeengine.execution import Progress, subrange
-from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import spec_of
 
 MOST_SEGMENTS = 200
-"""Stretches that are listed of each preset."""
+"""Segments that are listed of each preset."""
 
 
 class FitModel(QObject):
@@ -51,7 +49,7 @@ class FitModel(QObject):
         recogniser = self._preset.preset.recogniser
         if not spec_of(recogniser).fit:
             return tr(
-                "The recogniser {recogniser} has no thresholds; the guided calibration teaches it your voice."
+                "The recogniser {recogniser} has no thresholds to fit. Use the guided calibration instead."
             ).format(recogniser=recogniser)
         return "" if self._workbench.features is not None else tr("Record takes or load labelled recordings first.")
 
@@ -85,13 +83,45 @@ class FitModel(QObject):
         self.changed.emit()
 
 
+class RuleFinding(FitModel):
+    """Finds few rules in the background."""
+
+    @property
+    def why_not(self) -> str:
+        """Why no rules can be found now, as a sentence; nothing where they can."""
+        return "" if self._workbench.utterances else tr("Record takes or load labelled recordings first.")
+
+    def find(self, most_conditions: int, *, bands: bool) -> None:
+        """Find rules that ask for bands of the spectrum, or for what the preset measures."""
+        utterances, preset, known = self._workbench.utterances, self._preset.preset, self._workbench.features
+        self.refuse()
+
+        def search(progress: Progress) -> FitReport:
+            return rules_from(utterances, preset, progress, known=known, bands=bands, most_conditions=most_conditions)
+
+        self.searching.replace(search, self._take_report)
+
+    def accept(self) -> None:
+        """Recognise with what was found; undo brings the old preset back."""
+        if self.report is not None:
+            self._preset.end_edit()
+            self._preset.edit(self.report.preset, tr("rules from takes"))
+            self._preset.end_edit()
+        self.refuse()
+
+
 class ComparisonModel(QObject):
-    """A second preset on the same recordings, compared with the one in use whenever that changes.
+    """A and B on the same recordings, compared whenever one of them or the recordings change.
 
     Signals
     -------
     changed : there is another comparison, or none.
     error : a sentence for the user.
+
+    Attributes
+    ----------
+    confusion : answers of the one that is not in use; None before they are known.
+    result : the comparison, A first; None before it is known.
     """
 
     changed = Signal()
@@ -99,59 +129,78 @@ class ComparisonModel(QObject):
 
     def __init__(self, preset: PresetModel, workbench: WorkbenchModel) -> None:
         super().__init__()
-        self.preset: Preset | None = None
         self.confusion: Confusion | None = None
         self.result: PresetComparison | None = None
-        self._own = preset
+        self.preset = preset
         self._workbench = workbench
+        self._features: LabelledFeatures | None = None
+        self._letter = preset.letter
         self.measuring, self._comparing = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
+        preset.sides_changed.connect(self._follow_sides)
         workbench.measured.connect(self._measure)
         workbench.confusion_changed.connect(self._compare)
 
-    def shipped(self) -> tuple[Path, ...]:
-        """Return the presets that come with the program."""
-        return tuple(sorted(FACTORY.glob("*.toml")))
+    @property
+    def busy(self) -> bool:
+        """Whether more is being measured or compared."""
+        return self.measuring.busy or self._comparing.busy
 
-    def choose(self, path: Path | None) -> None:
-        """Compare with the preset of a file, or with none."""
-        self.preset = self.confusion = self.result = None
-        if path is not None:
-            try:
-                self.preset = load_preset(path)
-            except EngineError as error:
-                self.error.emit(str(error))
-        self._measure()
-        self.changed.emit()
+    @property
+    def has_recordings(self) -> bool:
+        """Whether there is anything to compare on."""
+        return bool(self._workbench.utterances)
+
+    @property
+    def better(self) -> str:
+        """The letter of the one with the higher macro F1; empty where they are not compared, or equal."""
+        difference = 0.0 if self.result is None else self.result.gains.macro_f1.difference
+        return "" if not difference else B if difference > 0 else A
 
     def close(self) -> None:
         """End all work."""
         for queue in (self.measuring, self._comparing):
             queue.close()
 
+    def _follow_sides(self) -> None:
+        if self._letter != self.preset.letter and self.preset.other is not None:
+            self._features, self.confusion = self._workbench.exchange(self._features, self.confusion)
+            self._letter = self.preset.letter
+            self._workbench.look_anew()  # which has this one measure, too
+        else:
+            self._letter, self.confusion, self.result = self.preset.letter, None, None
+            self._measure()
+
     def _measure(self) -> None:
-        utterances, preset = self._workbench.utterances, self.preset
-        if preset is None or not utterances:
+        """Have the one that is not in use recognise all recordings; what it measured before is not measured again."""
+        utterances, other, known = self._workbench.utterances, self.preset.other, self._features
+        if other is None or not utterances:
             self.measuring.cancel()
-            self.confusion = self.result = None
+            self._comparing.cancel()
+            self.confusion = self.result = self._features = None
             self.changed.emit()
             return
-        self.measuring.replace(
-            lambda progress: LabelledFeatures(utterances, preset, progress=progress).confusion(preset),
-            self._take_confusion,
-        )
+        preset = other.preset
 
-    def _take_confusion(self, confusion: Confusion) -> None:
-        self.confusion = confusion
+        def measured(progress: Progress) -> tuple[LabelledFeatures, Confusion]:
+            features = LabelledFeatures(utterances, preset, known=known, progress=progress)
+            return features, features.confusion(preset)
+
+        self.measuring.replace(measured, self._take_confusion)
+
+    def _take_confusion(self, found: tuple[LabelledFeatures, Confusion]) -> None:
+        self._features, self.confusion = found
         self._compare()
 
     def _compare(self) -> None:
-        own, other, preset = self._workbench.confusion, self.confusion, self.preset
-        if own is None or other is None or preset is None or len(own.predicted) != len(other.predicted):
+        own, other, document = self._workbench.confusion, self.confusion, self.preset.other
+        if own is None or other is None or document is None or len(own.predicted) != len(other.predicted):
             return
-        now, utterances = self._own.preset, self._workbench.utterances
+        pairs = [(self.preset.preset, own), (document.preset, other)]
+        (one, said), (two, answered) = pairs if self.preset.letter == A else pairs[::-1]
+        utterances = self._workbench.utterances
         self._comparing.replace(
             lambda _progress: compare(
-                _scores_of(now, own, utterances), _scores_of(preset, other, utterances), most=MOST_SEGMENTS
+                _scores_of(one, said, utterances), _scores_of(two, answered, utterances), most=MOST_SEGMENTS
             ),
             self._take_comparison,
         )

@@ -1,15 +1,23 @@
-"""Fits thresholds, shows what that gained, and compares the preset in use with a second one."""
+"""Fits thresholds, shows what that gained, and compares A with B."""
 
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QTabWidget, QWidget
+from PySide6.QtWidgets import QCheckBox, QLabel, QProgressBar, QPushButton, QSizePolicy, QTabWidget, QWidget
 
-from phonemeanalyser.desktop.calibrate.workbench.figures_table import FiguresTable, SegmentList, SegmentRow
+from phonemeanalyser.desktop.calibrate.workbench.figures_table import (
+    ChangesTable,
+    FiguresTable,
+    SegmentList,
+    SegmentRow,
+)
 from phonemeanalyser.desktop.calibrate.workbench.fit_model import ComparisonModel, FitModel
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, row
+from phonemeanalyser.desktop.widgets.builders import column, label, named, row, tab_buttons
+from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker
 from phonemeengine.calibration.scores.comparison import DifferingSegment
 
 
@@ -20,12 +28,14 @@ class FitPanel(QWidget):
         super().__init__()
         self._fit = fit
         self.begin = QPushButton(tr("Fit thresholds"))
-        self.stop = named(QPushButton(tr("cancel")), tip=tr("End the search; the preset stays as it is"))
-        self.accept = named(QPushButton(tr("accept")), tip=tr("Use what was found; Ctrl+Z takes it back"))
-        self.refuse = named(QPushButton(tr("refuse")), tip=tr("Leave the preset as it is"))
+        self.stop = named(QPushButton(tr("Cancel")), tip=tr("Stop the search; the preset stays unchanged"))
+        self.accept = named(
+            QPushButton(tr("Apply")), tip=tr("Apply the fitted thresholds; Ctrl+Z restores the old ones")
+        )
+        self.refuse = named(QPushButton(tr("Discard")), tip=tr("Leave the preset unchanged"))
         self.progress = QProgressBar()
         self.words = label(wraps=True)
-        self.figures = FiguresTable((tr("before"), tr("after"), tr("left out")), theme)
+        self.figures = FiguresTable((tr("Before"), tr("After"), tr("Held out")), theme)
         self._lay_out()
         self._connect()
         self.show_state()
@@ -35,14 +45,15 @@ class FitPanel(QWidget):
         fit, report, busy = self._fit, self._fit.report, self._fit.searching.busy
         self.begin.setEnabled(not busy and not fit.why_not)
         self.begin.setToolTip(
-            fit.why_not or tr("Search for thresholds that suit what is loaded, with those in use to begin with")
+            fit.why_not
+            or tr("Search for thresholds that fit the loaded takes and recordings, starting from the current ones")
         )
         self.stop.setVisible(busy)
         self.progress.setVisible(busy)
         self.progress.setValue(round(100 * fit.searching.progress))
         self.accept.setVisible(report is not None and report.gains)
         self.refuse.setVisible(report is not None)
-        self.refuse.setText(tr("refuse") if report is not None and report.gains else tr("close"))
+        self.refuse.setText(tr("Discard") if report is not None and report.gains else tr("Close"))
         self.figures.setVisible(report is not None)
         self.words.setText(self._said())
         if report is not None:
@@ -51,18 +62,22 @@ class FitPanel(QWidget):
     def _said(self) -> str:
         report = self._fit.report
         if self._fit.searching.busy:
-            return tr("Searching; you can go on working meanwhile.")
+            return tr("Searching in the background…")
         if report is None:
-            return self._fit.why_not or tr("Finds the thresholds that name the most frames right in what is loaded.")
+            return self._fit.why_not or tr(
+                "Finds the thresholds with which the most frames of the loaded takes "
+                "and recordings are recognised correctly."
+            )
         if not report.gains:
-            return tr("Nothing better was found than what is in use.")
+            return tr("No better thresholds were found.")
         if report.held_out is not None and report.held_out.macro_f1 < report.before.macro_f1:
             return tr(
-                "Better on what is loaded, but not on a {left_out} that was left out: load more of them."
+                "Improved on the loaded data, but not on a {left_out} left out of the fit. Load more data."
             ).format(left_out=tr(report.left_out))
-        return tr("Better. The last column leaves each {left_out} out in turn, and fits without it.").format(
-            left_out=tr(report.left_out)
-        )
+        return tr(
+            "Improved. The last column is cross-validated: each {left_out} in turn is left out of the fit "
+            "and used for measuring."
+        ).format(left_out=tr(report.left_out))
 
     def _lay_out(self) -> None:
         widgets = (self.begin, self.progress, self.stop, self.accept, self.refuse)
@@ -79,96 +94,140 @@ class FitPanel(QWidget):
             signal.connect(self.show_state)
 
 
-NONE, OTHER = tr_noop("choose a preset …"), tr_noop("another file …")
-
-
 class ComparePanel(QWidget):
-    """The second preset, both presets' figures, and what only one of them gets right.
+    """Figures of A and B, by how much they differ, what only one of them gets right, and which one to use.
+
+    Parameters
+    ----------
+    picker : the list of presets, from which the other one of A and B is chosen.
 
     Signals
     -------
-    file_asked : the user wants to choose a preset's file.
-    play_asked : path, start and end of a stretch.
+    play_asked : path, start and end of a segment.
+
+    Attributes
+    ----------
+    verdict : which one is better.
+    use : a button that uses the better one.
     """
 
-    file_asked = Signal()
     play_asked = Signal(Path, float, float)
 
-    def __init__(self, comparison: ComparisonModel, theme: Theme) -> None:
+    def __init__(self, comparison: ComparisonModel, picker: PresetPicker, theme: Theme) -> None:
         super().__init__()
         self._comparison = comparison
-        tip = tr("Preset to compare with, on the same takes and recordings")
-        shipped = [(path.stem, path) for path in comparison.shipped()]
-        self.box = choice([(tr(NONE), None), *shipped, (tr(OTHER), "")], tip, tip)
-        self.state = QLabel()
+        self.picker = named(picker, tr("Preset to compare"), tr("Preset to compare with the one in use"))
+        self.state, self.verdict = QLabel(), label(wraps=True)
+        self.use = named(QPushButton(), tip=tr("Use the preset with the higher macro F1 from now on"))
+        self.switch = named(QPushButton(tr("Switch")), tip=tr("Use the other one of A and B"))
         self.difference = named(
-            QCheckBox(tr("difference in the matrix")),
-            tip=tr("Show in the matrix how much more often the preset in use gives each answer"),
+            QCheckBox(tr("Difference in matrix")),
+            tip=tr("Show in the confusion matrix how much more often the current preset gives each result"),
         )
-        self.figures = FiguresTable((tr("in use"), tr("second")), theme)
-        self.own = SegmentList(tr("only the preset in use is right"), tr("said, not"))
-        self.others = SegmentList(tr("only the second preset is right"), tr("said, not"))
+        self.figures = FiguresTable((A, B, tr("Difference")), theme)
+        self.own, self.others = (
+            SegmentList(words.format(letter=letter), tr("Label → error"))
+            for letter, words in ((A, tr("Only {letter} correct")), (B, tr("Only {letter} correct")))
+        )
+        self.changes = ChangesTable()
         self.tabs = QTabWidget()
-        self.tabs.tabBar().setAccessibleName(tr("pages of the comparison"))
+        self.tabs.tabBar().setAccessibleName(tr("Comparison tabs"))
         self._lay_out()
         self._connect()
         self._show()
 
-    def offer(self, path: Path) -> None:
-        """Choose a preset's file."""
-        if self.box.findData(path) < 0:
-            self.box.insertItem(self.box.count() - 1, path.stem, path)
-        self.box.setCurrentIndex(self.box.findData(path))
-        self._comparison.choose(path)
-
     def _lay_out(self) -> None:
-        self.tabs.addTab(self.figures, tr("figures"))
-        self.tabs.addTab(self.own, tr("only this right"))
-        self.tabs.addTab(self.others, tr("only the second right"))
-        above = row((self.box, 1), self.state, self.difference)
-        column(above, (self.tabs, 1), on=self, margins=(6, 6, 6, 4))
+        self.tabs.addTab(self.figures, tr("Scores"))
+        self.tabs.addTab(self.own, self.own.accessibleName())
+        self.tabs.addTab(self.others, self.others.accessibleName())
+        self.tabs.addTab(self.changes, tr("Changed"))
+        for button in tab_buttons(self.use, self.switch):
+            button.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        column(
+            row((self.picker, 1), self.state),
+            self.verdict,
+            row((self.use, 1), self.switch),
+            self.difference,
+            (self.tabs, 1),
+            on=self,
+            margins=(6, 6, 6, 4),
+        )
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
 
     def _connect(self) -> None:
-        self.box.activated.connect(self._choose)
         self._comparison.changed.connect(self._show)
+        self._comparison.preset.changed.connect(self._show_presets)
         self._comparison.measuring.changed.connect(self._show_measuring)
+        self.picker.clicked.disconnect()
+        self.picker.clicked.connect(lambda _checked: self.picker.choose_other())
+        self.switch.clicked.connect(self._comparison.preset.switch)
+        self.use.clicked.connect(self._use_better)
         for view in (self.own, self.others):
             view.play_asked.connect(self.play_asked)
+
+    def _use_better(self) -> None:
+        if self._comparison.better == self._comparison.preset.other_letter:
+            self._comparison.preset.switch()
 
     def _show_measuring(self) -> None:
         measuring = self._comparison.measuring
         self.state.setText(
-            tr("measuring {percent:.0f} %").format(percent=100 * measuring.progress) if measuring.busy else ""
+            tr("Measuring {percent:.0f} %").format(percent=100 * measuring.progress) if measuring.busy else ""
         )
 
-    def _choose(self, index: int) -> None:
-        data = self.box.itemData(index)
-        if data == "":
-            self.box.setCurrentIndex(0)
-            self.file_asked.emit()
+    def _show_presets(self) -> None:
+        """Show which two are compared, and which one is in use."""
+        model, better = self._comparison.preset, self._comparison.better
+        sides = [f"{letter}: {preset.name}" for letter, preset in model.sides.items()]
+        other = f"{model.other_letter}: {model.other.preset.name}" if model.other else tr("Choose preset to compare…")
+        self.picker.show_name(other)
+        self.figures.set_columns((*(sides if model.other else (sides[0], B)), tr("Difference")))
+        self.switch.setEnabled(model.other is not None)
+        self.use.setEnabled(better == model.other_letter and bool(better))
+        if not better:
+            self.use.setText(tr("Use the better one"))
         else:
-            self._comparison.choose(data)
+            words = tr("{letter}: {preset} is in use") if better == model.letter else tr("Use {letter}: {preset}")
+            name = model.sides[better].name if better in model.sides else ""
+            self.use.setText(words.format(letter=better, preset=name).replace("&", "&&"))
 
     def _show(self) -> None:
-        comparison, preset = self._comparison.result, self._comparison.preset
+        comparison = self._comparison.result
         self.difference.setEnabled(comparison is not None)
-        if preset is None:
-            self.box.setCurrentIndex(0)
-        self.figures.set_columns((tr("in use"), preset.name if preset is not None else tr("second")))
+        self._show_presets()
+        self.verdict.setText(self._verdict())
+        self.verdict.setVisible(bool(self.verdict.text()))
         if comparison is None:
             self.figures.show_scores((None, None))
             self.own.show_rows(())
             self.others.show_rows(())
+            self.changes.show_counts(None)
             return
-        self.figures.show_scores((comparison.one.overall.scores, comparison.other.overall.scores))
+        self.figures.show_scores((comparison.one.overall.scores, comparison.other.overall.scores), comparison.gains)
         self.own.show_rows([_row_of(stretch) for stretch in comparison.stretches_one])
         self.others.show_rows([_row_of(stretch) for stretch in comparison.stretches_other])
-        for k, counts in ((1, comparison.only_one), (2, comparison.only_other)):
-            text = tr("only this right: {seconds:.1f} s") if k == 1 else tr("only the second right: {seconds:.1f} s")
-            self.tabs.setTabText(k, text.format(seconds=int(counts.sum()) / 100))
+        self.changes.show_counts(comparison.changed)
+        for k, letter, counts in ((1, A, comparison.only_one), (2, B, comparison.only_other)):
+            words = tr("Only {letter} correct: {seconds:.1f} s")
+            self.tabs.setTabText(k, words.format(letter=letter, seconds=int(counts.sum()) / 100))
+
+    def _verdict(self) -> str:
+        """Return which one is better, by how much, and whether that may be chance."""
+        comparison, better = self._comparison.result, self._comparison.better
+        if comparison is None:
+            is_empty = self._comparison.preset.other is not None and not self._comparison.has_recordings
+            return tr("Load takes or labelled recordings to compare on.") if is_empty else ""
+        gain = comparison.gains.macro_f1
+        if not better:
+            return tr("Both have the same macro F1.")
+        low, high = (gain.low, gain.high) if better == B else (-gain.high, -gain.low)
+        words = tr("<b>No clear difference</b>: macro F1 {gain} % higher for {letter} ({low} to {high} %).")
+        if gain.is_clear:
+            words = tr("<b>{letter} is better</b>: macro F1 {gain} % higher (95 % interval {low} to {high} %).")
+        shares = {"gain": abs(gain.difference), "low": low, "high": high}
+        return words.format(letter=better, **{name: f"{100 * share:.1f}" for name, share in shares.items()})
 
 
 def _row_of(stretch: DifferingSegment) -> SegmentRow:
-    words = f"{stretch.label.label}, {stretch.wrong.label}"
+    words = f"{sound_name(stretch.label)} → {sound_name(stretch.wrong)}"
     return SegmentRow(stretch.utterance.path, stretch.start, stretch.end, words)

@@ -7,21 +7,25 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QGridLayout, QPushButton, QTableWidget, QTableWidgetItem, QWidget
 
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, silent, style_list, tab_buttons
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
-from phonemeengine.features.variables import Variable
+from phonemeengine.features.variables import Variable, readable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.spec import spec_of
 
 NAME = Qt.ItemDataRole.UserRole
 
 
-ACTS = tr_noop("It acts once a rule of the preset names it.")
-NO_ACT = tr_noop("it would be measured and drawn, and change no phoneme. The recogniser rules can use them.")
+ACTS = tr_noop("It takes effect once a rule of the preset uses it.")
+NO_ACT = tr_noop(
+    "The recogniser {name} cannot use custom variables: this one would be measured and drawn, but would not change "
+    "any phoneme. The recogniser rules can use it."
+)
 
 
 class VariablesPanel(QWidget):
@@ -30,9 +34,11 @@ class VariablesPanel(QWidget):
     Signals
     -------
     add_asked : a `Variable` that the user wants to have.
+    use_asked : the user wants to use the variable of this name in a rule.
     """
 
     add_asked = Signal(Variable)
+    use_asked = Signal(str)
 
     def __init__(self, workbench: WorkbenchModel, theme: Theme) -> None:
         super().__init__()
@@ -40,21 +46,25 @@ class VariablesPanel(QWidget):
         self._theme = theme
         self.table = named(
             QTableWidget(0, 2),
-            tr("variables"),
+            tr("Variables"),
             tr(
-                "The chance that of two frames of different sounds a threshold tells which is which: 50 % says "
-                "nothing"
+                "Separation: probability that a threshold tells two frames of different phonemes apart; 50 % is "
+                "chance level"
             ),
         )
-        sounds = [(phoneme.label, phoneme) for phoneme in KEYS]
-        told_apart, other = tr("Sound that is to be told apart"), tr("... from this one, or from all")
+        sounds = [(sound_name(phoneme), phoneme) for phoneme in KEYS]
+        told_apart, other = tr("Phoneme to separate"), tr("Phoneme to separate it from, or all others")
         self.one = choice(sounds, told_apart, told_apart)
         self.other = choice([*sounds, (tr("all others"), None)], other, other)
         self.search = named(
-            QPushButton(tr("suggest")), tip=tr("Search for frequency ranges that part these two best")
+            QPushButton(tr("Suggest")), tip=tr("Search for the frequency ranges that separate the two phonemes best")
         )
         self.add = named(
-            QPushButton(tr("add")), tip=tr("Add the suggested variable to the preset; Ctrl+Z takes it back")
+            QPushButton(tr("Add")), tip=tr("Add the suggested variable to the preset; Ctrl+Z removes it")
+        )
+        self.use = named(
+            QPushButton(tr("Use in a Rule…")),
+            tip=tr("Add a condition with this variable to a rule; the limit that gains most is proposed"),
         )
         self.words = label(wraps=True)
         self._lay_out()
@@ -62,23 +72,24 @@ class VariablesPanel(QWidget):
         self._fill()
 
     def _lay_out(self) -> None:
-        self.setFixedWidth(216)
-        self.table.setHorizontalHeaderLabels([tr("variable"), tr("separates")])
+        self.setFixedWidth(236)
+        self.table.setHorizontalHeaderLabels([tr("Variable"), tr("Separation")])
         let_copy(self.table)
         style_list(self.table, 20, (0, 68))
         self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.table.setWordWrap(False)
         self.one.setCurrentIndex(self.one.findData(Phoneme.SZ))
         self.other.setCurrentIndex(self.other.findData(Phoneme.SCH))
-        tab_buttons(self.search, self.add)
+        tab_buttons(self.search, self.add, self.use)
         pair = QGridLayout()
         pair.setSpacing(4)
-        for k, widget in enumerate((label(tr("part")), self.one, label(tr("from")), self.other)):
+        for k, widget in enumerate((label(tr("Separate")), self.one, label(tr("from")), self.other)):
             pair.addWidget(widget, 0, k)
         pair.setColumnStretch(1, 1)
         pair.setColumnStretch(3, 1)
         pair.addWidget(self.search, 1, 0, 1, 2)
         pair.addWidget(self.add, 1, 2, 1, 2)
+        pair.addWidget(self.use, 2, 0, 1, 4)
         self.words.setVisible(False)
         column((self.table, 1), pair, self.words, on=self, margins=(6, 4, 4, 4), spacing=4)
 
@@ -86,16 +97,26 @@ class VariablesPanel(QWidget):
         self.table.currentCellChanged.connect(self._choose)
         self.search.clicked.connect(self._search)
         self.add.clicked.connect(self._add)
+        self.use.clicked.connect(lambda _checked: self.use_asked.emit(self._workbench.variable))
         self._workbench.distribution_changed.connect(self._fill)
         self._workbench.suggested.connect(self._fill)
         self._workbench.searching.changed.connect(self._show_search)
         self._workbench.confusion_changed.connect(self._tell)  # the recogniser may be another
 
     def _fill(self) -> None:
-        ranked = [(r.variable, r.variable, r.separation, r.variable) for r in self._workbench.ranking]
+        own = self._workbench.own_variables
+        ranked = [
+            (r.variable, r.variable, r.separation, f"{r.variable}: {_name_of(r.variable, own)}")
+            for r in self._workbench.ranking
+        ]
         have = {name for name, *_ in ranked}
         suggested = [
-            (s.variable.name, f"+ {_range_of(s.variable)}", s.separation, f"{s.variable.name}: {_words_of(s)}")
+            (
+                s.variable.name,
+                f"+ {_name_of(s.variable.name, (*own, s.variable))}",
+                s.separation,
+                f"{s.variable.name}: {_words_of(s)}",
+            )
             for s in self._workbench.suggestions
             if s.variable.name not in have
         ]
@@ -133,7 +154,7 @@ class VariablesPanel(QWidget):
     def _show_search(self) -> None:
         searching = self._workbench.searching
         self.search.setText(
-            tr("stop {percent:.0f} %").format(percent=100 * searching.progress) if searching.busy else tr("suggest")
+            tr("Stop {percent:.0f} %").format(percent=100 * searching.progress) if searching.busy else tr("Suggest")
         )
 
     def _search(self) -> None:
@@ -156,6 +177,7 @@ class VariablesPanel(QWidget):
 
     def _show_add(self) -> None:
         self.add.setEnabled(self._suggested() is not None)
+        self.use.setEnabled(self._suggested() is None)
         self._tell()
 
     def _tell(self) -> None:
@@ -165,23 +187,18 @@ class VariablesPanel(QWidget):
         if suggestion is not None:
             acts = spec_of(name).uses_own_variables
             colour = self._theme.faint if acts else self._theme.bad
-            note = (
-                tr(ACTS)
-                if acts
-                else tr("The recogniser {name} cannot use variables of your own; {why}").format(
-                    name=name, why=tr(NO_ACT)
-                )
-            )
-            self.words.setText(f"{_words_of(suggestion)}.<br><span style='color:{colour}'>{note}</span>")
+            note = tr(ACTS) if acts else tr(NO_ACT).format(name=name)
+            words = _words_of(suggestion)
+            self.words.setText(f"{words[:1].upper()}{words[1:]}.<br><span style='color:{colour}'>{note}</span>")
 
 
-def _range_of(variable: Variable) -> str:
-    return f"{variable.low:.0f}–{variable.high:.0f} Hz {tr(variable.kind.value)}"
+def _name_of(name: str, own: tuple[Variable, ...]) -> str:
+    return tr_engine(readable_name(name, own))
 
 
 def _words_of(suggestion: Suggestion) -> str:
     variable = suggestion.variable
-    return tr("{kind} of {low:.0f}–{high:.0f} Hz of the {source} spectrum, separates {separation:.0%}").format(
+    return tr("{kind} over {low:.0f}–{high:.0f} Hz of the {source} spectrum; separation {separation:.0%}").format(
         kind=tr(variable.kind.value),
         low=variable.low,
         high=variable.high,

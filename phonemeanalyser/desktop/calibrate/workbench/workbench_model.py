@@ -2,13 +2,14 @@
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.language import tr, tr_count
+from phonemeanalyser.desktop.session.courses import ThresholdLines
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.calibration.fits.suggestions import Suggestion, suggested_variables
@@ -32,30 +33,13 @@ ANSWER_MS = 16
 """After a change of the preset, until the answers are others: a threshold that is dragged changes all the time."""
 
 
-@dataclass(frozen=True)
-class Line:
-    """A threshold that is drawn into a distribution, and can be moved.
-
-    Attributes
-    ----------
-    name : the control's.
-    label : what it is called where it is drawn.
-    sign : the comparison with it, ``<`` or ``>``.
-    value : where it lies.
-    """
-
-    name: str
-    label: str
-    sign: str
-    value: float
-
-
 class WorkbenchModel(QObject):
     """Measures what is loaded, and follows the preset: what a threshold changes is known a picture later.
 
     Attributes
     ----------
     measuring, looking, searching : the work on recordings, on distributions and rankings, and on suggestions.
+    lines : the thresholds of each variable.
     answered : the recordings that `confusion` tells of; some of `utterances` may still be measured.
 
     Signals
@@ -83,8 +67,10 @@ class WorkbenchModel(QObject):
         self.suggestions: tuple[Suggestion, ...] = ()
         self.preview: Suggestion | None = None
         self.variable = "m_szsch1"
+        self.lines = ThresholdLines(preset)
         self._preset = preset
         self._utterances: tuple[LabelledUtterance, ...] = ()
+        self._left: LabelledFeatures | None = None  # with the preset before: A and B change places at once
         self._ranked_for: LabelledFeatures | None = None
         self._looked_with: Mapping[Phoneme, float] = {}
         self.measuring, self.looking, self.searching = (TaskQueue(self.error.emit) for _ in range(3))
@@ -114,24 +100,8 @@ class WorkbenchModel(QObject):
         """The name of the recogniser in use."""
         return self._preset.preset.recogniser
 
-    def lines(self) -> list[Line]:
-        """Return what tunes the recogniser on the chosen variable; a suggestion has nothing of the kind yet."""
-        if self.preview is not None:
-            return []
-        preset, controls = self._preset.preset, self._preset.controls.values()
-        mine = (c for c in controls if c.variable == self.variable)
-        return [Line(c.name, c.label if c.places else c.name, c.sign, c.read(preset)) for c in mine]
-
-    def move(self, line: Line, value: float) -> None:
-        """Move a threshold, a limit or a sensitivity."""
-        self._preset.tune(line.name, float(f"{value:.4g}"))
-
-    def end_move(self) -> None:
-        """End a drag: undo takes it back as a whole."""
-        self._preset.end_edit()
-
     def segments_in(self, truth: Phoneme, answer: Phoneme) -> list[ConfusedSegment]:
-        """Return the stretches of a cell of the confusion matrix, the longest first."""
+        """Return the segments of a cell of the confusion matrix, the longest first."""
         found = self.confusion.frames_in(truth, answer) if self.confusion else ()
         return sorted(found, key=lambda p: p.start - p.end)
 
@@ -156,7 +126,7 @@ class WorkbenchModel(QObject):
         """Search for variables that part two phonemes, or one from all others."""
         features, preset = self.features, self._preset.in_force
         if features is None:
-            self.error.emit(tr("There is nothing to search in yet; record takes or load labelled recordings first."))
+            self.error.emit(tr("There is no data to search. Record takes or load labelled recordings first."))
             return
         self.searching.replace(
             lambda progress: suggested_variables(features, preset, one, other, progress), self._take_suggestions
@@ -168,11 +138,30 @@ class WorkbenchModel(QObject):
         for queue in (self.measuring, self.looking, self.searching):
             queue.close()
 
+    def exchange(
+        self, features: LabelledFeatures | None, confusion: Confusion | None
+    ) -> tuple[LabelledFeatures | None, Confusion | None]:
+        """Know what another preset measured and answered on all that is loaded; return what was known so far."""
+        known = self.features, self.confusion
+        if features is not None and features.utterances == self._utterances and not self.measuring.busy:
+            self.features, self.confusion = features, confusion
+        return known
+
+    def look_anew(self) -> None:
+        """Tell of what another preset measured, and rank and show its variables."""
+        self.measured.emit()
+        self._look()
+
     # -- the work -----------------------------------------------------------------------------------------
 
     def _follow_preset(self) -> None:
         if self.features is not None and self._must_measure():
-            self._measure()
+            left = self._left
+            if left is None or left.utterances != self._utterances or left.needs_measuring(self._preset.in_force):
+                self._measure()
+            else:
+                self.measuring.cancel()
+                self._take_up(left)
         elif self._others_sensitivities() != self._looked_with:
             self._look()
         self._answer_soon()
@@ -194,7 +183,7 @@ class WorkbenchModel(QObject):
         )
 
     def _take_up(self, features: LabelledFeatures | None) -> None:
-        self.features = features
+        self.features, self._left = features, self.features
         if self.preview is not None and (features is None or self.preview.variable.name in features.variables):
             self.variable, self.preview = self.preview.variable.name, None
         self._answer_soon()
@@ -252,7 +241,10 @@ class WorkbenchModel(QObject):
         self.suggested.emit()
         if not suggestions:
             self.error.emit(
-                tr("No frequency range parts these two; record more takes of them, or choose another pair.")
+                tr(
+                    "No frequency range separates these two phonemes. Record more takes of them, or choose another "
+                    "pair."
+                )
             )
 
 
@@ -345,9 +337,17 @@ class RecordingsModel(QObject):
         self.utterances += fresh
         self.changed.emit()
         if refusals:
-            self.error.emit(tr("{n} sounds were left out; {refusal}").format(n=len(refusals), refusal=refusals[0]))
+            self.error.emit(
+                tr(
+                    "1 audio file was skipped: {refusal}"
+                    if len(refusals) == 1
+                    else "{n} audio files were skipped. The first one: {refusal}"
+                ).format(n=len(refusals), refusal=tr_engine(refusals[0]))
+            )
         elif sources:
-            self.info.emit(tr("{n} labelled recordings were loaded.").format(n=len(fresh)))
+            self.info.emit(
+                tr_count("1 labelled recording was loaded.", "{n} labelled recordings were loaded.", len(fresh))
+            )
 
 
 def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]:

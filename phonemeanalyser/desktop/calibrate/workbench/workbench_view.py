@@ -8,20 +8,25 @@ from PySide6.QtWidgets import QLabel, QSplitter, QTabWidget, QWidget
 
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
 from phonemeanalyser.desktop.calibrate.workbench.confusion_view import ConfusionTimeline, ConfusionView
-from phonemeanalyser.desktop.calibrate.workbench.distribution import DistributionView
 from phonemeanalyser.desktop.calibrate.workbench.figures_table import SegmentList, SegmentRow
 from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel, FitPanel
+from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_panel import PhonemeDataPanel
+from phonemeanalyser.desktop.calibrate.workbench.rules_panel import RulesPanel
 from phonemeanalyser.desktop.calibrate.workbench.variables_panel import VariablesPanel
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import Scrolled, column, label, named, row
+from phonemeanalyser.desktop.widgets.builders import Scrolled, column, label, row
+from phonemeanalyser.desktop.widgets.distribution import DistributionView
+from phonemeanalyser.desktop.widgets.figures import classes_in_words, colour_of_changes, figure_in_words
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
-from phonemeengine.presets.ears import ear_in_words, for_files
-from phonemeengine.settings import FRAME_PERIOD, Ear
+from phonemeengine.presets.model_choice import for_files, model_in_words
+from phonemeengine.settings import ModelKind
 
 TABS_WIDTH = 250
-"""In less room than this nobody reads a list."""
+"""With less space than this a list cannot be read."""
 
 
 class WorkbenchView(QWidget):
@@ -29,48 +34,60 @@ class WorkbenchView(QWidget):
 
     Signals
     -------
-    play_asked : path, start and end of a stretch.
+    play_asked : path, start and end of a segment.
     picture_asked : the user wants to save a picture of a plot, of this name.
     """
 
     play_asked = Signal(Path, float, float)
     picture_asked = Signal(QWidget, str)
 
-    def __init__(self, calibration: CalibrationModel, theme: Theme) -> None:
+    def __init__(self, calibration: CalibrationModel, picker: PresetPicker, theme: Theme) -> None:
         super().__init__()
         self._calibration = calibration
         self._theme = theme
         workbench = calibration.workbench
         self.variables = VariablesPanel(workbench, theme)
-        self.distribution = DistributionView(workbench, theme)
+        self.distribution = DistributionView(workbench.lines, theme)
+        self.phoneme_data = PhonemeDataPanel(calibration.phoneme_data, theme)
+        self.upper = QTabWidget()
+        self.upper.tabBar().setAccessibleName(tr("Variables or PhonemeData"))
         self.confusion = ConfusionView(theme)
         self.cell = label(wraps=True)
-        self.figures = named(
-            QLabel(),
-            tip=tr(
-                "<p>Macro F1 is the mean over those of the ten sounds that the labels hold. More changes a second "
-                "than the labels have are flicker.</p><p>Takes and recordings are recognised by the model for live "
-                "sound, which is what you calibrate; files that you open may have a better one.</p>"
-            ),
+        self.about = ElidedLabel()
+        self.about.setStyleSheet(f"color: {theme.faint}")
+        self.figures = QLabel()
+        self._about_figures = tr(
+            "<p>Macro F1 is the mean of the F1 scores of those of the ten phonemes that occur in the labels. "
+            "More changes per second than in the labels are flicker.</p><p>Takes and recordings are "
+            "recognised by the real-time model, which is the one you calibrate; files that you open may be "
+            "analysed with a better file model.</p>"
         )
-        self.segments = SegmentList(tr("stretches of the cell"), "")
+        self.segments = SegmentList(tr("Segments in the cell"), "")
         self.fit = FitPanel(calibration.fit, theme)
-        self.compare = ComparePanel(calibration.comparison, theme)
+        self.rules = RulesPanel(calibration.rule_finding, theme)
+        self._found = Scrolled(self.rules)
+        self.compare = ComparePanel(calibration.comparison, picker, theme)
         self.tabs = QTabWidget()
-        self.tabs.tabBar().setAccessibleName(tr("pages of the workbench"))
+        self.tabs.tabBar().setAccessibleName(tr("Workbench tabs"))
         self.timeline = ConfusionTimeline(theme)
         self.rows, self.columns = QSplitter(Qt.Orientation.Vertical), QSplitter(Qt.Orientation.Horizontal)
         self._lay_out()
         self._connect()
+        self._show_distribution()
         self._show_confusion()
 
     def _lay_out(self) -> None:
-        upper, listed = QWidget(), QWidget()
-        row(self.variables, (self.distribution, 1), on=upper, spacing=0)
+        variables, listed = QWidget(), QWidget()
+        row(self.variables, (self.distribution, 1), on=variables, spacing=0)
+        self.upper.addTab(variables, tr("Variables"))
+        self.upper.addTab(self.phoneme_data, "PhonemeData")
+        self.upper.setDocumentMode(True)
+        self.upper.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         column(self.cell, (self.segments, 1), on=listed, margins=(6, 6, 6, 4))
         for widget, name in (
-            (listed, tr("Stretches")),
+            (listed, tr("Segments")),
             (Scrolled(self.fit), tr("Fit")),
+            (self._found, tr("Rules")),
             (Scrolled(self.compare), tr("Compare")),
         ):
             self.tabs.addTab(widget, name)
@@ -79,19 +96,21 @@ class WorkbenchView(QWidget):
         self.columns.addWidget(self.confusion)
         self.columns.addWidget(self.tabs)
         self.columns.setSizes([540, 400])
-        self.rows.addWidget(upper)
+        self.rows.addWidget(self.upper)
         self.rows.addWidget(self.columns)
         self.rows.setSizes([320, 300])
         for splitter in (self.rows, self.columns):
             splitter.setChildrenCollapsible(False)
-        self.figures.setContentsMargins(8, 3, 8, 3)
-        column((self.rows, 1), self.figures, self.timeline, on=self, spacing=0)
+        below = row(self.figures, (self.about, 1), margins=(8, 3, 8, 3), spacing=16)
+        column((self.rows, 1), below, self.timeline, on=self, spacing=0)
 
     def _connect(self) -> None:
         calibration = self._calibration
         calibration.workbench.confusion_changed.connect(self._show_confusion)
         calibration.workbench.confusion_changed.connect(self.distribution.show_lines)
+        calibration.workbench.distribution_changed.connect(self._show_distribution)
         calibration.workbench.measured.connect(self.fit.show_state)
+        calibration.workbench.measured.connect(self.rules.show_state)
         calibration.workbench.measuring.changed.connect(self._show_measuring)
         calibration.preset.changed.connect(self.fit.show_state)
         calibration.comparison.changed.connect(self._show_matrix)
@@ -104,7 +123,24 @@ class WorkbenchView(QWidget):
         for plot in (self.distribution, self.confusion, self.timeline):
             plot.menu.save_asked.connect(self.picture_asked)
 
+    def find_rules(self) -> None:
+        """Show where rules are found, and begin to."""
+        self.tabs.setCurrentWidget(self._found)
+        self.rules.search()
+
     # -- what is shown ------------------------------------------------------------------------------------
+
+    def _show_distribution(self) -> None:
+        workbench = self._calibration.workbench
+        words = (
+            tr("Measuring…")
+            if workbench.measuring.busy
+            else tr("Record takes or load labelled recordings to see distributions")
+        )
+        preview = workbench.preview
+        self.distribution.show_distribution(
+            workbench.shown, words, math.nan if preview is None else preview.threshold
+        )
 
     def _show_confusion(self) -> None:
         workbench = self._calibration.workbench
@@ -122,29 +158,34 @@ class WorkbenchView(QWidget):
 
     def _show_measuring(self) -> None:
         measuring = self._calibration.workbench.measuring
+        if self._calibration.workbench.shown is None:
+            self._show_distribution()
         if measuring.busy:
-            self.figures.setText(tr("measuring … {percent:.0f} %").format(percent=100 * measuring.progress))
+            self.figures.setText(tr("Measuring… {percent:.0f} %").format(percent=100 * measuring.progress))
 
     def _show_figures(self) -> None:
         confusion = self._calibration.workbench.confusion
         if confusion is None:
-            self.figures.setText(f"<span style='color:{self._theme.faint}'>{tr('nothing is loaded yet')}</span>")
+            self.figures.setText("")
+            self.about.setText(tr("No takes or recordings loaded"))
             return
-        changes, of_labels = confusion.changes_per_s, confusion.label_changes_per_s
-        calm = changes <= 1.5 * of_labels
-        colour = self._theme.good if calm else self._theme.bad
-        ratio = f" ({changes / of_labels:.1f} ×)" if of_labels > 0 else ""
-        n_sounds = sum(not math.isnan(confusion.f1_of(phoneme)) for phoneme in SCORED_PHONEMES)
-        of_sounds = "" if n_sounds == len(SCORED_PHONEMES) else f" ({tr('{n} of 10 sounds').format(n=n_sounds)})"
-        live = for_files(self._calibration.preset.in_force, Ear.LIVE)
-        model = tr("Model: {ear}").format(ear=tr_engine(ear_in_words(live)))
-        of_what = f"{_length(len(confusion.predicted) * FRAME_PERIOD, confusion.n_recordings)}   ·   {model}"
+        agreement, n_classes = confusion.agreement, len(confusion.agreement.classes)
+        of_labels = agreement.label_changes_per_s
+        ratio = f" ({agreement.changes_per_s / of_labels:.1f} ×)" if of_labels > 0 else ""
+        of_sounds = "" if n_classes == len(SCORED_PHONEMES) else f" ({tr('{n} of 10 phonemes').format(n=n_classes)})"
+        live = for_files(self._calibration.preset.in_force, ModelKind.REAL_TIME)
+        model = tr("Model: {ear}").format(ear=tr_engine(model_in_words(live)))
+        of_what = f"{_length(agreement.seconds, confusion.n_recordings)}   ·   {model}"
         self.figures.setText(
-            f"{tr('accuracy')} <b>{_percent(confusion.accuracy)}</b> &nbsp; "
-            f"{tr('macro F1')} <b>{_percent(confusion.macro_f1)}</b>{of_sounds} &nbsp; "
-            f"{tr('changes a second')} <b style='color:{colour}'>{changes:.1f}</b>, "
-            f"{tr('labels')} {of_labels:.1f}{ratio} &nbsp; <span style='color:{self._theme.faint}'>{of_what}</span>"
+            f"{tr('Accuracy')} <b>{figure_in_words('accuracy', agreement.accuracy)}</b> &nbsp; "
+            f"{tr('Macro F1')} <b>{figure_in_words('macro_f1', agreement.macro_f1)}</b>{of_sounds} &nbsp; "
+            f"{tr('Changes/s')} <b style='color:{colour_of_changes(agreement, self._theme)}'>"
+            f"{figure_in_words('changes_per_s', agreement.changes_per_s)}</b>, "
+            f"{tr('labels')} {figure_in_words('changes_per_s', of_labels)}{ratio}"
         )
+        self.figures.setToolTip(f"{self._about_figures}<p>{classes_in_words(agreement)}</p>")
+        self.about.setText(of_what)
+        self.about.setToolTip(of_what)
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
@@ -155,15 +196,15 @@ class WorkbenchView(QWidget):
     def _show_cell(self) -> None:
         workbench, cell = self._calibration.workbench, self.confusion.cell
         if cell is None or workbench.confusion is None:
-            self.cell.setText(tr("Click a cell of the matrix to list what is in it."))
+            self.cell.setText(tr("Click a cell of the matrix to list its segments."))
             self.segments.show_rows(())
             return
         truth, answer = self.confusion.phonemes_of(cell)
         found = workbench.segments_in(truth, answer)
         seconds = sum(p.end - p.start for p in found)
         self.cell.setText(
-            tr("<b>{truth}</b> recognised as <b>{answer}</b>: {n} stretches, {seconds:.2f} s").format(
-                truth=truth.label, answer=answer.label, n=len(found), seconds=seconds
+            tr("<b>{truth}</b> recognised as <b>{answer}</b> · segments: {n} ({seconds:.2f} s)").format(
+                truth=sound_name(truth), answer=sound_name(answer), n=len(found), seconds=seconds
             )
         )
         paths = [u.path for u in workbench.answered]
@@ -181,9 +222,5 @@ class WorkbenchView(QWidget):
 def _length(seconds: float, n: int) -> str:
     """Return how much is loaded, in words."""
     if seconds >= 60:
-        return tr("{minutes:.1f} min in {n} recordings").format(minutes=seconds / 60, n=n)
-    return tr("{seconds:.1f} s, recordings: {n}").format(seconds=seconds, n=n)
-
-
-def _percent(share: float) -> str:
-    return "–" if math.isnan(share) else f"{share:.1%}"
+        return tr("Recordings: {n} ({minutes:.1f} min)").format(minutes=seconds / 60, n=n)
+    return tr("Recordings: {n} ({seconds:.1f} s)").format(seconds=seconds, n=n)

@@ -92,7 +92,7 @@ class DriverModel(QObject):
         sound: MeasuredSound | None = None,
         spoken: SpokenFace | None = None,
     ) -> None:
-        """Take what is said in the sound in hand; None for nothing that is known.
+        """Take what is said in the current sound; None for nothing that is known.
 
         Parameters
         ----------
@@ -104,7 +104,7 @@ class DriverModel(QObject):
         self._follow_again()
 
     def track_by(self, driver: FaceDriver) -> MouthTrack | None:
-        """Return what moves a mouth by a driver now; None where that goes by what is heard."""
+        """Return what moves a mouth by a driver now; None where it follows the sound."""
         if driver is FaceDriver.PINYIN and self.letters is not None:
             return self.letters.mouth()
         return self.performance.face if driver is FaceDriver.TABLE else None
@@ -132,7 +132,9 @@ class DriverModel(QObject):
         self._follow_again()
         looked_up = self._spoken is not None or self._sound is not None
         if self._utterance is not None and self.wants_table and not looked_up:
-            self.info.emit(tr("Say the text once more: a recorded face is looked up while it is spoken."))
+            self.info.emit(
+                tr("Recorded faces are looked up while a text is spoken; press Speak to apply them to this text.")
+            )
 
     def _follow_again(self) -> None:
         utterance = self._utterance
@@ -166,6 +168,6 @@ class DriverModel(QObject):
         except TextError:
             if FaceDriver.PINYIN in wanted:
                 self.error.emit(
-                    tr("Nobody speaks Chinese here, so that there are no letters of pinyin; choose another driver.")
+                    tr("Pinyin letters cannot drive the mouth, since no Chinese is spoken; choose another driver.")
                 )
             return None

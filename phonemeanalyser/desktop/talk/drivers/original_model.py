@@ -1,4 +1,4 @@
-"""The recording that a unit is from: heard and seen as it was recorded, while the sound in hand holds still."""
+"""The recording that a unit is from, played as it was recorded, while the current sound holds still."""
 
 import time
 from collections.abc import Callable
@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -15,15 +16,15 @@ from phonemeengine.live.player import Player
 from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.original import RecordedFace, original_sound
 from phonemeengine.performance.table_file import PerformanceTable
-from phonemeengine.presets.ears import while_played
+from phonemeengine.presets.model_choice import while_played
 from phonemeengine.storage.files import printable
 
 AROUND = 0.3
-"""Seconds before and after a unit that are played, too: a unit alone is too short to be heard."""
+"""Seconds before and after a unit that are played, too: a unit alone is too short to make out."""
 
 
 class OriginalModel(QObject):
-    """Plays a stretch of a recording, with its face; `tick` ends it.
+    """Plays a segment of a recording, with its face; `tick` ends it.
 
     Signals
     -------
@@ -51,7 +52,7 @@ class OriginalModel(QObject):
 
     @property
     def position(self) -> float:
-        """Seconds of the recording that are heard; without a sound, the clock's."""
+        """Seconds of the recording that are played; without a sound, the clock's."""
         if self._player is not None:
             return self._player.position
         return self._start + self._clock() - self._began
@@ -73,14 +74,14 @@ class OriginalModel(QObject):
             if reader is None:
                 self.error.emit(
                     tr(
-                        "The sound of {recording} is not beside its table any more, so only its face is "
-                        "shown; put the recordings where they were: {folder}."
+                        "The audio of {recording} is missing, so only its face is shown; put the recordings back "
+                        "into {folder}."
                     ).format(recording=printable(unit.recording), folder=printable(str(_folder_of(table))))
                 )
             start, end = (0.0, duration) if whole else (unit.source_start - AROUND, unit.source_end + AROUND)
             self._begin(face, reader, max(0.0, start), min(duration, end))
-            self.caption = tr("{recording}, as recorded: {title}").format(
-                recording=printable(unit.recording), title=table.about.title
+            self.caption = tr("{recording}, original recording from {title}").format(
+                recording=printable(unit.recording), title=tr_engine(table.about.title)
             )
             self.changed.emit()
 
@@ -117,7 +118,7 @@ class OriginalModel(QObject):
             self._player.play()
 
     def _give_way(self) -> None:
-        """End it where the sound in hand goes on."""
+        """End it where the current sound goes on."""
         if self._session.source.playing:
             self.stop()
 

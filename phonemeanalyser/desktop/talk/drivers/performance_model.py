@@ -1,4 +1,4 @@
-"""Recorded faces for what is said: which table is chosen, and what it shows of the sound in hand."""
+"""Recorded faces for what is said: which table is chosen, and what it shows of the current sound."""
 
 from collections.abc import Sequence
 from contextlib import suppress
@@ -27,7 +27,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
 
 AHEAD = 20.0
-"""Seconds of a sound that are looked up before they are heard."""
+"""Seconds of a sound that are looked up before they are played."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,7 @@ class MeasuredSound:
 
     Attributes
     ----------
-    path, channel : the file, and what is heard of it.
+    path, channel : the file, and which channel of it is analysed.
     preset : what the loudness is measured with.
     """
 
@@ -46,7 +46,7 @@ class MeasuredSound:
 
 
 class FaceInHand:
-    """A `MouthTrack` of which nobody has to expect an error: where its table fails, the face is at rest.
+    """A `MouthTrack` that raises no error: where its table fails, the face is at rest.
 
     Attributes
     ----------
@@ -72,7 +72,7 @@ class FaceInHand:
             return np.zeros(len(FACE), np.float32)
 
     def head(self, time: float) -> HeadPose | None:
-        """Return how the head is turned at a time, seconds; None where it goes with what is heard."""
+        """Return how the head is turned at a time, seconds; None where it follows the sound."""
         try:
             return self._face.head(time)
         except PerformanceError as error:
@@ -81,7 +81,7 @@ class FaceInHand:
 
     def prepare(self, begin: float, end: float) -> None:
         """Look up what is said between two times, seconds."""
-        if isinstance(self._face, PerformedMouth):  # what is spoken is looked up before it can be heard
+        if isinstance(self._face, PerformedMouth):  # what is spoken is looked up before it can play
             try:
                 self._face.prepare(begin, end)
             except PerformanceError as error:
@@ -89,7 +89,7 @@ class FaceInHand:
 
 
 class PerformanceModel(QObject):
-    """Knows the tables that are open, and looks the sound in hand up in the one that is chosen.
+    """Knows the tables that are open, and looks the current sound up in the one that is chosen.
 
     Signals
     -------
@@ -102,7 +102,7 @@ class PerformanceModel(QObject):
     tables : what was opened, by path.
     chosen : the table in use; None for none.
     choice : among the examples of a unit.
-    face : what the performer shows of the sound in hand; None where nothing is looked up.
+    face : what the performer shows of the current sound; None where nothing is looked up.
     units : of which it is made; they come later than the face.
     notes : what the table lacks for it, a sentence each.
     """
@@ -138,10 +138,8 @@ class PerformanceModel(QObject):
     def progress(self) -> str:
         """What is going on, in words; nothing where that is nothing."""
         if self._opening.busy:
-            return tr("opening a table …")
-        return (
-            tr("looking the face up, {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
-        )
+            return tr("Opening table…")
+        return tr("Looking up faces: {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
 
     @property
     def name(self) -> str:
@@ -225,7 +223,7 @@ class PerformanceModel(QObject):
             self._show(self.face, face.units, face.notes)
 
     def forget(self) -> None:
-        """Show nothing, as another sound is in hand."""
+        """Show nothing, as another sound is open."""
         self._work.cancel()
         if self.face is not None:
             self._show(None, (), ())
@@ -266,8 +264,12 @@ class PerformanceModel(QObject):
             self._ready = 0.0, 0.0
         self.face, self.units = face, units
         if notes and notes != self.notes and self._table is not None:
-            more = "; " + tr("and {n} more, below the head").format(n=len(notes) - 1) if len(notes) > 1 else ""
-            self.info.emit(f"{self._table.about.name}: {notes[0]}{more}.")
+            told = (
+                tr("{table}: {note}; for {n} more notes, point at the caption below the head.")
+                if len(notes) > 1
+                else tr("{table}: {note}.")
+            )
+            self.info.emit(told.format(table=self._table.about.name, note=notes[0], n=len(notes) - 1))
         self.notes = notes
         self.looked_up.emit()
 

@@ -34,13 +34,13 @@ class ExpressionInput(OscConnection):
     def words(self) -> str:
         """What is going on, in words."""
         if self.stream is None:
-            return tr("off") if not self.on else tr("opening …")
+            return tr("Off") if not self.on else tr("Opening…")
         names = self.stream.names
         if not names:
-            return tr("the sender has stopped") if self.stream.stopped else tr("listening")
+            return tr("The sender has stopped") if self.stream.stopped else tr("Waiting for messages")
         if len(names) == 1:
-            return tr("heard {name}").format(name=names[0])
-        return tr("heard {name} and {n} more").format(name=names[0], n=len(names) - 1)
+            return tr("Receiving {name}").format(name=names[0])
+        return tr("Receiving {name} and {n} more").format(name=names[0], n=len(names) - 1)
 
     @property
     def hears(self) -> bool:
@@ -134,7 +134,7 @@ class ExpressionModel(QObject):
             self.changed.emit()
 
     def set_file(self, path: Path | None) -> None:
-        """Show what was recorded, too, from the beginning of the sound in hand on; None for nothing recorded."""
+        """Show what was recorded, too, from the beginning of the current sound on; None for nothing recorded."""
         if path is None:
             self._take(None, None)
         else:
@@ -143,7 +143,7 @@ class ExpressionModel(QObject):
             )
 
     def follow(self, start: float) -> None:
-        """Take note when the sound in hand began, on the clock of whoever shows the face, seconds."""
+        """Take note when the current sound began, on the clock of whoever shows the face, seconds."""
         if self._recorded is not None:
             self._recorded.start = start
 

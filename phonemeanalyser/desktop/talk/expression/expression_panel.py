@@ -1,6 +1,6 @@
 """What the face expresses beside its speech, as sliders; and the mouth over the network, with how it goes."""
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLabel, QLineEdit, QProgressBar, QSlider, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -16,14 +16,16 @@ from phonemeanalyser.desktop.widgets.builders import (
     label,
     named,
     row,
+    show_removable,
     silent,
     slider_of_percent,
+    spoken_button,
     tool_button,
 )
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 RECORDING = tr_noop(
-    "Show a face that Live Link Face recorded (CSV) beside the speech, in step with the sound in hand"
+    "Load a face that Live Link Face captured (CSV), and show it along with the speech, in sync with the audio"
 )
 PERCENT_WIDTH = 40
 METER_HEIGHT = 10
@@ -50,37 +52,42 @@ class ExpressionPanel(QWidget):
         self._theme = theme
         self._talking, self._model = talking, talking.expression
         self.sliders = {
-            name: _slider(tr("how far the face shows {name}").format(name=tr(name))) for name in self._model.shares
+            name: _slider(tr("Strength of the expression: {name}").format(name=tr(name)))
+            for name in self._model.shares
         }
         self._percents = {name: label(width=PERCENT_WIDTH) for name in self._model.shares}
         self.priority = slider_of_percent(
-            tr("priority of speech"),
+            tr("Speech priority"),
             tr(
-                "How much of lips and jaw speech has; the expression has the rest. 50 % gives each all that it asks "
-                "for"
+                "How much of the lips and the jaw speech controls; the expression controls the rest. At 50 %, "
+                "both are applied in full"
             ),
         )
         self.meter = named(
             QProgressBar(),
-            tr("how far speech holds the expression back"),
-            tr("How far speech holds the expression back: it goes within 0.1 s and comes back in 0.5 s"),
+            tr("Reduced by speech"),
+            tr(
+                "How much speech reduces the expression now: it fades within 0.1 s when speech starts, and returns "
+                "within 0.5 s"
+            ),
         )
         self.meter.setRange(0, 100)
         self.meter.setTextVisible(False)
         self.meter.setFixedHeight(METER_HEIGHT)
-        self.neutral = tool_button(tr("Neutral"), tr("Set all sliders back to 0"))
-        self.file = tool_button(tr("Recording…"), tr(RECORDING))
-        self.recorded, self.state = ElidedLabel(), ElidedLabel()
+        self.neutral = tool_button(tr("Neutral"), tr("Set all sliders to 0"))
+        self.file = spoken_button(tr("Load face capture…"), tr(RECORDING))
+        self.state = ElidedLabel()
         self.switch = named(
-            QCheckBox(tr("Listen (OSC) at")),
+            QCheckBox(tr("Receive OSC at")),
             tip=tr(
-                "Show what other programs send: /expression NAME 0..1, or the blend shapes of a face tracker (VMC)"
+                "Show expressions that other programs send: /expression NAME 0..1, or the blend shapes of a face "
+                "tracker (VMC)"
             ),
         )
         self.address = named(
             QLineEdit(),
-            tr("where expressions are listened for"),
-            tr("HOST:PORT at which other programs are heard, such as 127.0.0.1:39540"),
+            tr("Address for receiving expressions"),
+            tr("Address (HOST:PORT) at which messages of other programs are received, such as 127.0.0.1:39540"),
         )
         self.address.setPlaceholderText("HOST:PORT")
         self._lay_out(theme)
@@ -101,15 +108,17 @@ class ExpressionPanel(QWidget):
 
     def _lay_out(self, theme: Theme) -> None:
         shares = grid(across=5, down=3)
-        fill_columns(shares, [(label(tr(name)), self.sliders[name], self._percents[name]) for name in self.sliders])
+        fill_columns(
+            shares,
+            [(label(tr(name).capitalize()), self.sliders[name], self._percents[name]) for name in self.sliders],
+        )
         others = grid(across=8, down=4)
-        for line, widgets in enumerate(((self.file, self.recorded), (self.switch, self.address))):
-            for place, widget in enumerate(widgets):
-                others.addWidget(widget, line, place, 1, 2 - line if place else 1)
-        others.addWidget(self.state, 1, 2)
+        others.addWidget(self.file, 0, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
+        for place, widget in enumerate((self.switch, self.address, self.state)):
+            others.addWidget(widget, 1, place)
         others.setColumnStretch(1, 1)
         others.setColumnStretch(2, 1)
-        priority, held_back = label(tr("speech priority"), theme.faint), label(tr("held back"), theme.faint)
+        priority, held_back = label(tr("Speech priority"), theme.faint), label(tr("Reduced by speech"), theme.faint)
         column(
             row((heading(tr("Expression")), 1), self.neutral),
             shares,
@@ -149,13 +158,10 @@ class ExpressionPanel(QWidget):
             self.priority.setValue(round(100 * self._model.priority))
         self.neutral.setEnabled(any(self._model.shares.values()))
         path, heard = self._model.path, self._model.input
-        self.file.setText(tr("Recording…") if path is None else tr("No Recording"))
-        self.file.setToolTip(
-            tr(RECORDING)
-            if path is None
-            else tr("{path} is shown beside the speech; do without it").format(path=path)
-        )
-        self.recorded.setText("" if path is None else path.name)
+        if path is None:
+            named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load face capture…"))
+        else:
+            show_removable(self.file, path.name, tr("Remove the face capture {path}").format(path=path))
         with silent(self.switch):
             self.switch.setChecked(heard.on)
         if not self.address.hasFocus() or not self.address.isModified():
@@ -164,7 +170,7 @@ class ExpressionPanel(QWidget):
 
 
 def _slider(name: str) -> QSlider:
-    return slider_of_percent(name, f"{name[0].upper()}{name[1:]}")
+    return slider_of_percent(name, name)
 
 
 class OscPanel(QWidget):
@@ -175,22 +181,22 @@ class OscPanel(QWidget):
         self._osc = osc
         self._theme = theme
         self.switch = named(
-            QCheckBox(tr("Send the mouth (OSC) to")),
+            QCheckBox(tr("Send OSC to")),
             tip=tr(
-                "Send phonemes, mouth shapes and the weights of the movestates over the network, as OSC messages of "
-                "the VMC protocol, which VTuber programs understand"
+                "Send phonemes, mouth shapes and blend shape weights over the network, as OSC messages of the VMC "
+                "protocol that VTuber programs use"
             ),
         )
         self.address = named(
             QLineEdit(),
-            tr("receiver of the OSC messages"),
-            tr("HOST:PORT of the program that shall receive the mouth, such as 127.0.0.1:39539"),
+            tr("Receiver of the OSC messages"),
+            tr("Address (HOST:PORT) of the program that receives the messages, such as 127.0.0.1:39539"),
         )
         self.address.setPlaceholderText("HOST:PORT")
         self.table = choice(
             ((words, name) for name, words in osc.tables.items()),
-            tr("movestates that are sent"),
-            tr("The movestates of the avatar that receives them: those of the head’s table, or another set"),
+            tr("Blend shapes to send"),
+            tr("Set of blend shapes that the receiving avatar has: that of the head’s mouth table, or another one"),
         )
         self.state = QLabel()
         fields = grid(self, down=4)

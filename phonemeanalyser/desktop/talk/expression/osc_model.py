@@ -38,7 +38,7 @@ class OscModel(OscConnection):
 
     def __init__(self, clock: Callable[[], float]) -> None:
         super().__init__(USUAL_ADDRESS)
-        self.tables = {AS_THE_HEAD: tr("as the head"), **tables_by_movestates()}
+        self.tables = {AS_THE_HEAD: tr("Same as the head"), **tables_by_movestates()}
         self.table = AS_THE_HEAD
         self._clock = clock
         self._head_table = load_table(USUAL_TABLE)
@@ -61,13 +61,13 @@ class OscModel(OscConnection):
     def words(self) -> str:
         """What is going on, in words."""
         if not self.on:
-            return tr("off")
+            return tr("Off")
         if self._mouth is None:
-            return tr("looking for the receiver …")
+            return tr("Looking for the receiver…")
         if self._mouth.failure:
-            return tr("not reached")
+            return tr("Receiver not reached")
         n = f"{self._mouth.n_sent:,}".replace(",", " ")
-        return tr("sending, {n} packets").format(n=n)
+        return tr("Sending: {n} packets").format(n=n)
 
     def set_table(self, name: str) -> None:
         """Send the movestates of another set."""

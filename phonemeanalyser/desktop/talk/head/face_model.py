@@ -1,4 +1,4 @@
-"""Whose face it is, the program's own or a mesh of the user's; and a head that says with it what is heard."""
+"""Whose face it is, the program's own or a mesh of the user's; and a head that says with it what is playing."""
 
 from collections.abc import Mapping
 
@@ -60,7 +60,7 @@ class FaceModel(QObject):
     @property
     def name(self) -> str:
         """What the face is called."""
-        return self._shown.mesh.name if self._shown.mesh else tr("the program's own head")
+        return self._shown.mesh.name if self._shown.mesh else tr("Default head")
 
     @property
     def is_shipped(self) -> bool:
@@ -68,7 +68,7 @@ class FaceModel(QObject):
         return self._shown == FaceFiles()
 
     def wake(self) -> None:
-        """Load the face, now that somebody looks."""
+        """Load the face, now that it is in view."""
         if not self._asked:
             self.load(self.files)
 
@@ -149,7 +149,7 @@ class FaceModel(QObject):
 def _loaded(files: FaceFiles) -> MorphMesh:
     face = files.load()
     if not face.states:
-        sentence = tr("{mesh}: this mesh has no movestates; choose its .3dm file together with it")
+        sentence = tr("{mesh}: the mesh has no blend shapes; select its .3dm file together with it")
         raise MeshError(sentence.format(mesh=face.mesh.name))
     return face
 
@@ -169,7 +169,7 @@ class MovingHead:
     Attributes
     ----------
     face : that is moved.
-    performer : says what is heard.
+    performer : says what is playing.
     pose : how the head is turned.
     revision : another number whenever it looks different.
     caption : what moves it, in words; empty where that goes without saying.

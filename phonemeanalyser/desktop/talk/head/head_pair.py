@@ -26,7 +26,7 @@ class CaptionedHead(QWidget):
         super().__init__()
         self._head = head
         self.view = HeadView(head, theme)
-        self.caption = named(ElidedLabel(), tr("what moves the head"))
+        self.caption = named(ElidedLabel(), tr("Driver of the head"))
         self.caption.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.caption.setContentsMargins(6, 2, 6, 2)
         self.caption.setStyleSheet(f"background: {theme.base}")
@@ -35,7 +35,7 @@ class CaptionedHead(QWidget):
     def show_state(self) -> None:
         """Say what moves it."""
         self.caption.setText(tr_engine(self._head.caption))
-        self.caption.setToolTip("\n".join((self._head.caption, *self._head.notes)))
+        self.caption.setToolTip("\n".join((self.caption.text(), *self._head.notes)))
         self.caption.setVisible(bool(self._head.caption))
 
 
@@ -53,10 +53,10 @@ class HeadPair(QWidget):
         self._talking = talking
         self.main, self.beside = CaptionedHead(talking.head, theme), CaptionedHead(talking.beside, theme)
         row((self.main, 1), (self.beside, 1), on=self, spacing=1)
-        self.wireframe = named(QCheckBox(tr("wireframe")), tip=tr("Draw the edges of the mesh alone (W)"))
+        self.wireframe = named(QCheckBox(tr("Wireframe")), tip=tr("Draw only the edges of the mesh (W)"))
         self.light_left = spoken_button("☀ ◂", tr("Move the light to the left (,)"))
         self.light_right = spoken_button("▸", tr("Move the light to the right (.)"))
-        self.home = spoken_button("⌂", tr("Look at the whole head from the front (Home, or a double click)"))
+        self.home = spoken_button("⌂", tr("Show the whole head from the front (Home or double-click)"))
         self.looks = (self.wireframe, self.light_left, self.light_right, self.home)
         self._connect()
         self.main.view.looked.connect(lambda: self._look_alike(self.main.view, self.beside.view))

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QStackedLayout, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.head.face_model import MovingHead
 from phonemeanalyser.desktop.talk.head.head_surface import (
@@ -35,8 +36,8 @@ LIGHT_STEP, MOST_LIGHT = math.radians(15), math.radians(75)
 ARROWS = {Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, 1), Qt.Key.Key_Down: (0, -1)}
 ZOOMS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 HINT = tr_noop(
-    "Drag to go round the head, with Shift or the right button to move it; turn the wheel to come nearer. "
-    "By keys: arrows, + and −, Home to go back, W for the wireframe, comma and full stop for the light"
+    "Drag to orbit, Shift+drag or right-drag to pan, scroll to zoom. Keys: arrows orbit (with Shift, pan), + "
+    "and − zoom, Home resets the view, W toggles the wireframe, comma and full stop move the light"
 )
 
 
@@ -45,7 +46,7 @@ class HeadView(QWidget):
 
     Signals
     -------
-    looked : somebody looks at it in another way: camera, wireframe or light.
+    looked : the view has changed: camera, wireframe or light.
 
     Attributes
     ----------
@@ -70,7 +71,7 @@ class HeadView(QWidget):
         self._shown = -1
         self._from: QPointF | None = None
         self._pressed = QPointF()
-        self._message = QLabel(tr("loading the head …"))
+        self._message = QLabel(tr("Loading head…"))
         self._work = TaskQueue(self._give_up)
         self._lay_out(theme)
         self.menu = PlotMenu(self, "head", lambda _at: self._values())
@@ -226,7 +227,7 @@ class HeadView(QWidget):
         self.setMinimumSize(160, 160)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setToolTip(tr(HINT))
-        self.setAccessibleName(tr("the head"))
+        self.setAccessibleName(tr("Head"))
         self._message.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._message.setWordWrap(True)
         self._message.setMargin(16)
@@ -258,7 +259,7 @@ class HeadView(QWidget):
         self._give_up(sentence)
 
     def _give_up(self, sentence: str) -> None:
-        self.trouble = tr("The head cannot be shown: {sentence}.").format(sentence=sentence)
+        self.trouble = tr("The head cannot be shown: {sentence}.").format(sentence=tr_engine(sentence))
         self._message.setText(self.trouble)
         self._stack.setCurrentWidget(self._message)
 

@@ -39,8 +39,8 @@ class MovestateBars(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         self.setToolTip(
             tr(
-                "How far each movestate of the face is on now: of two sides, the left one above and the right one "
-                "below"
+                "Current weight of each blend shape of the face, in percent; of two sides in one row, the upper "
+                "bar is the left one"
             )
         )
         self.menu = PlotMenu(self, "movestates", lambda _at: self._values())

@@ -4,6 +4,7 @@ from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSizePolicy, QWidget
 
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
@@ -18,9 +19,9 @@ from phonemeengine.phonemes import Phoneme
 
 ROW, NAMES_WIDTH, LINE = 15, 46, 2
 MEANING = tr_noop(
-    "Attack: until the mouth has gone nine tenths of the way to the sound’s shape. Release: nine tenths of the way "
-    "back, when silence follows. They stand under [times] in the table: copy one from {tables}, change it, and "
-    "choose it as your own table."
+    "Attack: time in which the mouth covers 90 % of the way to the shape of a phoneme. Release: time in which "
+    "it covers 90 % of the way back when silence follows. To change them, copy a mouth table from {tables}, "
+    "edit its section [times], and load it."
 )
 
 
@@ -32,7 +33,7 @@ class TransitionTimesView(QWidget):
         self._talking = talking
         self._theme = theme
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(tr("attack and release of each sound"))
+        self.setAccessibleName(tr("Attack and release of each phoneme"))
         talking.changed.connect(self._show_times)
         self._show_times()
 
@@ -45,12 +46,12 @@ class TransitionTimesView(QWidget):
         painter = QPainter(self)
         set_size(painter, 11)
         width = (self.width() - NAMES_WIDTH) / len(SPEAKING)
-        for k, text in enumerate(("ms", tr("attack"), tr("release"))):
+        for k, text in enumerate(("ms", tr("Attack"), tr("Release"))):
             self._write(painter, k, 0, NAMES_WIDTH, text, self._theme.faint)
         for k, phoneme in enumerate(SPEAKING):
             left = NAMES_WIDTH + k * width
             painter.fillRect(QRectF(left + 1, ROW - LINE, width - 2, LINE), QColor(PHONEME_COLOURS[phoneme]))
-            for at, text in enumerate((phoneme.label, *self.milliseconds(phoneme))):
+            for at, text in enumerate((sound_name(phoneme), *self.milliseconds(phoneme))):
                 self._write(painter, at, left, width, text, self._theme.text)
 
     def milliseconds(self, phoneme: Phoneme) -> tuple[str, str]:
@@ -66,18 +67,26 @@ class TransitionTimesView(QWidget):
         painter.drawText(box, side | Qt.AlignmentFlag.AlignVCenter, shown)
 
     def _show_times(self) -> None:
-        rows = [f"{phoneme.label}: {tr(' and ').join(self.milliseconds(phoneme))} ms" for phoneme in SPEAKING]
+        words = tr("{phoneme}: attack {attack} ms, release {release} ms")
+        rows = []
+        for phoneme in SPEAKING:
+            attack, release = self.milliseconds(phoneme)
+            rows.append(words.format(phoneme=sound_name(phoneme), attack=attack, release=release))
         meaning = tr(MEANING).format(tables=TABLES)
         self.setToolTip(f"<p>{meaning}</p>" + "<br>".join(rows))
         self.update()
 
 
 DETAILS = {
-    Detail.PHONEMES: tr_noop("all phonemes"),
-    Detail.LOUDNESS: tr_noop("loudness only"),
-    Detail.TWO_STATES: tr_noop("open and shut"),
+    Detail.PHONEMES: tr_noop("All phonemes"),
+    Detail.LOUDNESS: tr_noop("Loudness only"),
+    Detail.TWO_STATES: tr_noop("Open and closed"),
 }
-OWN = tr_noop("own table …")
+TABLE_TIP = tr_noop("Table of the mouth shape of each phoneme, and of the blend shapes that form it")
+DETAIL_TIP = tr_noop("How closely the mouth follows the speech; distant faces need less detail")
+BLINKS_TIP = tr_noop("Blink at natural intervals")
+MOTION_TIP = tr_noop("Move the head with the pitch and loudness of the speech")
+OWN = tr_noop("Load mouth table…")
 FASTEST_PERCENT, SLOWEST_PERCENT, STEP_PERCENT = 10, 1000, 10
 
 WIDE = ElidedLabel | QComboBox | TransitionTimesView
@@ -102,25 +111,32 @@ class ChoicesPanel(QWidget):
         self._theme = theme
         self.face = ElidedLabel()
         self.own = tool_button(
-            tr("Own Mesh…"), tr("Show a mesh of your own (.obj, .glb, .gltf, .x), with its movestates (.3dm)")
+            tr("Load face…"), tr("Load a face mesh (.obj, .glb, .gltf, .x) with its blend shapes (.3dm)")
         )
-        self.shipped = tool_button(tr("Program’s Own"), tr("Show the head that ships with the program"))
+        self.shipped = tool_button(tr("Default head"), tr("Show the head that ships with the program"))
         self.table = choice(
-            (), tr("mouth table"), tr("Which mouth shape each phoneme has, and which movestates make it")
+            (),
+            tr("Mouth table"),
+            tr(TABLE_TIP),
         )
         self.detail = choice(
             ((tr(words), detail) for detail, words in DETAILS.items()),
-            tr("level of detail"),
-            tr("How much of the speech the mouth follows: faces that are far away need less"),
+            tr("Level of detail"),
+            tr(DETAIL_TIP),
         )
-        self.attack, self.release = _time_factor(tr("attack")), _time_factor(tr("release"))
+        self.attack = _time_factor(
+            tr("Attack time"),
+            tr("Length of all attacks: 100 % as in the mouth table; less is faster, more is slower"),
+        )
+        self.release = _time_factor(
+            tr("Release time"),
+            tr("Length of all releases: 100 % as in the mouth table; less is faster, more is slower"),
+        )
         self.times = TransitionTimesView(talking, theme)
-        self.blinks = named(QCheckBox(tr("blinks")), tip=tr("The eyes blink at human intervals"))
-        self.motion = named(
-            QCheckBox(tr("head motion")), tip=tr("The head moves with pitch and loudness of the voice")
-        )
+        self.blinks = named(QCheckBox(tr("Blinks")), tip=tr(BLINKS_TIP))
+        self.motion = named(QCheckBox(tr("Head motion")), tip=tr(MOTION_TIP))
         self.random = named(
-            QCheckBox(tr("randomness")), tip=tr("Shapes and times vary a little, as they do in people")
+            QCheckBox(tr("Random variation")), tip=tr("Vary mouth shapes and times slightly, as people do")
         )
         self._lay_out()
         self._connect()
@@ -130,13 +146,13 @@ class ChoicesPanel(QWidget):
         table = grid(self, across=8, down=5)
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
             (tr("Face"), (self.face, self.own, self.shipped)),
-            (tr("Table"), (self.table, label(tr("detail")), self.detail)),
+            (tr("Mouth table"), (self.table, label(tr("Detail")), self.detail)),
             (
-                tr("Times"),
-                (label(tr("attack")), self.attack, label(tr("release")), self.release, label(tr("of the table’s"))),
+                tr("Speed"),
+                (label(tr("Attack time")), self.attack, label(tr("Release time")), self.release),
             ),
             ("", (self.times,)),
-            (tr("Life"), (self.blinks, self.motion, self.random)),
+            (tr("Idle motion"), (self.blinks, self.motion, self.random)),
         )
         for number, (name, widgets) in enumerate(rows):
             table.addWidget(label(name, self._theme.faint), number, 0)
@@ -192,7 +208,5 @@ class ChoicesPanel(QWidget):
         )
 
 
-def _time_factor(what: str) -> NumberField:
-    tip = tr("How long every {what} is: 100 % as the table has it, less is faster, more is slower").format(what=what)
-    field = NumberField(FASTEST_PERCENT, SLOWEST_PERCENT, step=STEP_PERCENT, unit=" %", waits=True)
-    return named(field, tr("how long every {what} is").format(what=what), tip)
+def _time_factor(name: str, tip: str) -> NumberField:
+    return named(NumberField(FASTEST_PERCENT, SLOWEST_PERCENT, step=STEP_PERCENT, unit=" %", waits=True), name, tip)

@@ -6,6 +6,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QSlider, QToolButton, QWidget
 
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.talk.model import TalkModel
@@ -27,10 +28,10 @@ from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import MouthTable
 
 MODES = {
-    Mode.NONE: tr_noop("others stay"),
-    Mode.RESET: tr_noop("others to 0"),
-    Mode.FORCE_RESET: tr_noop("others and blinks to 0"),
-    Mode.INTERACT: tr_noop("others share 100 %"),
+    Mode.NONE: tr_noop("Keep others"),
+    Mode.RESET: tr_noop("Set others to 0"),
+    Mode.FORCE_RESET: tr_noop("Set others and blinks to 0"),
+    Mode.INTERACT: tr_noop("Normalise to 100 %"),
 }
 PERCENT_WIDTH = 40
 
@@ -46,10 +47,11 @@ class VisemeButton(QToolButton):
         self.setFixedHeight(22)
         self.setMinimumWidth(122)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(tr("hold the mouth shape {shape}").format(shape=shape))
-        held = tr("Hold this to see the mouth shape {shape}, whatever is said")
-        by_key = tr("Hold this, or the key {keys}, to see the mouth shape {shape}, whatever is said")
-        self.setToolTip((by_key if keys else held).format(keys=tr(" or ").join(keys), shape=shape))
+        shown = sound_name(shape)
+        self.setAccessibleName(tr("Hold the mouth shape {shape}").format(shape=shown))
+        held = tr("Hold to show the mouth shape {shape} instead of the speech")
+        by_key = tr("Hold to show the mouth shape {shape} instead of the speech (keys: {keys})")
+        self.setToolTip((by_key if keys else held).format(keys=", ".join(keys), shape=shown))
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint the shape's name at the left, and its keys at the right."""
@@ -61,7 +63,7 @@ class VisemeButton(QToolButton):
         painter.drawRoundedRect(box, 3, 3)
         inner = box.adjusted(6, 0, -6, 0)
         painter.setPen(QColor(self._theme.on_colour if down else self._theme.text))
-        painter.drawText(inner, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, self.shape)
+        painter.drawText(inner, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, sound_name(self.shape))
         set_size(painter, 10)
         painter.setPen(QColor(self._theme.on_colour if down else self._theme.faint))
         painter.drawText(inner, Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter, self._keys)
@@ -85,17 +87,15 @@ class VisemePanel(QWidget):
         self._percents: dict[str, QLabel] = {}
         self.mode = choice(
             ((tr(words), mode.value) for mode, words in MODES.items()),
-            tr("what becomes of everything else when a slider is pulled"),
+            tr("Effect of a slider on everything else"),
             tr(
-                "What becomes of the speech, of the other shapes and of blinks when a slider asks for a shape: all "
-                "stay, and movements add up; all but blinks go to 0; blinks as well; or first the speech and then "
-                "other shapes shrink, so that all are 100 % at most. Keys and buttons set all but blinks to 0 while "
-                "they are held"
+                "What happens to the speech, the other mouth shapes and blinks while a slider is above 0: they "
+                "stay, and all movements add up; all but blinks go to 0; blinks go to 0, too; or first the "
+                "speech, then the other shapes are reduced until the sum is 100 % at most. Keys and buttons set "
+                "everything but blinks to 0 while they are held"
             ),
         )
-        self.leave = tool_button(
-            tr("Leave It to the Speech"), tr("Set all sliders back to 0"), act=talking.clear_visemes
-        )
+        self.leave = tool_button(tr("Reset to speech"), tr("Set all sliders to 0"), act=talking.clear_visemes)
         self._body = QWidget()
         head = row((heading(tr("Mouth shapes")), 1), self.mode, self.leave)
         self._column = column(head, self._body, on=self, spacing=4)
@@ -128,9 +128,10 @@ class VisemePanel(QWidget):
         button = self.buttons[shape] = VisemeButton(shape, keys, self._theme)
         button.pressed.connect(lambda: talking.hold(shape))
         button.released.connect(talking.release)
-        tip = tr("How far the mouth takes the shape {shape}; with all at 0 it is left to the speech")
-        name = tr("share of the mouth shape {shape}")
-        slider = self.sliders[shape] = slider_of_percent(name.format(shape=shape), tip.format(shape=shape))
+        shown = sound_name(shape)
+        tip = tr("Weight of the mouth shape {shape}; with all weights at 0, speech alone moves the mouth")
+        name = tr("Weight of the mouth shape {shape}")
+        slider = self.sliders[shape] = slider_of_percent(name.format(shape=shown), tip.format(shape=shown))
         slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
         self._percents[shape] = label(width=PERCENT_WIDTH)
         return button, slider, self._percents[shape]

@@ -36,7 +36,7 @@ class ScriptedSound:
     Attributes
     ----------
     sound : the file.
-    channel : what is heard of it.
+    channel : which channel of it is analysed.
     preset : what to recognise with.
     text, language : what is said in it; the language as `languages` has it.
     lexicon : goes before the language's voice, where there is one.
@@ -82,7 +82,7 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
     Raises
     ------
     EngineError : the sound cannot be read, or there is nothing to say in the text.
-    Cancelled : nobody wants it any more.
+    Cancelled : it is not wanted any more.
     """
     if script.timed:
         words = timed_words_of(script.timed, script.language, script.lexicon)
@@ -121,7 +121,10 @@ def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path)
     """
     labels = path.with_suffix(LABELS)
     if labels.is_file() and not (path.is_file() and is_own(labels, textgrid.owns)):
-        words = tr("{labels}: it is beside the sound and would be replaced; choose another name for the sound")
+        words = tr(
+            "{labels}: this file exists beside the audio file and would be overwritten; choose another "
+            "name for the audio file"
+        )
         raise AudioError(words.format(labels=printable_name(labels)))
     try:
         with atomic_write(path) as file:

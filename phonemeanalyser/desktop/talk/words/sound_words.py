@@ -1,4 +1,4 @@
-"""What is said: the words of the sound file in hand, and those of a text while a voice speaks it."""
+"""What is said: the words of the current sound file, and those of a text while a voice speaks it."""
 
 from collections import deque
 from collections.abc import Iterator
@@ -8,11 +8,19 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import KEPT, SentenceTrack, SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
+
+POOR = 1.2
+"""A word whose score is above it fits badly: of those that are said as they are written, one in ten."""
+
+
+def fits_badly(word: Word) -> bool:
+    """Return whether a word should be looked at: it fits the sound badly, or stands in no script."""
+    return word.text == UNKNOWN_WORD or (word.score is not None and word.score > POOR)
 
 
 @dataclass(frozen=True)
@@ -21,7 +29,7 @@ class KnownWords:
 
     Attributes
     ----------
-    utterance : what is said when; None where nobody knows.
+    utterance : what is said when; None where it is unknown.
     by_hand : whether the user moved anything in it.
     """
 
@@ -30,7 +38,7 @@ class KnownWords:
 
 
 class WordsEdit(QUndoCommand):
-    """Other words, or times, of a sound; of no use once another sound is in hand.
+    """Other words, or times, of a sound; of no use once another sound is open.
 
     Parameters
     ----------
@@ -85,7 +93,7 @@ class SoundWords(QObject):
 
     @property
     def utterance(self) -> Utterance | None:
-        """What is said in the sound; None where nobody knows."""
+        """What is said in the sound; None where it is unknown."""
         return self.known.utterance
 
     @property
@@ -94,13 +102,13 @@ class SoundWords(QObject):
         return self.known.by_hand and self.utterance is not self._saved
 
     def is_of(self, sound: Path | None, duration: float) -> bool:
-        """Return whether they are known, and those of a sound of so many seconds, in any of its channels."""
+        """Return whether they are known, and those of a sound of a given length, in any of its channels."""
         if sound != self.sound or self.utterance is None:
             return False
         return abs(self.utterance.duration - duration) < 1 / SAMPLE_RATE
 
     def follow(self, sound: Path | None) -> None:
-        """Forget all words, since another sound is in hand."""
+        """Forget all words, since another sound is open."""
         self.sound, self.known = sound, KnownWords()
 
     def put(self, known: KnownWords) -> None:
@@ -122,7 +130,7 @@ ROUNDING = 1e-6
 
 
 class RunningSpeech:
-    """Follows speech that is still being made, and forgets what was heard long ago.
+    """Follows speech that is still being made, and forgets what was played long ago.
 
     Parameters
     ----------
@@ -154,7 +162,7 @@ class RunningSpeech:
 
         Parameters
         ----------
-        position : seconds of the sound that were heard.
+        position : seconds of the sound that were played.
         """
         n = len(self._tracks)
         while track := self.speech.track_at(self._tracks[-1].end + ROUNDING if self._tracks else 0.0):

@@ -1,4 +1,4 @@
-"""The words of the sound in hand: from labels beside it, from a script that is aligned with it, or from a voice."""
+"""The words of the current sound: from labels beside it, from a script that is aligned with it, or from a voice."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -24,7 +24,7 @@ from phonemeanalyser.desktop.talk.words.scripts import (
     words_in,
     write_speech,
 )
-from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords, fits_badly
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
@@ -33,7 +33,7 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress
 from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord
-from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, Word, with_boundary
+from phonemeengine.labels.utterance import LabelUnit, Utterance, with_boundary
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.performance.driver import UsedUnit
@@ -45,14 +45,7 @@ from phonemeengine.storage.files import printable
 from phonemeengine.text import mandarin
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
 
-POOR = 1.2
-"""A word whose score is above it fits badly: of those that are said as they are written, one in ten."""
 SHOWN_WORDS = 8
-
-
-def fits_badly(word: Word) -> bool:
-    """Return whether a word should be looked at: it fits the sound badly, or stands in no script."""
-    return word.text == UNKNOWN_WORD or (word.score is not None and word.score > POOR)
 
 
 @dataclass(frozen=True)
@@ -70,7 +63,7 @@ class TextTools:
 
 
 class TextModel(QObject):
-    """Knows what is said in the sound in hand, and has texts aligned and spoken; `tick` follows what is spoken.
+    """Knows what is said in the current sound, and has texts aligned and spoken; `tick` follows what is spoken.
 
     Signals
     -------
@@ -85,12 +78,12 @@ class TextModel(QObject):
     voice : who speaks.
     drivers : by what the mouth moves.
     original : plays what a unit of a recorded face is from.
-    words : of the sound file in hand.
-    known : what is said in the sound in hand; None where that is not known.
-    text : the script of the sound in hand, or what is to be spoken.
+    words : of the current sound file.
+    known : what is said in the current sound; None where that is not known.
+    text : the script of the current sound, or what is to be spoken.
     language : of the text; empty where none is chosen.
     lexicon_path : goes before the language's voice; None for none.
-    speakers : whom the script of the sound in hand tells apart.
+    speakers : the speakers of the script of the current sound.
     speaker : the one whose words are taken; empty where none is chosen.
     literal : whether the notation of scripts is taken as words, too.
     refused : what was not aligned, since another text seems to be said; None where there is nothing.
@@ -144,13 +137,13 @@ class TextModel(QObject):
 
     @property
     def utterance(self) -> Utterance | None:
-        """What is said in the sound in hand; None where nothing is known of it."""
+        """What is said in the current sound; None where nothing is known of it."""
         if self.editable:
             return self.words.utterance
         return None if self._speech is None else self._speech.utterance
 
     def outline_in(self, seen: TimeSpan, n_columns: int) -> Peaks | None:
-        """Return the waveform of a part of the sound in hand in so many columns, as far as it is known."""
+        """Return the waveform of a part of the current sound, a point for each column, as far as it is known."""
         peaks: WaveformPeaks | None = None
         if self.editable and self._session.whole.tracks is not None:
             peaks = self._session.whole.tracks.peaks
@@ -177,7 +170,7 @@ class TextModel(QObject):
         """How far the work is, in words; nothing where there is none."""
         if self.busy:
             return f"{self._work.progress:.0%}"
-        return tr("saving the spoken text …") if self._saving.busy else self.drivers.performance.progress
+        return tr("Saving spoken text…") if self._saving.busy else self.drivers.performance.progress
 
     @property
     def summary(self) -> str:
@@ -189,11 +182,11 @@ class TextModel(QObject):
         said = tr_count("{n} word", "{n} words", n)
         if not self.editable:
             return tr("{said}; boundaries fixed by the voice").format(said=said)
-        return f"{said}, " + tr_count("{n} fits badly", "{n} fit badly", n_bad) if n_bad else said
+        return f"{said}, " + tr_count("{n} poor match", "{n} poor matches", n_bad) if n_bad else said
 
     @property
     def to_say(self) -> TextToSay | None:
-        """The text, where a voice says it and no sound file is in hand."""
+        """The text, where a voice says it and no sound file is open."""
         if self._session.source.kind is not SourceKind.TEXT or not self.text.strip():
             return None
         text, language, voice = self.text, self._language_of_text, self._voice
@@ -229,10 +222,10 @@ class TextModel(QObject):
             )
 
     def open_script(self, path: Path, speaker: str | None = None) -> None:
-        """Take the text, or the words with their times, of a script for the sound in hand; in the background."""
+        """Take the text, or the words with their times, of a script for the current sound; in the background."""
         sound, duration = self._session.source.path, self._session.source.duration
         if sound is None:
-            self.error.emit(tr("There is no sound file in hand; open the recording of this script, then the script."))
+            self.error.emit(tr("No audio file is open; open the recording of this script first, then the script."))
             return
         self._looking.replace(
             lambda _progress: words_in(path, sound, duration, speaker),
@@ -248,12 +241,12 @@ class TextModel(QObject):
     # -- what is done -------------------------------------------------------------------------------------
 
     def align(self) -> None:
-        """Find the words of the text in the sound in hand, in the background; or end that."""
+        """Find the words of the text in the current sound, in the background; or end that."""
         session, sound = self._session, self._session.source.path
         if self.busy:
             self._work.cancel()
         elif sound is None:
-            self.error.emit(tr("There is no sound file in hand; open the recording of this text, then align."))
+            self.error.emit(tr("No audio file is open; open the recording of this text first, then align."))
         elif self._may_read():
             self._align(
                 ScriptedSound(
@@ -294,9 +287,9 @@ class TextModel(QObject):
             )
 
     def save_words(self, path: Path) -> bool:
-        """Write the words of the sound file in hand as a TextGrid; says whether that went well."""
+        """Write the words of the current sound file as a TextGrid; says whether that went well."""
         if self.words.utterance is None:
-            self.error.emit(tr("There are no words to save; open a sound and align its text."))
+            self.error.emit(tr("There are no words to save; open an audio file and align its text first."))
             return False
         try:
             write_text(format_utterance(self.words.utterance), path)
@@ -317,7 +310,7 @@ class TextModel(QObject):
             self.error.emit(str(error))
             self.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
         else:
-            self.words.edit(moved, tr("boundary of a {unit}").format(unit=tr(unit.value)), by_hand=True)
+            self.words.edit(moved, tr("move of a boundary ({unit})").format(unit=tr(unit.value)), by_hand=True)
 
     def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
         """Play what a unit of the face was taken from, or the whole recording."""
@@ -326,11 +319,11 @@ class TextModel(QObject):
             self.original.play(table, unit, whole=whole)
 
     def play(self, start: float, end: float) -> None:
-        """Play a stretch of the sound in hand, in seconds; it stands at the stretch's beginning afterwards."""
+        """Play a segment of the current sound, in seconds; it stands at the segment's beginning afterwards."""
         self._session.play_stretch(TimeSpan(start, end))
 
     def follow_sound(self) -> None:
-        """Look what is known of the sound in hand, since another one is in hand now."""
+        """Look what is known of the current sound, since another one is open now."""
         session = self._session
         if session.source.kind is not SourceKind.TEXT:
             self._speech = None
@@ -377,9 +370,9 @@ class TextModel(QObject):
     def _may_read(self, *, by_voice: bool = False) -> bool:
         """Return whether there is a text and its language; say so if not."""
         if not self.text.strip():
-            self.error.emit(tr("There is no text; write what is said into the field below the head."))
+            self.error.emit(tr("There is no text; type it into the field below the head."))
         elif not self._language_of_text and not (by_voice and self.voice.choice.by_program):
-            self.error.emit(tr("The language of a text is not guessed; choose it below the text."))
+            self.error.emit(tr("The language isn’t set, and it isn’t detected; choose it below the text."))
         else:
             self.error.emit("")  # what was wrong before is right now
             return True
@@ -400,7 +393,7 @@ class TextModel(QObject):
             self.speaker = ""
         self.speakers, self._script = found.speakers, found.script
         if len(found.speakers) > 1 and not self.speaker:
-            self.info.emit(tr("Several people speak in these labels; choose the speaker below the text."))
+            self.info.emit(tr("These labels have several speakers; choose one below the text."))
         if found.text:
             self._timed, self._timed_text = found.timed, found.text
             self.set_text(found.text)
@@ -413,7 +406,7 @@ class TextModel(QObject):
             return
         self.error.emit("")
         if found.utterance is not None:
-            self.words.edit(found.utterance, tr("script"), by_hand=False)
+            self.words.edit(found.utterance, tr("loading of a script"), by_hand=False)
             words = " ".join(word.text for word in found.utterance.words if word.text)
             found = replace(found, text=found.text or words)
         self._take_found(sound, found)
@@ -424,17 +417,19 @@ class TextModel(QObject):
             return
         if is_other_text(found) and not script.accepted:
             self.refused = script
-            sentence = tr(
-                "Another text seems to be said in this sound; check the text and its language, or align anyway."
-            )
+            sentence = tr("The recording doesn’t match this text; check the text and its language, or align anyway.")
             self.error.emit(sentence)
             self.changed.emit()
             return
         if found.skipped:
             words = " ".join(printable(word) for word in found.skipped[:SHOWN_WORDS])
             more = len(found.skipped) - SHOWN_WORDS
-            words += " " + tr("and {n} more words").format(n=more) if more > 0 else ""
-            self.info.emit(tr("Nobody says: {words}.").format(words=words))
+            told = (
+                tr("Not spoken in the recording: {words} and {n} more words.")
+                if more > 0
+                else tr("Not spoken in the recording: {words}.")
+            )
+            self.info.emit(told.format(words=words, n=more))
         self.words.edit(found, tr("alignment"), by_hand=False)
 
     @property
@@ -486,7 +481,7 @@ class TextModel(QObject):
         self.changed.emit()
 
     def _known_of_file(self, utterance: Utterance | None) -> tuple[Utterance | None, str, MeasuredSound | None]:
-        """Return what is said in the sound file in hand, how it is written, and the file."""
+        """Return what is said in the current sound file, how it is written, and the file."""
         session, path = self._session, self.words.sound
         if utterance is None or path is None:
             return None, "", None

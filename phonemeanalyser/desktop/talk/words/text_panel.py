@@ -1,4 +1,4 @@
-"""The text below the head: what is said in the sound in hand, or what a voice is to say."""
+"""The text below the head: what is said in the current sound, or what a voice is to say."""
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QTextCursor
@@ -11,24 +11,40 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
 from phonemeanalyser.desktop.talk.words.words_view import WordsTimeline
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import choice, column, named, offer, row, silent, spoken_button
+from phonemeanalyser.desktop.widgets.builders import (
+    choice,
+    column,
+    named,
+    offer,
+    row,
+    show_removable,
+    silent,
+    spoken_button,
+)
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 N_LINES = 2
-NO_LANGUAGE = tr_noop("language?")
+NARROWEST = 90
+"""Of the choice of a language, pixels, where the window is small."""
+NO_LANGUAGE = tr_noop("Choose language…")
 NO_SPEAKER = tr_noop("Choose speaker…")
 INVITATION = tr_noop(
-    "What is said, or is to be said: Ctrl+Return says it, Ctrl+Shift+Return aligns it with the sound"
+    "Text of the recording, or text to speak: Ctrl+Return speaks it, Ctrl+Shift+Return aligns it with the recording"
 )
 
 NOTATION = tr_noop(
-    "Take speakers’ names, [directions], *emphasis*, <tags> and &entities; of a script as words; otherwise they are "
-    "not spoken"
+    "Read names of speakers, [directions], *emphasis*, <tags> and &entities; in a script as words; otherwise "
+    "they are left out"
 )
-EDITABLE = tr_noop("Click a word to hear it; drag a boundary; the wheel zooms at the pointer, a drag scrolls")
+LEXICON = tr_noop(
+    "Load a file with the pronunciation of words; other words are pronounced by the rules of the language"
+)
+EDITABLE = tr_noop(
+    "Click a word to play it, drag a boundary to move it; the wheel zooms at the pointer, dragging scrolls"
+)
 FIXED = tr_noop(
-    "Click a word to hear it; the wheel zooms at the pointer, a drag scrolls. The times are the voice’s own: to move "
-    "boundaries, save the spoken text and open that"
+    "Click a word to play it; the wheel zooms at the pointer, dragging scrolls. The voice sets the "
+    "boundaries: to move them, save the spoken text and open that file"
 )
 
 
@@ -47,7 +63,7 @@ class TextField(QPlainTextEdit):
         super().__init__()
         self.setTabChangesFocus(True)
         self.setPlaceholderText(tr(INVITATION))
-        self.setAccessibleName(tr("text"))
+        self.setAccessibleName(tr("Text"))
         self.setFixedHeight(self.sizeHint().height())
 
     def sizeHint(self) -> QSize:
@@ -92,25 +108,33 @@ class TextPanel(QWidget):
         self._talking, self._texts = talking, talking.text
         self.field = TextField()
         self.script = spoken_button(
-            tr("Script…"), tr("Open the words of the sound: a text, a TextGrid, or JSON with times of words")
+            tr("Script…"), tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times")
         )
-        self.speaker = choice((), tr("speaker"), tr("Whose words of the labels are taken"))
-        self.language = choice((), tr("language of the text"), tr("The language of the text, which is not guessed"))
+        self.speaker = choice((), tr("Speaker"), tr("Speaker whose words are read from the labels"))
+        self.language = choice(
+            (), tr("Language of the text"), tr("Language of the text, which isn’t detected automatically")
+        )
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.language.setMinimumWidth(NARROWEST)
         self.voice = VoiceButton(self._texts.voice, self._texts.drivers, theme)
         self.lexicon = spoken_button(
-            tr("Lexicon…"), tr("A file that says how words are pronounced; without one, the voice knows")
+            tr("Lexicon…"),
+            tr(
+                "Load a file with the pronunciation of words; other words are pronounced by the rules of the language"
+            ),
         )
         self.literal = named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
-        self.align = spoken_button(tr("Align"), tr("Find the words of the text in the sound (Ctrl+Shift+Return)"))
+        self.align = spoken_button(tr("Align"), tr("Find the words of the text in the recording (Ctrl+Shift+Return)"))
         self.anyway = spoken_button(
-            tr("Align Anyway"), tr("The text is right: find its words, though another text seems to be said")
+            tr("Align anyway"), tr("Align the text, though it doesn’t seem to match the recording")
         )
-        self.refusal = ElidedLabel(tr("The recording doesn’t seem to match this text."))
-        self.say = spoken_button(tr("Say"), tr("Have a voice say the text (Ctrl+Return); Escape stops it"))
+        self.refusal = ElidedLabel(tr("The recording doesn’t match this text."))
+        self.say = spoken_button(
+            tr("Speak"), tr("Speak the text with a synthetic voice (Ctrl+Return); Escape stops it")
+        )
         self.state = ElidedLabel()
         self.lanes = WordsTimeline(self._texts, theme)
-        self.whole = spoken_button(tr("all"), tr("See the whole sound"), self.lanes.show_whole)
+        self.whole = spoken_button(tr("Fit all"), tr("Zoom to the whole length"), self.lanes.show_whole)
         self._lay_out()
         self._connect()
         self._show_state()
@@ -199,11 +223,10 @@ class TextPanel(QWidget):
 
     def _show_lexicon(self) -> None:
         path = self._texts.lexicon_path
-        self.lexicon.setText(tr("Lexicon…") if path is None else tr("No Lexicon"))
-        tip = tr("A file that says how words are pronounced; without one, the voice knows")
-        self.lexicon.setToolTip(
-            tip if path is None else tr("{path} says how words are pronounced; do without it").format(path=path)
-        )
+        if path is None:
+            named(self.lexicon, tr(LEXICON), tr(LEXICON)).setText(tr("Lexicon…"))
+        else:
+            show_removable(self.lexicon, path.name, tr("Remove the lexicon {path}").format(path=path))
 
 
 def _short(name: str) -> str:

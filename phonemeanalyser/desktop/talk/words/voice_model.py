@@ -60,7 +60,7 @@ def installed() -> Installed:
 
 
 def warm_up() -> None:
-    """Load what reads Chinese, which takes half a second; who has it not is told when he needs it."""
+    """Load what reads Chinese, which takes half a second; where it is missing, that is said when it is needed."""
     with suppress(VoiceError):
         mandarin.pinyin_of("好")
 

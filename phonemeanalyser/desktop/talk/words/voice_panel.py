@@ -4,6 +4,7 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFormLayout, QFrame, QLineEdit, QToolButton, QWidget
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, SLOWEST, VoiceModel
@@ -15,25 +16,19 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.speech.program import OUTPUT, TEXT
 
 WIDTH = 420
-OWN_VOICE, OWN_PROGRAM = tr_noop("the language’s own"), tr_noop("a program of your own")
-KINDS = {"m": tr_noop("man"), "f": tr_noop("woman")}
+OWN_VOICE, OWN_PROGRAM = tr_noop("Default voice of the language"), tr_noop("External program")
+KINDS = {"m": tr_noop("male"), "f": tr_noop("female")}
 """What the voices are that are a letter and a number."""
-DRIVERS = {
-    FaceDriver.AUTO: tr_noop("automatic: recorded faces, pinyin, sounds"),
-    FaceDriver.PINYIN: FaceDriver.PINYIN.caption,
-    FaceDriver.TABLE: tr_noop("a table of recorded faces"),
-    FaceDriver.RULES: FaceDriver.RULES.caption,
-}
 CHOICES = {
-    ExampleChoice.VITERBI: tr_noop("those that fit and join best (Viterbi)"),
-    ExampleChoice.NEAREST: tr_noop("those of the nearest duration"),
-    ExampleChoice.BAND: tr_noop("any within 15 % of the duration"),
-    ExampleChoice.RANDOM: tr_noop("any"),
+    ExampleChoice.VITERBI: tr_noop("Best fit and joins (Viterbi)"),
+    ExampleChoice.NEAREST: tr_noop("Nearest duration"),
+    ExampleChoice.BAND: tr_noop("Random within 15 % of the duration"),
+    ExampleChoice.RANDOM: tr_noop("Random"),
 }
-NO_TABLE, OTHER_TABLE = tr_noop("none"), tr_noop("open a table…")
+NO_TABLE, OTHER_TABLE = tr_noop("None"), tr_noop("Open table…")
 MEANING = tr_noop(
-    "{output} is the WAV file that it shall write, {text} the text; without {text}, the program reads the text from "
-    "its standard input. A TextGrid that it writes beside the sound tells the times."
+    "{output} stands for the WAV file to write, {text} for the text; without {text}, the program reads the "
+    "text from standard input. If it writes a TextGrid beside the WAV file, its times are used."
 )
 EXAMPLE = f"my-voice --file {OUTPUT} {TEXT}"
 
@@ -53,32 +48,40 @@ class VoicePanel(QFrame):
         self._voice, self._drivers, self._button = voice, drivers, button
         self.setObjectName("voice")
         self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
-        self.setAccessibleName(tr("voice"))
+        self.setAccessibleName(tr("Voice"))
         self.name = choice(
-            (), tr("voice"), tr("Who says the text: a voice of espeak-ng, or a text-to-speech program of your own")
+            (), tr("Voice"), tr("Voice that speaks the text: one of espeak-ng, or an external text-to-speech program")
         )
         self.rate = named(
             NumberField(SLOWEST, FASTEST, decimals=1, step=0.1, unit=" " + tr("syllables/s"), waits=True),
-            tr("rate"),
-            tr("How fast a voice of espeak-ng speaks: people say four to five syllables a second"),
+            tr("Speech rate"),
+            tr("Speech rate of the voices of espeak-ng; people speak four to five syllables a second"),
         )
         self.driver = choice(
-            ((tr(words), driver) for driver, words in DRIVERS.items()),
-            tr("what moves the mouth"),
-            tr("By what the mouth moves where the words are known, of a voice or of a recording"),
+            ((tr(driver.caption), driver) for driver in FaceDriver),
+            tr("Driven by"),
+            tr(
+                "What moves the mouth where the words are known, from a voice or a recording. Automatic: recorded "
+                "faces if a table is open, pinyin letters for Chinese, else phonemes"
+            ),
         )
         self.table = choice(
             (),
-            tr("table of recorded faces"),
-            tr("Recorded faces that say new sentences: `phonemeanalyser performance build` makes one"),
+            tr("Table of recorded faces"),
+            tr(
+                "Table of recorded faces whose motion is used for new sentences; `phonemeanalyser performance "
+                "build` makes one"
+            ),
         )
         self.choice = choice(
             ((tr(words), kind) for kind, words in CHOICES.items()),
-            tr("choice among recordings"),
-            tr("Which of several recordings of the same sounds are taken"),
+            tr("Unit selection"),
+            tr("Which recording is used where several have the same phones"),
         )
         self.program = named(
-            QLineEdit(), tr("command"), tr("The command that speaks, such as: {example}").format(example=EXAMPLE)
+            QLineEdit(),
+            tr("Command"),
+            tr("Command of the external program, such as: {example}").format(example=EXAMPLE),
         )
         self.program.setPlaceholderText(EXAMPLE)
         self._hint = label(tr(MEANING).format(output=OUTPUT, text=TEXT), theme.faint, wraps=True)
@@ -132,12 +135,12 @@ class VoicePanel(QFrame):
         self._rows.setContentsMargins(10, 10, 10, 10)
         for words, widget in (
             (tr("Voice"), self.name),
-            (tr("Rate", "of speech"), self.rate),
+            (tr("Speech rate"), self.rate),
             (tr("Command"), self.program),
             ("", self._hint),
-            (tr("Mouth moves by"), self.driver),
+            (tr("Driven by"), self.driver),
             (tr("Recorded faces"), self.table),
-            (tr("Of several, take"), self.choice),
+            (tr("Unit selection"), self.choice),
         ):
             self._rows.addRow(words, widget)
         self.setFixedWidth(WIDTH)
@@ -172,7 +175,7 @@ class VoicePanel(QFrame):
     def _show_tables(self) -> None:
         """List the tables that were opened; those of synthetic performers are named so."""
         performance = self._drivers.performance
-        tables = [(about.title, path) for path, about in performance.tables.items()]
+        tables = [(tr_engine(about.title), path) for path, about in performance.tables.items()]
         offer(self.table, [(tr(NO_TABLE), None), *tables, (tr(OTHER_TABLE), OTHER_TABLE)], performance.chosen)
         self.choice.setCurrentIndex(self.choice.findData(performance.choice))
         self._rows.setRowVisible(self.choice, performance.chosen is not None)
@@ -202,7 +205,7 @@ class VoiceButton(QToolButton):
         self._voice, self._drivers = voice, drivers
         self.panel = VoicePanel(voice, drivers, theme, self)
         self.setText(tr("Voice && Face…"))
-        self.setAccessibleName(tr("voice, rate and mouth of a spoken text"))
+        self.setAccessibleName(tr("Voice, speech rate, and driver of the mouth"))
         self.clicked.connect(lambda _checked: self.panel.show_beside())
         for part in (voice, drivers):
             part.changed.connect(self._show_state)
@@ -213,15 +216,15 @@ class VoiceButton(QToolButton):
         who = (
             tr(OWN_PROGRAM)
             if choice.by_program
-            else tr("{name}, {rate:g} syllables a second").format(name=choice.name or tr(OWN_VOICE), rate=choice.rate)
+            else tr("{name}, {rate:g} syllables/s").format(name=choice.name or tr(OWN_VOICE), rate=choice.rate)
         )
         moved = (
             self._drivers.performance.name
             if self._drivers.main is FaceDriver.TABLE
-            else tr(DRIVERS[self._drivers.main])
+            else tr(self._drivers.main.caption)
         )
         self.setToolTip(
-            tr("Who says the text, how fast, and what moves the mouth (now: {who}; {moved})").format(
+            tr("Choose the voice, its speech rate, and what moves the mouth (now: {who}; {moved})").format(
                 who=who, moved=moved
             )
         )

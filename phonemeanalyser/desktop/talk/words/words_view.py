@@ -5,9 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 from PySide6.QtGui import QColor
 
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.talk.words.text_model import TextModel, fits_badly
+from phonemeanalyser.desktop.talk.words.sound_words import fits_badly
+from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.lanes import Lane
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
@@ -20,8 +22,8 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.timing import PlanKind, PlanRow
 from phonemeengine.speech.pinyin.track import PinyinTrack
 
-NAMES = (tr_noop("words"), tr_noop("syllables"), tr_noop("phones"))
-LETTERS, PERFORMED = tr_noop("letters"), tr_noop("units")
+NAMES = (tr_noop("Words"), tr_noop("Syllables"), tr_noop("Phones"))
+LETTERS, PERFORMED = tr_noop("Letters"), tr_noop("Units")
 UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
@@ -37,7 +39,7 @@ UNIT_COLOURS = {
     UnitKind.LEFT_HALF: "#7d3a6e",
 }
 """Of the sets, from the longest units to the shortest."""
-HEARD = tr_noop("Click to hear and see it as it was recorded, twice for the whole recording")
+HEARD = tr_noop("Click to play the original with its face, double-click for the whole recording.")
 SEEN = 4.0
 """Seconds of a longer sound that are seen at first."""
 SHADE = 130
@@ -45,7 +47,7 @@ SHADE = 130
 
 
 class WordsTimeline(TimelineView):
-    """The lanes of what is said in the sound in hand, its waveform and its times, with their scroll bar.
+    """The lanes of what is said in the current sound, its waveform and its times, with their scroll bar.
 
     A click plays a word, a syllable or a phone, or what a unit of a recorded face was taken from, and a double click
     all of its recording; a boundary can be dragged.
@@ -59,7 +61,7 @@ class WordsTimeline(TimelineView):
         self._shown: tuple[object, ...] = ()
         self._units: list[UsedUnit] = []
         self.menu = PlotMenu(self.lanes, "what is said", lambda _at: table_of(self._columns()), self.show_whole)
-        self.setAccessibleName(tr("what is said when"))
+        self.setAccessibleName(tr("Words and phones over time"))
         self.span_clicked.connect(self._play)
         self.span_double_clicked.connect(self._play_recording)
         self.boundary_moved.connect(self._move)
@@ -88,20 +90,20 @@ class WordsTimeline(TimelineView):
             self.show_lanes(lanes, utterance.duration, [Chapter(0.0, texts.summary)])
 
     def show_position(self, seconds: float) -> None:
-        """Show which time is heard; a view that somebody has scrolled stays until that is another one."""
+        """Show which time is playing; a view that was scrolled by hand stays until that is another one."""
         heard = None if self._texts.utterance is None else seconds
         if heard != self.lanes.playhead:
             self.show_playhead(heard)
 
     def _play(self, number: int, span: int) -> None:
         lane = self.lanes.lanes[number]
-        if lane.name == PERFORMED:
+        if lane.name == tr(PERFORMED):
             self._texts.play_original(self._units[span])
         else:
             self._texts.play(float(lane.starts[span]), float(lane.ends[span]))
 
     def _play_recording(self, number: int, span: int) -> None:
-        if self.lanes.lanes[number].name == PERFORMED:
+        if self.lanes.lanes[number].name == tr(PERFORMED):
             self._texts.play_original(self._units[span], whole=True)
 
     def _move(self, number: int, boundary: int, seconds: float) -> None:
@@ -124,7 +126,7 @@ class WordsTimeline(TimelineView):
 
 
 def spoken_lanes(texts: TextModel) -> list[Lane]:
-    """Return the lanes of what is said in the sound in hand, none of which can be moved; none where nobody knows."""
+    """Return the lanes of what is said in the current sound, none of which can be moved; none where it is unknown."""
     if texts.utterance is None:
         return []
     units = _in_a_row(texts.drivers.performance.units)
@@ -137,7 +139,7 @@ def lanes_of(utterance: Utterance, letters: PinyinTrack | None, *, movable: bool
     words = utterance.words
     bad = frozenset(k for k, word in enumerate(words) if fits_badly(word))
     phones = list(utterance.phones)
-    texts = [phone.ipa or phone.phoneme.label for phone in phones]
+    texts = [phone.ipa or sound_name(phone.phoneme) for phone in phones]
     return [
         _lane(NAMES[0], words, list(map(_shown, words)), [WORD_COLOUR] * len(words), bad, movable=movable),
         _lane_of_syllables(utterance, movable=movable) if letters is None else _lane_of_letters(letters),
@@ -179,7 +181,7 @@ def _lane_of_units(units: Sequence[UsedUnit]) -> Lane:
 
 
 def _tip_of(unit: UsedUnit) -> str:
-    source = tr("{kind} [{names}] of {recording}, {start:.2f} to {end:.2f} s.").format(
+    source = tr("{kind} [{names}] from {recording}, {start:.2f} to {end:.2f} s.").format(
         kind=tr(unit.kind.value),
         names=" ".join(unit.names),
         recording=unit.recording,

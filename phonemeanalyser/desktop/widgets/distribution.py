@@ -2,81 +2,175 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from html import escape
+from typing import Any, Protocol
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
-from phonemeanalyser.desktop.calibrate.workbench.workbench_model import Line, WorkbenchModel
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text
+from phonemeanalyser.desktop.painting import AT_RIGHT, CENTRED, draw_text, set_size
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.calibration.workbench.distributions import Distribution, Quartiles
-from phonemeengine.features.variables import unit_of
 from phonemeengine.phonemes import Phoneme
 
-LEFT, RIGHT, TOP, BOTTOM = 88, 168, 36, 34
-"""Pixels around the plot: names at its left, numbers at its right, thresholds above, the axis below."""
+TOP, BOTTOM = 36, 34
+"""Pixels above the plot, for the thresholds, and below it, for the axis."""
+WIDE, NARROW = (88, 168), (64, 136)
+"""Pixels at its left, for the names, and at its right, for the numbers."""
 NEAR = 6
 COLUMNS = (tr_noop("min"), tr_noop("median"), tr_noop("max"))
+TAKEN = (
+    tr_noop("Smallest {variable} of {sound}: {value}."),
+    tr_noop("Median {variable} of {sound}: {value}."),
+    tr_noop("Largest {variable} of {sound}: {value}."),
+)
+
+
+class DrawnThreshold(Protocol):
+    """A threshold that is drawn over a distribution."""
+
+    @property
+    def name(self) -> str:
+        """The control's."""
+
+    @property
+    def label(self) -> str:
+        """What it is called where it is drawn."""
+
+    @property
+    def sign(self) -> str:
+        """The comparison with it, ``<`` or ``>``."""
+
+    @property
+    def value(self) -> float:
+        """Where it lies."""
+
+
+class ThresholdSource(Protocol):
+    """The thresholds of variables."""
+
+    def lines_of(self, variable: str) -> Sequence[DrawnThreshold]:
+        """Return those that a variable is compared with."""
+
+    def move(self, name: str, value: float) -> None:
+        """Move one."""
+
+    def end_move(self) -> None:
+        """End a drag."""
+
+    def unit_of(self, variable: str) -> str:
+        """Return the unit of a variable."""
 
 
 class DistributionView(QWidget):
-    """A row for each phoneme: its histogram, mirrored, with quartiles, median and ends; and its numbers."""
+    """A row for each phoneme: its histogram, mirrored, with quartiles, median and ends; and its numbers.
 
-    def __init__(self, workbench: WorkbenchModel, theme: Theme) -> None:
+    A click on a number makes it the value of the chosen threshold.
+
+    Parameters
+    ----------
+    thresholds : what is drawn over the distribution, and can be dragged.
+    narrow : whether it has to do with little room.
+    """
+
+    def __init__(self, thresholds: ThresholdSource, theme: Theme, *, narrow: bool = False) -> None:
         super().__init__()
-        self._workbench = workbench
+        self._thresholds = thresholds
         self._theme = theme
-        self.lines: list[Line] = []
-        self._held: Line | None = None
+        self._left, self._right = NARROW if narrow else WIDE
+        self._written = shortest if narrow else short
+        self._distribution: Distribution | None = None
+        self._words, self._best = "", float("nan")
+        self.lines: Sequence[DrawnThreshold] = []
+        self._held: DrawnThreshold | None = None
         self._chosen = 0
-        self.setMinimumSize(380, 170)
+        self.setMinimumSize(250 if narrow else 380, 170)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setAccessibleName(tr("distribution of the variable"))
+        self.setAccessibleName(tr("Distribution of the variable"))
         self.setToolTip(
             tr(
-                "Each row is a sound: histogram, a box from quartile to quartile, the median, and a line from "
-                "minimum to maximum. Drag a threshold, or move it with the arrow keys (Shift: finer; Up and Down "
-                "choose one)"
+                "<p>One row per phoneme: histogram, box from quartile to quartile, median, and a line from "
+                "minimum to maximum.</p><p>Drag a threshold, or move it with Left and Right (Shift: in finer "
+                "steps); Up and Down select one. Click a number to make it the value of the threshold.</p>"
             )
         )
         self.menu = PlotMenu(self, "distribution", lambda _at: table_of(self._columns()))
-        workbench.distribution_changed.connect(self.show_lines)
+
+    def show_distribution(self, shown: Distribution | None, words: str = "", best: float = float("nan")) -> None:
+        """Show another distribution; without one, these words; `best` is a threshold that is suggested, or NaN."""
+        self._distribution, self._words, self._best = shown, words, best
         self.show_lines()
 
     def show_lines(self) -> None:
         """Show the thresholds of the preset as they are now."""
         if self._held is None:
-            self.lines = self._workbench.lines()
+            shown = self._distribution
+            self.lines = [] if shown is None else self._thresholds.lines_of(shown.variable)
             self._chosen = min(self._chosen, max(0, len(self.lines) - 1))
+        self.update()
+
+    def choose_line(self, name: str) -> None:
+        """Have the keys, and a click on a number, move a threshold."""
+        self._chosen = next((k for k, line in enumerate(self.lines) if line.name == name), self._chosen)
         self.update()
 
     def x_of(self, value: float) -> float:
         """Return where a value lies, pixels."""
-        distribution = self._workbench.shown
+        distribution = self._distribution
         if distribution is None:
-            return float(LEFT)
+            return float(self._left)
         low, high = float(distribution.edges[0]), float(distribution.edges[-1])
         if distribution.logarithmic:
             share = (math.log(max(value, low)) - math.log(low)) / (math.log(high) - math.log(low))
         else:
             share = (value - low) / (high - low)
-        return LEFT + min(max(share, 0.0), 1.0) * (self.width() - LEFT - RIGHT)
+        return self._left + min(max(share, 0.0), 1.0) * (self.width() - self._left - self._right)
 
     def value_at(self, x: float) -> float:
         """Return the value that lies at a pixel."""
-        distribution = self._workbench.shown
+        distribution = self._distribution
         if distribution is None:
             return 0.0
         low, high = float(distribution.edges[0]), float(distribution.edges[-1])
-        share = min(max((x - LEFT) / max(1, self.width() - LEFT - RIGHT), 0.0), 1.0)
+        share = min(max((x - self._left) / max(1, self.width() - self._left - self._right), 0.0), 1.0)
         return low * (high / low) ** share if distribution.logarithmic else low + share * (high - low)
+
+    def number_at(self, place: QPointF) -> tuple[Phoneme, int, float] | None:
+        """Return whose number lies at a place, which of `COLUMNS` it is, and its value."""
+        shown = self._distribution
+        if shown is None or not shown.spreads:
+            return None
+        height = (self.height() - TOP - BOTTOM) / len(shown.spreads)
+        for row, (phoneme, spread) in enumerate(shown.spreads.items()):
+            for k, value in enumerate((spread.minimum, spread.median, spread.maximum)):
+                if self._cell(k, TOP + row * height, height).contains(place):
+                    return phoneme, k, value
+        return None
+
+    def event(self, event: QEvent) -> bool:
+        """Tell what a number is, and what a click on it does."""
+        found = None
+        if event.type() == QEvent.Type.ToolTip and isinstance(event, QHelpEvent):
+            found = self.number_at(QPointF(event.pos()))
+        if found is None or self._distribution is None or not isinstance(event, QHelpEvent):
+            return super().event(event)
+        phoneme, k, value = found
+        told = tr(TAKEN[k]).format(
+            variable=self._distribution.variable, sound=sound_name(phoneme), value=short(value)
+        )
+        if self.lines:
+            told += " " + tr("Click: make it the value of {threshold}").format(
+                threshold=tr_engine(self.lines[self._chosen].label)
+            )
+        QToolTip.showText(event.globalPos(), f"<p>{escape(told)}</p>", self)
+        return True
 
     # -- painting -----------------------------------------------------------------------------------------
 
@@ -85,14 +179,12 @@ class DistributionView(QWidget):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.fillRect(self.rect(), QColor(self._theme.base))
-        distribution = self._workbench.shown
-        if distribution is None:
-            words = (
-                tr("measuring …")
-                if self._workbench.measuring.busy
-                else tr("Record takes, or load labelled recordings, to see how they are spread")
-            )
-            draw_text(painter, QRectF(self.rect()), words, self._theme.faint, 13, CENTRED)
+        distribution = self._distribution
+        if distribution is None or not distribution.spreads:
+            inner = QRectF(self.rect()).adjusted(8, 8, -8, -8)
+            set_size(painter, 13)
+            painter.setPen(QColor(self._theme.faint))
+            painter.drawText(inner, CENTRED | Qt.TextFlag.TextWordWrap, self._words)
             return
         self._paint_axis(painter, distribution)
         height = (self.height() - TOP - BOTTOM) / max(1, len(distribution.spreads))
@@ -100,8 +192,8 @@ class DistributionView(QWidget):
             self._paint_row(painter, distribution, phoneme, spread, TOP + k * height, height)
         for k, line in enumerate(self.lines):
             self._paint_line(painter, k, line)
-        if self._workbench.preview is not None:
-            self._paint_best(painter, self._workbench.preview.threshold)
+        if not math.isnan(self._best):
+            self._paint_best(painter, self._best)
 
     def _paint_row(
         self,
@@ -113,8 +205,8 @@ class DistributionView(QWidget):
         height: float,
     ) -> None:
         colour, middle = QColor(PHONEME_COLOURS[phoneme]), top + height / 2
-        row = QRectF(0, top, self.width(), height)
-        draw_text(painter, row.adjusted(8, 0, 0, 0), phoneme.label, self._theme.text, 12)
+        name = QRectF(8, top, self._left - 14, height)
+        draw_text(painter, name, sound_name(phoneme), self._theme.text, 12)
         self._paint_histogram(painter, distribution, spread, colour, middle, 0.46 * height)
         painter.setPen(QColor(self._theme.text))
         low, high = self.x_of(spread.minimum), self.x_of(spread.maximum)
@@ -128,7 +220,7 @@ class DistributionView(QWidget):
         x = self.x_of(spread.median)
         painter.fillRect(QRectF(x - 1.5, middle - half - 2, 3, 2 * half + 4), QColor(self._theme.text))
         for k, value in enumerate((spread.minimum, spread.median, spread.maximum)):
-            draw_text(painter, self._cell(k, top, height), short(value), self._theme.text, 11, AT_RIGHT)
+            draw_text(painter, self._cell(k, top, height), self._written(value), self._theme.text, 11, AT_RIGHT)
 
     def _paint_histogram(
         self,
@@ -155,14 +247,14 @@ class DistributionView(QWidget):
             x = self.x_of(value)
             painter.fillRect(QRectF(x, TOP, 1, bottom - TOP), QColor(self._theme.raised))
             draw_text(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
-        scale = ", " + tr("logarithmic scale") if distribution.logarithmic else ""
-        label = QRectF(LEFT, bottom + 15, self.width() - LEFT - RIGHT, 16)
-        text = f"{distribution.variable} ({tr(self._unit_of(distribution))}){scale}"
+        scale = ", " + tr("log scale") if distribution.logarithmic else ""
+        label = QRectF(self._left - 80, bottom + 15, self.width() - self._left - self._right + 160, 16)
+        text = f"{distribution.variable} ({tr(self._thresholds.unit_of(distribution.variable))}){scale}"
         draw_text(painter, label, text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
             draw_text(painter, self._cell(k, TOP - 18, 16), tr(name), self._theme.faint, 10, AT_RIGHT)
 
-    def _paint_line(self, painter: QPainter, k: int, line: Line) -> None:
+    def _paint_line(self, painter: QPainter, k: int, line: DrawnThreshold) -> None:
         x, colour = self.x_of(line.value), QColor(self._theme.bad)
         chosen = self.hasFocus() and k == self._chosen
         painter.fillRect(
@@ -174,9 +266,13 @@ class DistributionView(QWidget):
         painter.setBrush(colour)
         painter.drawPolygon(tip)
         painter.setBrush(Qt.BrushStyle.NoBrush)
-        text = f"{line.sign} {short(line.value)}  {line.label}"
-        box = QRectF(x - 75, 1 + 13 * (k % 2), 150, 13)
-        box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
+        sign = "" if line.label.startswith(("<", ">")) else f"{line.sign} "  # a limit has its signs in its label
+        # Two names have a row each; more would lie over one another, and stand beside the sliders anyway.
+        named = len(self.lines) <= 2
+        text = f"{sign}{short(line.value)}  {tr_engine(line.label)}" if named else short(line.value)
+        width = 150 if named else 40
+        box = QRectF(x - width / 2, 1 + 13 * (k % 2), width, 13)
+        box.moveLeft(min(max(box.left(), 4.0), self.width() - self._right - width + 4.0))
         draw_text(painter, box, text, self._theme.bad, 10, CENTRED)
 
     def _paint_best(self, painter: QPainter, threshold: float) -> None:
@@ -185,20 +281,17 @@ class DistributionView(QWidget):
         painter.setPen(QPen(QColor(self._theme.accent), 1.2, Qt.PenStyle.DashLine))
         painter.drawLine(QPointF(x, TOP - 4), QPointF(x, self.height() - BOTTOM))
         box = QRectF(x - 75, 1, 150, 13)
-        box.moveLeft(min(max(box.left(), 4.0), self.width() - RIGHT - 146.0))
+        box.moveLeft(min(max(box.left(), 4.0), self.width() - self._right - 146.0))
         draw_text(
-            painter, box, tr("parts best at {value}").format(value=short(threshold)), self._theme.accent, 10, CENTRED
+            painter, box, tr("best threshold {value}").format(value=short(threshold)), self._theme.accent, 10, CENTRED
         )
-
-    def _unit_of(self, distribution: Distribution) -> str:
-        return unit_of(distribution.variable, self._workbench.own_variables)
 
     def _columns(self) -> dict[str, Sequence[object]]:
         """Return what is drawn as columns, each under its name and unit."""
-        distribution = self._workbench.shown
+        distribution = self._distribution
         if distribution is None:
             return {}
-        unit, spreads = self._unit_of(distribution), distribution.spreads.values()
+        unit, spreads = self._thresholds.unit_of(distribution.variable), distribution.spreads.values()
         numbers = ("minimum", "lower_quartile", "median", "upper_quartile", "maximum")
         return {
             "sound": [phoneme.label for phoneme in distribution.spreads],
@@ -210,27 +303,33 @@ class DistributionView(QWidget):
         }
 
     def _cell(self, k: int, top: float, height: float) -> QRectF:
-        width = (RIGHT - 16) / len(COLUMNS)
-        return QRectF(self.width() - RIGHT + 8 + k * width, top, width, height)
+        width = (self._right - 14) / len(COLUMNS)
+        return QRectF(self.width() - self._right + 8 + k * width, top, width, height)
 
     # -- dragging -----------------------------------------------------------------------------------------
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Take hold of a threshold."""
+        """Take hold of a threshold, or make a number the value of one."""
         if event.button() != Qt.MouseButton.LeftButton:
             return
         self.setFocus()
+        number = self.number_at(event.position())
+        if number is not None and self.lines:
+            self._move(self.lines[self._chosen], number[2])
+            self._thresholds.end_move()
+            return
         self._held = self._line_near(event.position().x())
         if self._held is not None:
-            self._chosen = self.lines.index(self._held)
+            self._chosen = list(self.lines).index(self._held)
             self.update()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         """Move the threshold that is held."""
         x = event.position().x()
         if self._held is None:
-            near = self._line_near(x) is not None
-            self.setCursor(Qt.CursorShape.SizeHorCursor if near else Qt.CursorShape.ArrowCursor)
+            shape = Qt.CursorShape.SizeHorCursor if self._line_near(x) is not None else Qt.CursorShape.ArrowCursor
+            takes = self.lines and self.number_at(event.position()) is not None
+            self.setCursor(Qt.CursorShape.PointingHandCursor if takes else shape)
             return
         self._move(self._held, self.value_at(x))
 
@@ -238,7 +337,7 @@ class DistributionView(QWidget):
         """End the drag."""
         if self._held is not None:
             self._held = None
-            self._workbench.end_move()
+            self._thresholds.end_move()
             self.show_lines()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -255,14 +354,15 @@ class DistributionView(QWidget):
         else:
             super().keyPressEvent(event)
 
-    def _move(self, line: Line, value: float) -> None:
-        self._workbench.move(line, value)
-        self.lines = self._workbench.lines()
+    def _move(self, line: DrawnThreshold, value: float) -> None:
+        self._thresholds.move(line.name, value)
+        if self._distribution is not None:
+            self.lines = self._thresholds.lines_of(self._distribution.variable)
         if self._held is not None:
             self._held = next((fresh for fresh in self.lines if fresh.name == line.name), None)
         self.update()
 
-    def _line_near(self, x: float) -> Line | None:
+    def _line_near(self, x: float) -> DrawnThreshold | None:
         near = [line for line in self.lines if abs(self.x_of(line.value) - x) <= NEAR]
         return min(near, key=lambda line: abs(self.x_of(line.value) - x)) if near else None
 
@@ -270,6 +370,11 @@ class DistributionView(QWidget):
 def short(value: float) -> str:
     """Write a number with three digits that count."""
     return f"{value:.0f}" if abs(value) >= 1000 else f"{value:.3g}"
+
+
+def shortest(value: float) -> str:
+    """Write a number with two digits that count, in as little room as there is."""
+    return short(value) if abs(value) >= 100 else f"{value:.2g}".replace("e-0", "e-")
 
 
 def _ticks(distribution: Distribution) -> list[float]:

@@ -1,0 +1,1 @@
+"""The strip that says how right what is recognised is."""
