@@ -1,6 +1,9 @@
 """The colours of the program, light and dark, as tables: for the window, and for what is written without one."""
 
+from collections.abc import Collection
+from colorsys import hls_to_rgb
 from dataclasses import dataclass
+from itertools import chain, count
 
 from phonemeengine.phonemes import Phoneme
 
@@ -72,3 +75,12 @@ PHONEME_COLOURS: dict[Phoneme, str] = {
 }
 
 CURVE_COLOURS = ("#f0883e", "#3fb950", "#db61a2", "#39c5cf", "#e6c229", "#a371f7", "#f85149")
+GOLDEN = 0.618034
+"""By which part of a round hues follow each other that are all far apart."""
+
+
+def free_curve_colour(taken: Collection[str]) -> str:
+    """Return a colour, as #rrggbb, that no other curve has."""
+    more = (hls_to_rgb(k * GOLDEN % 1, 0.55, 0.6) for k in count())
+    written = ("#" + "".join(f"{round(255 * part):02x}" for part in rgb) for rgb in more)
+    return next(colour for colour in chain(CURVE_COLOURS, written) if colour not in taken)

@@ -1,4 +1,4 @@
-"""What happened while the program ran, in a file that a user can send in; nothing is kept unless somebody asks."""
+"""What happened while the program ran, in a file that a user can send in; nothing is kept unless it is asked for."""
 
 import logging
 import threading
@@ -44,7 +44,7 @@ def logged_to(path: Path | None) -> Iterator[None]:
 def logged_beside(folder: Path) -> Iterator[Path]:
     """Append what happens meanwhile to a file in a folder, of which three older ones are kept; gives its path.
 
-    Where it cannot be written, nothing is kept, and nobody is troubled. Threads that crash are logged as well.
+    Where it cannot be written, nothing is kept, without an error. Threads that crash are logged as well.
     """
     path = folder / "phonemeanalyser.log"
     before, threading.excepthook = threading.excepthook, _log_thread

@@ -1,10 +1,10 @@
-"""``phonemeanalyser adapt``: a preset learns one voice and one room, whatever recognises."""
+"""``phonemeanalyser adapt``: calibrate a preset to one voice and to the background noise."""
 
 import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import SAID, add_map, add_options, file_place, given
+from phonemeanalyser.cli.arguments import SAID, add_map, add_options, file_place, given, refuse_unused
 from phonemeanalyser.cli.jobs import say_cut_off, say_note, sounds_in
 from phonemeengine import (
     Channel,
@@ -31,33 +31,44 @@ from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.storage.replacing import Guard, nothing_is_own
 
 MOST_ROOM = 60
-"""Seconds of a room's sound that are read."""
+"""Seconds of background noise that are read."""
+
+EXAMPLES = (
+    "phonemeanalyser adapt my-takes -o my-voice.toml",
+    "phonemeanalyser adapt speech.wav --script speech.txt --language en-us -o my-reading.toml",
+    "phonemeanalyser adapt --background-noise silence.wav -o my-microphone.toml",
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is learned from, and what is made of it."""
     parser.epilog = (
-        "The learned recogniser is adapted, rules get thresholds, templates become those of the voice. What gets "
-        "worse than before by more than 0.01 (mouth shapes, silence) on what is held back is refused."
+        "Adapts the networks of the learned recogniser, the thresholds of rules, or the templates. Refuses a change "
+        "that costs more than 0.01 (mouth shapes, silence) on held-out recordings."
     )
-    words = "takes, or labelled recordings; with --line or --text, sounds of somebody who reads"
+    words = "takes or labelled recordings; with --line, --text or --script, recordings of a speaker who reads it"
     parser.add_argument("folders", type=Path, nargs="*", metavar="FOLDER", help=words)
     parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PRESET", help="the new preset, .toml")
     parser.add_argument(
-        "--held-back",
+        "--held-out",
         type=Path,
         nargs="+",
         default=[],
         metavar="FILE",
-        help="labelled recordings of the voice to judge by, never learned from (default: quarters of the others)",
+        help="labelled recordings of the voice that are only scored (default: each quarter of the others in turn)",
     )
     parser.add_argument(
-        "--room", type=Path, metavar="SOUND", help="seconds of the room in which nobody speaks (default: the takes')"
+        "--background-noise",
+        type=Path,
+        metavar="SOUND",
+        help="a few seconds of background noise without speech (default: that of the takes)",
     )
     parser.add_argument(
         "--line",
         choices=[language.lower() for language in LANGUAGES],
-        help="somebody reads the line that the window shows: " + sentences_in(LANGUAGES[0])[0].text + " (english)",
+        help="language of the line that the window shows, which the speaker reads: "
+        + sentences_in(LANGUAGES[0])[0].text
+        + " (english)",
     )
     add_options(parser, "preset", *SAID, "channel", "overwrite")
     add_map(parser)
@@ -67,11 +78,15 @@ def run(options: argparse.Namespace) -> int:
     """Calibrate; returns the exit code."""
     if options.out.suffix.lower() != ".toml":
         raise PresetError(f"{options.out}: an adapted preset's file ends in .toml; name it so")
-    if not options.folders and options.room is None:
-        options.parser.error("give a FOLDER of takes, or --room with the sound of a room")
+    if not options.folders:
+        if options.background_noise is None:
+            options.parser.error(
+                "there is nothing to calibrate to; give a FOLDER of takes, or --background-noise SOUND"
+            )
+        refuse_unused(options, (*SAID, "line", "map", "held-out"), "goes with recordings; give a FOLDER of them")
     Guard(nothing_is_own, options.overwrite).check(options.out)
     preset = load_preset(options.preset)
-    room = _sound_of(options.room, options.channel) if options.room else None
+    room = _sound_of(options.background_noise, options.channel) if options.background_noise else None
     if options.folders:
         found = _calibrated(preset, room, options)
     else:
@@ -83,14 +98,15 @@ def run(options: argparse.Namespace) -> int:
 
 def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Namespace) -> Preset:
     mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
-    held_back = _read(options.held_back, mapping, options.channel)
+    held_back = _read(options.held_out, mapping, options.channel)
     takes = _read_aloud(options) or _read(options.folders, mapping, options.channel)
     say_cut_off([*takes, *held_back])
     result = calibrate(preset, takes, held_back=held_back, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
     several = "s" if len(takes) != 1 else ""
     print(f"{options.out}: {len(takes)} recording{several}, {seconds:.0f} s; {_gain_in_words(result)}")
-    for sentence in (result.refusal, f"{result.silence_accuracy}." if result.silence_accuracy else ""):
+    accuracy = f"{result.silence_accuracy}." if result.silence_accuracy else ""
+    for sentence in (result.refusal, result.warning, accuracy):
         if sentence:
             print(sentence)
     return result.preset
@@ -99,29 +115,29 @@ def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Nam
 def _with_silence(preset: Preset, room: Float32Array, options: argparse.Namespace) -> Preset:
     measured = measure_room(room, preset)
     if measured.notes:
-        raise TakeError(f"{options.room.name}: {measured.notes[0]}")
+        raise TakeError(f"{options.background_noise.name}: {measured.notes[0]}")
     found = measured.set_silence(preset)
-    print(f"{options.out}: a room of {measured}; {measured.silence_accuracy(found)}.")
+    print(f"{options.out}: background noise of {measured}; {measured.silence_accuracy(found)}.")
     return found
 
 
 def _gain_in_words(result: CalibrationResult) -> str:
     """Return what was gained, and on what that was measured."""
     one, other = result.before, result.after
-    where = "quarters held back in turn" if result.cross_validated else "what was held back"
+    where = "each quarter held out in turn" if result.cross_validated else "held-out recordings"
     on = f"on {where}, {result.seconds:.0f} s"
     if not result.gains:
         return f"nothing better was found {on} (macro F1 {one.macro_f1:.1%}); unchanged"
     clear = "" if result.is_clear else "; no clear change: so much may be chance"
     return (
         f"{on}: macro F1 {one.macro_f1:.1%} -> {other.macro_f1:.1%}, mouth shapes {one.viseme_accuracy:.1%} -> "
-        f"{other.viseme_accuracy:.1%}, silence found {one.silence_recall:.1%} -> {other.silence_recall:.1%}, "
-        f"speech called silence {one.false_silence:.1%} -> {other.false_silence:.1%}{clear}"
+        f"{other.viseme_accuracy:.1%}, silence recall {one.silence_recall:.1%} -> {other.silence_recall:.1%}, "
+        f"false silence {one.false_silence:.1%} -> {other.false_silence:.1%}{clear}"
     )
 
 
 def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
-    """Label the sounds of somebody who reads by what is read; none where the command line does not say it."""
+    """Label the sounds of a speaker who reads by what is read; none where the command line does not say it."""
     is_told = any(given is not None for given in (options.line, options.text, options.script))
     sounds = sounds_in(options.folders) if is_told else options.folders
     texts = SpokenTexts.of(given(options), sounds, say_note)
@@ -133,7 +149,7 @@ def _read_aloud(options: argparse.Namespace) -> list[LabelledUtterance]:
         return []
     found = [utterance for sound in sounds if (utterance := _labelled(sound, texts, options.channel))]
     if not found:
-        raise TakeError("nothing says what is read in the sounds; name them in the script")
+        raise TakeError("no text is known for these recordings; name them in the script")
     return found
 
 

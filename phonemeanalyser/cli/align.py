@@ -21,10 +21,18 @@ from phonemeengine.storage.replacing import Guard, guarded_text
 COLUMNS = ("file", "text", "score", "skipped", "unknown", "best")
 OTHER_TEXT = "another text"
 
+EXAMPLES = (
+    "phonemeanalyser align speech.wav --script speech.txt --language en-us",
+    "phonemeanalyser align recordings --script script.tsv --language en-us -o scores.csv",
+    "phonemeanalyser align recordings --script auto --language en-us --model real-time",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is aligned, and with which words."""
-    parser.epilog = "Writes a CSV: file, text, score (0 is best), words that nobody says, stretches of others, best."
+    parser.epilog = (
+        "Writes a CSV: file, text, score (0 is best), words not spoken, segments of unknown speech, best take."
+    )
     add_sounds(parser)
     add_options(parser, *SAID, *HEARD, "overwrite")
 
@@ -32,14 +40,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(options: argparse.Namespace) -> int:
     """Align sound files with their texts; 1 where one could not be."""
     if options.text is None and options.script is None:
-        options.parser.error("say what is said in the sounds, with --text or --script")
-    preset = file_preset(options.preset, options.ear)
+        options.parser.error("there is no text to align; give it with --text or --script")
+    preset = file_preset(options.preset, options.model)
     guard = Guard(begins_like(",".join(COLUMNS).encode() + b"\n"), options.overwrite)
     guard.check(options.out)
     jobs = jobs_of(options.inputs, Path(), "")
     texts = SpokenTexts.of(given(options), [job.source for job in jobs], say_note, with_labels=False)
     for labels in texts.labels.values():
-        raise EngineError(f"{labels.name}: its words are aligned already; name a script of text")
+        raise EngineError(
+            f"{labels.name}: its words have times already, so there is nothing to align; name a script of text"
+        )
     outcomes = work_through(jobs, AlignmentWork(preset, options.channel, texts))
     takes = [take for outcome in outcomes for take in outcome.made.value or ()]
     if takes:

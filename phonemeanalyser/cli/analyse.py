@@ -18,15 +18,23 @@ from phonemeengine.inspection.whole_sound import DIFFERENCE_COLUMNS, format_diff
 from phonemeengine.storage.files import begins_like, printable_name
 from phonemeengine.storage.replacing import Guard, guarded_text
 
+EXAMPLES = (
+    "phonemeanalyser analyse speech.wav",
+    "phonemeanalyser analyse recordings -o labels --format textgrid",
+    "phonemeanalyser analyse speech.wav -o frames.csv --features --preset extended",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is analysed, and how that is written."""
     add_sounds(parser)
     add_options(parser, *SAID, *HEARD, "overwrite")
-    parser.add_argument("--format", choices=list(TABLES), dest="kind", help="default: as OUT ends, else csv")
-    words = "write where this preset hears something else, as start_s,end_s,first,second"
+    parser.add_argument(
+        "--format", choices=list(TABLES), dest="kind", help="file format (default: from the ending of OUT, else csv)"
+    )
+    words = "second preset: write the segments that it recognises differently, as start_s,end_s,first,second"
     parser.add_argument("--against", type=Path, metavar="B", help=words)
-    parser.add_argument("--features", action="store_true", help="every 10 ms frame with every variable")
+    parser.add_argument("--features", action="store_true", help="write every 10 ms frame with all variables")
     add_batch(parser)
 
 
@@ -42,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
             "--features, or write them with --format csv or json"
         )
     asked, kind = given(options), f"frames-{table}" if options.features else f"phonemes-{table}"
-    preset = file_preset(asked.preset, asked.ear)
+    preset = file_preset(asked.preset, asked.model)
     jobs = jobs_of(options.inputs, options.out, TABLES[table].ending)
     if options.features and (asked.text, asked.script) != (None, None):
         options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
@@ -51,10 +59,10 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _compare(options: argparse.Namespace) -> int:
-    """Write where two presets hear two things; 1 where a sound could not be heard."""
+    """Write where two presets differ; return 1 where a sound could not be analysed."""
     if options.kind not in {None, "csv"} or options.features or options.text or options.script:
         options.parser.error("--against writes a table of its own; leave --format, --features and texts out")
-    first, second = (file_preset(path, options.ear) for path in (options.preset, options.against))
+    first, second = (file_preset(path, options.model) for path in (options.preset, options.against))
     work = DifferenceWork(first, second, options.channel, options.overwrite)
     jobs = jobs_of(options.inputs, options.out, ".csv")
     return finish_jobs(jobs, work, options)
@@ -62,12 +70,12 @@ def _compare(options: argparse.Namespace) -> int:
 
 @dataclass(frozen=True)
 class DifferenceWork:
-    """Writes where two presets hear two things.
+    """Writes where two presets differ.
 
     Attributes
     ----------
     first, second : the presets.
-    channel : what is heard.
+    channel : which channel is analysed.
     overwrite : whether whatever is there is replaced.
     """
 

@@ -2,7 +2,9 @@
 
 import argparse
 import math
-from collections.abc import Callable
+import re
+import sys
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import fields
 from pathlib import Path
 from typing import Any, NoReturn
@@ -13,8 +15,9 @@ from phonemeengine.batch.remote import place_of
 from phonemeengine.conversion.options import OPTIONS, ConversionOptions, Number
 from phonemeengine.errors import OptionError, meant_by, remedy
 from phonemeengine.mouth.exports.formats import formats_for
+from phonemeengine.settings import OLD_MODEL_KINDS
 
-HEARD = ("preset", "ear", "channel")
+HEARD = ("preset", "model", "channel")
 SAID = ("text", "script", "speaker", "language", "lexicon", "literal", "accept-text")
 MOVED = (
     "anticipation",
@@ -29,14 +32,28 @@ MOVED = (
     "priority",
 )
 DRIVEN = ("text-driver", "pinyin-table", "spring", "performance", "use", "choice", "without", "keywords", "units")
-"""Options of conversions that commands share: of what is heard, what is said, how a face moves, and by what."""
+"""Options of conversions that commands share: of recognition, the text, a face's movement, and its driver."""
+OLD_OPTIONS = {
+    "--ear": "--model",
+    "--live-model": "--model",
+    "--held-back": "--held-out",
+    "--room": "--background-noise",
+}
+"""Options of the release before, which this one still accepts, and what they are called now."""
 MOST_JOBS = 1024
 SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
 """Pixels along an edge of its pictures."""
 
 
 class CommandParser(argparse.ArgumentParser):
-    """Reads the arguments of a command, and refuses what is wrong in one sentence, with what may have been meant."""
+    """Reads the arguments of a command, and refuses what is wrong in one sentence, with what may have been meant.
+
+    Attributes
+    ----------
+    examples : command lines that end its help.
+    """
+
+    examples: Sequence[str] = ()
 
     def error(self, message: str) -> NoReturn:
         """End the program, with a sentence about what is wrong."""
@@ -45,7 +62,7 @@ class CommandParser(argparse.ArgumentParser):
 
     def parse_args(self, args: Any = None, namespace: Any = None) -> Any:
         """Read the arguments; an unknown option is refused with those that are spelt alike."""
-        options, unknown = self.parse_known_args(args, namespace)
+        options, unknown = self.parse_known_args(None if args is None else self._renamed(args), namespace)
         if unknown:
             word = unknown[0].partition("=")[0]
             known = {name.lstrip("-"): name for name in self._option_string_actions}
@@ -53,11 +70,51 @@ class CommandParser(argparse.ArgumentParser):
             self.error(f"{word!r} is unknown" + (f"; did you mean {' or '.join(meant)}?" if meant else ""))
         return options
 
+    def _renamed(self, words: Sequence[str]) -> list[str]:
+        """Return a command line with the names of today; each older one is reported on standard error."""
+        found: list[str] = []
+        for word in words:
+            name, equals, value = word.partition("=")
+            if OLD_OPTIONS.get(name) in self._option_string_actions:
+                name = self._told(name, OLD_OPTIONS[name])
+            if name == "--model" and equals and value in OLD_MODEL_KINDS:
+                value = self._told(value, OLD_MODEL_KINDS[value])
+            follows = bool(found) and found[-1] == "--model"
+            if follows and word in OLD_MODEL_KINDS:
+                name = self._told(word, OLD_MODEL_KINDS[word])
+            found.append(name + equals + value)
+        return found
+
+    def _told(self, old: str, new: str) -> str:
+        print(f"{self.prog}: {old} is now {new}; the next release accepts the new name alone", file=sys.stderr)
+        return new
+
+    def format_usage(self) -> str:
+        """Return how the command is called, without its optional options."""
+        formatter = self.formatter_class(prog=f"{self.prog} [OPTIONS]")
+        formatter.add_usage(
+            self.usage, [each for each in self._actions if each.required or not each.option_strings], []
+        )
+        return formatter.format_help()
+
+    def format_help(self) -> str:
+        """Return the help: a sentence, the call, the options, and examples."""
+        formatter = self._get_formatter()
+        for group in self._action_groups:
+            formatter.start_section(group.title)
+            formatter.add_arguments(group._group_actions)
+            formatter.end_section()
+        formatter.add_text(self.epilog)
+        parts = [f"{self.description}\n", self.format_usage(), formatter.format_help()]
+        if self.examples:
+            parts.append("\n".join(("examples:", *(f"  {example}" for example in self.examples))) + "\n")
+        return "\n".join(parts)
+
     def _check_value(self, action: argparse.Action, value: Any) -> None:
         """Refuse a value that is none of an argument's choices."""
         if action.choices is not None and value not in action.choices:
             words = remedy(str(value), map(str, action.choices))
-            raise argparse.ArgumentError(action, f"there is no {value!r}; {words}")
+            raise argparse.ArgumentError(action, f"there is no {str(value)!r}; {words}")
 
 
 def add_options(parser: argparse.ArgumentParser, *names: str, **defaults: Any) -> None:
@@ -75,6 +132,8 @@ def add_options(parser: argparse.ArgumentParser, *names: str, **defaults: Any) -
             parser.add_argument(f"--{name}", action="store_true", help=words)
             continue
         default = defaults.get(key, option.default)
+        if key in defaults:
+            words = re.sub(r"default: [^)]*", f"default: {default}", words)
         parser.add_argument(
             f"--{name}",
             type=reading(option.read),
@@ -101,43 +160,75 @@ def given(options: argparse.Namespace, **values: Any) -> ConversionOptions:
     return ConversionOptions(**found | several | values)
 
 
+def refuse_unused(options: argparse.Namespace, names: Iterable[str], why: str) -> None:
+    """Refuse options that were given, and that nothing uses.
+
+    Parameters
+    ----------
+    names : of the options.
+    why : the end of a sentence that begins with the option.
+
+    Raises
+    ------
+    OptionError : one was given.
+    """
+    for name in names:
+        key = name.replace("-", "_")
+        if getattr(options, key) != options.parser.get_default(key):
+            raise OptionError(f"--{name} {why}")
+
+
 def add_sounds(parser: argparse.ArgumentParser) -> None:
     """Have the user name sound files, and where to write what comes of them."""
-    parser.add_argument("inputs", type=place, nargs="+", metavar="INPUT", help="sound files, or folders of them")
-    parser.add_argument("-o", "--out", type=place, help="folder, or a file for one sound (default: print)")
+    parser.add_argument("inputs", type=place, nargs="+", metavar="INPUT", help="audio files, or folders of them")
+    parser.add_argument(
+        "-o", "--out", type=place, metavar="OUT", help="folder, or file for one audio file (default: print)"
+    )
 
 
 def add_batch(parser: argparse.ArgumentParser) -> None:
     """Let the user say who works through many files."""
-    words = "files at a time (default: as many as there are cores, where that is worth it)"
+    words = "files at a time (default: one for each core, if that is faster)"
     parser.add_argument("--jobs", type=whole_in(1, MOST_JOBS), metavar="N", help=words)
-    dask = "have an existing Dask cluster work, such as tcp://host:8786"
+    dask = "use an existing Dask cluster, such as tcp://host:8786"
     parser.add_argument("--dask", metavar="ADDRESS", help=dask)
 
 
 def add_map(parser: argparse.ArgumentParser) -> None:
     """Let the user say what names in labels stand for."""
-    parser.add_argument("--map", type=Path, metavar="FILE", help="what unknown names in the labels stand for")
+    parser.add_argument("--map", type=Path, metavar="FILE", help="phonemes for unknown names in the labels (TOML)")
 
 
 def add_clip(parser: argparse.ArgumentParser) -> None:
     """Let the user say what clip is made."""
-    out = ".mp4, .gif or a folder for .png"
+    out = "video (.mp4), .gif, or a folder for .png"
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="OUT", help=out)
     add_options(parser, "fps")
     size = size_in((SMALLEST_CLIP, SMALLEST_CLIP), (LARGEST_CLIP, LARGEST_CLIP))
-    parser.add_argument("--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="pixels (640x640)")
+    parser.add_argument(
+        "--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="size in pixels (default: 640x640)"
+    )
     add_theme(parser)
 
 
 def add_theme(parser: argparse.ArgumentParser) -> None:
     """Let the user choose the colours of a picture."""
-    parser.add_argument("--theme", choices=["light", "dark"], default="light")
+    parser.add_argument("--theme", choices=["light", "dark"], default="light", help="colours (default: light)")
+
+
+def add_examples(kinds: Any, examples: Mapping[str, tuple[str, ...]]) -> None:
+    """End the help of each thing that a command does with its examples."""
+    for name, parser in kinds.choices.items():
+        parser.examples = examples[name]
 
 
 def add_log(parser: argparse.ArgumentParser) -> None:
-    """Let the user keep what happens."""
-    parser.add_argument("--log", type=Path, metavar="FILE", help="append what happens to a file, to send in")
+    """Let the user keep what happens; the option may stand before or after what a command does, as `info`."""
+    parts = [a for a in parser._actions if isinstance(a, argparse._SubParsersAction)]
+    for each in (parser, *(part for action in parts for part in action.choices.values())):
+        # a part's default would replace what stands before it
+        default = None if each is parser else argparse.SUPPRESS
+        each.add_argument("--log", type=Path, metavar="FILE", default=default, help="append a log to this file")
 
 
 def format_of(options: argparse.Namespace, out: Path | None) -> str:

@@ -17,6 +17,12 @@ from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_o
 from phonemeengine import FORMATS, EngineError
 from phonemeengine.conversion.work import ConversionWork
 
+EXAMPLES = (
+    "phonemeanalyser export speech.wav -o mouth.json --format rhubarb-json",
+    "phonemeanalyser export speech.wav -o face.csv --format livelink-csv --script speech.txt --language en-us",
+    "phonemeanalyser export recordings -o cues --format moho-dat --fps 30",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is exported, and how."""
@@ -38,7 +44,7 @@ def run(options: argparse.Namespace) -> int:
     jobs = jobs_of(options.inputs, options.out, FORMATS[kind].full_ending)
     if asked.units is not None and len(jobs) > 1:
         raise EngineError("--units tells of one sound, and there are several; leave it out, or name one alone")
-    preset = file_preset(asked.preset, asked.ear)
+    preset = file_preset(asked.preset, asked.model)
     work = ConversionWork.of(asked, kind, preset, [job.source for job in jobs], say_note)
     return finish_jobs(jobs, work, options)
 

@@ -3,24 +3,26 @@
 import argparse
 import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.progress_bar import batch_bar
 from phonemeanalyser.reports.batch_report import write_batch_report
-from phonemeengine import Ear, EngineError, LabelledUtterance, Preset, for_files, load_preset
+from phonemeengine import EngineError, LabelledUtterance, ModelKind, Preset, for_files, load_preset
 from phonemeengine.audio.files import sounds_under
-from phonemeengine.batch.runner import BatchOptions, run_batch
+from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Work
-from phonemeengine.presets.ears import ear_in_words
+from phonemeengine.presets.model_choice import model_in_words
 from phonemeengine.storage.files import is_device, is_folder, printable, printable_name
 from phonemeengine.storage.replacing import STANDARD_OUTPUT
 
 SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
 """Arguments that name files which are opened where the work is done."""
+BAR = "{percentage:3.0f}%|{bar}| {desc} [{elapsed}<{remaining}]"
+BAR_DELAY = 1.0
+"""Seconds of work before a bar is shown for a single file."""
 
 
 def jobs_of(inputs: list[Path], out: Path | None, ending: str) -> list[Job]:
@@ -62,7 +64,7 @@ def is_single(inputs: list[Path], out: Path | None) -> bool:
 
 
 def is_batch(inputs: list[Path]) -> bool:
-    """Return whether there may be so many files that it is noted what was done of them."""
+    """Return whether there are enough files for a record of what was done."""
     return len(inputs) > 1 or is_folder(inputs[0])
 
 
@@ -97,7 +99,7 @@ def work_through(
 ) -> list[Outcome]:
     """Do something with every file; say what is odd, report those that fail on standard error and go on.
 
-    Where it is noted what is done, what was wrong is told by two files in the folder as well. `then` is told what
+    Where there is a record, two files in the folder list what went wrong as well. `then` is called with what
     became of each file.
     """
     options = options or BatchOptions(jobs=1)
@@ -115,7 +117,7 @@ def work_through(
             outcomes = run_batch(jobs, work, options, on_outcome=take, on_progress=show)
     except BaseException:
         if options.folder is not None and seen:
-            with suppress(EngineError):  # such as a full disk, which is told already
+            with suppress(EngineError):  # such as a full disk, which is reported already
                 write_batch_report(seen, options.folder)
         raise
     if options.folder is not None:
@@ -141,23 +143,23 @@ def n_failed(outcomes: Iterable[Outcome]) -> int:
     return sum(outcome.state is JobState.FAILED for outcome in outcomes)
 
 
-def file_preset(path: Path, ear: Ear | None) -> Preset:
-    """Return the preset with which a command hears files; say what it lacks, and at a terminal what is heard with.
+def file_preset(path: Path, kind: ModelKind | None) -> Preset:
+    """Return the preset with which a command recognises files; say what it lacks, and at a terminal its model.
 
     Parameters
     ----------
     path : the preset's file, or its name.
-    ear : what is asked for; None for the best there is.
+    kind : the model; None for the best one available.
 
     Raises
     ------
     EngineError : it cannot be read or used.
     """
-    preset = for_files(load_preset(path), ear)
+    preset = for_files(load_preset(path), kind)
     for warning in preset.warnings:
         say_note(printable(preset.name), warning)
     if sys.stderr.isatty():
-        tqdm.write(f"phonemeanalyser: heard with: {ear_in_words(preset)}", file=sys.stderr)
+        tqdm.write(f"phonemeanalyser: model: {model_in_words(preset)}", file=sys.stderr)
     return preset
 
 
@@ -190,3 +192,27 @@ def _files_under(path: Path) -> Iterator[tuple[Path, str]]:
         yield from ((file, str(file.relative_to(path))) for file in found)
     else:
         yield path, path.name or "folder"
+
+
+@contextmanager
+def batch_bar(n_files: int) -> Iterator[Callable[[BatchProgress], bool]]:
+    """Show a bar at terminals; of a single file only where the work is long."""
+    delay = BAR_DELAY if n_files == 1 else 0.0
+    with tqdm(total=1.0, bar_format=BAR, delay=delay, leave=n_files > 1, disable=None, file=sys.stderr) as bar:
+
+        def show(progress: BatchProgress) -> bool:
+            bar.set_description_str(_words_of(progress), refresh=False)
+            bar.update(progress.share - bar.n)
+            return True
+
+        yield show
+
+
+def _words_of(progress: BatchProgress) -> str:
+    over = progress.n_done + progress.n_failed
+    parts = [f"{over}/{progress.n_files} files"]
+    if progress.heard:
+        parts.append(f"{progress.speed:.0f} x real time")
+    if progress.n_failed:
+        parts.append(f"{progress.n_failed} failed")
+    return ", ".join(parts)

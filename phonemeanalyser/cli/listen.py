@@ -1,4 +1,4 @@
-"""``phonemeanalyser listen``: recognise what a microphone hears; and record it, see `record`."""
+"""``phonemeanalyser listen``: recognise the sound of a microphone; and record it, see `record`."""
 
 import argparse
 import json
@@ -41,9 +41,9 @@ from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.presets.ears import ear_in_words, figures_ahead, for_live_use
-from phonemeengine.presets.preset import LIVE_EARS
-from phonemeengine.settings import PARAMETERS, Ear
+from phonemeengine.presets.model_choice import figures_ahead, for_live_use, model_in_words
+from phonemeengine.presets.preset import LIVE_KINDS
+from phonemeengine.settings import PARAMETERS, ModelKind
 from phonemeengine.storage.files import printable
 
 LOOK = 0.2
@@ -53,23 +53,29 @@ LEAST_LOSS = 0.005
 PATIENCE = 3.0
 """Seconds that a microphone which gives nothing is waited for beyond the time that was asked for."""
 
+EXAMPLES = (
+    "phonemeanalyser listen",
+    "phonemeanalyser listen --format json --seconds 10",
+    "phonemeanalyser listen --osc 127.0.0.1:39539 --table vrm --look-ahead 0.05",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Say what is listened to, and what is told of it."""
+    """Declare what is listened to, and what is printed of it."""
     add_input(parser)
     ahead = PARAMETERS["live_look_ahead"]
     limits = f"{ahead.low:g} to {ahead.high:g} {ahead.unit}"
-    wait = f"wait so long for what comes after a sound, {limits}: surer, later (default: the preset's)"
+    wait = f"look-ahead, {limits}: longer is more exact, and adds to the latency (default: the preset's)"
     parser.add_argument("--look-ahead", type=number_in(*ahead.limits), metavar="S", help=wait)
-    model = "encoder: the real-time model, live: the small network (default: the best that the preset has)"
-    parser.add_argument("--live-model", type=Ear, choices=LIVE_EARS, help=model)
-    parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind")
+    model = "model that recognises; real-time is the small network alone (default: the preset's)"
+    parser.add_argument("--model", type=ModelKind, choices=LIVE_KINDS, metavar="|".join(LIVE_KINDS), help=model)
+    parser.add_argument("--format", choices=["text", "json"], default="text", dest="kind", help="(default: text)")
     parser.add_argument("--list-devices", action="store_true", help="print the microphones and end")
-    parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and the mouth as OSC and VMC messages")
-    table = f"mouth table of --osc: {USUAL_TABLE} as the head's, vrm, oculus, ... or a file (default: {USUAL_TABLE})"
+    parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and mouth shapes as OSC and VMC messages")
+    table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
     add_options(parser, "expression", "priority")
-    heard = "show expressions that other programs send here (/expression NAME V, or VMC blend shapes)"
+    heard = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
     parser.add_argument("--expression-osc", metavar="HOST:PORT", help=heard)
 
 
@@ -88,13 +94,13 @@ def _preset_of(options: argparse.Namespace) -> Preset:
     preset = load_preset(options.preset)
     if options.look_ahead is not None:
         preset = replace(preset, settings=preset.settings.with_number("live_look_ahead", options.look_ahead))
-    if options.live_model is not None:
-        preset = replace(preset, live_model=options.live_model)
+    if options.model is not None:
+        preset = replace(preset, live_model=options.model)
     live = for_live_use(preset)
     for warning in live.warnings:
         print(f"phonemeanalyser: {printable(preset.name)}: note: {warning}", file=sys.stderr)
     if sys.stderr.isatty():
-        print(f"phonemeanalyser: recognised with: {ear_in_words(live)}", file=sys.stderr)
+        print(f"phonemeanalyser: model: {model_in_words(live)}", file=sys.stderr)
     return preset
 
 
@@ -111,11 +117,11 @@ def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None
 
 def add_input(parser: argparse.ArgumentParser) -> None:
     """Let the user choose the microphone, and what recognises it for how long."""
-    parser.add_argument("--device", default="", metavar="NAME", help="microphone, by name or a part of it")
+    parser.add_argument("--device", default="", metavar="NAME", help="microphone, by its name or a part of it")
     add_options(parser, "preset", "channel", channel=Channel.LEFT)
     rate = whole_in(LOWEST_RATE, HIGHEST_RATE, "Hz")
     parser.add_argument("--rate", type=rate, default=0, metavar="HZ", help="sample rate (default: 44100 if it can)")
-    parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="end after so long")
+    parser.add_argument("--seconds", type=number_in(0, math.inf, "s"), metavar="S", help="stop after S seconds")
 
 
 def input_of(options: argparse.Namespace) -> InputChoice:
@@ -132,7 +138,7 @@ def list_devices() -> None:
     """
     found = inputs_of(devices())
     if not found:
-        raise DeviceError("there is no microphone; plug one in, or check that the sound system runs")
+        raise DeviceError("no microphone was found; connect one, or check that the audio system is running")
     for device in found:
         star = "*" if device.is_default else " "
         print(f"{star} {device.label}  ({device.n_inputs} channels, {device.rate} Hz)")
@@ -218,13 +224,14 @@ def record(
 
 
 def _late_in_words(latency: Latency, preset: Preset) -> str:
-    """Return how late phonemes were, and how right they are so far ahead, where the model's training measured it."""
+    """Return the latency of phonemes, and how right they are with that look-ahead, where the training measured it."""
     shares = " + ".join(f"{name.replace('_', '-')} {1000 * share:.0f}" for name, share in asdict(latency).items())
-    words = f"phonemes were {1000 * latency.total:.0f} ms late on the average ({shares})"
+    words = f"mean latency {1000 * latency.total:.0f} ms ({shares})"
     figures = figures_ahead(for_live_use(preset), round(latency.look_ahead / FRAME_PERIOD))
     if figures is None:
         return words
-    return f"{words}; so far ahead: macro F1 {figures.macro_f1:.2f}, mouth shapes {100 * figures.mouth_shapes:.0f} %"
+    shapes = f"mouth shapes {100 * figures.mouth_shapes:.0f} %"
+    return f"{words}; accuracy with this look-ahead: macro F1 {figures.macro_f1:.2f}, {shapes}"
 
 
 @contextmanager
@@ -266,7 +273,7 @@ class _Changes:
 
 
 def _as_text(time_s: float, phoneme: str, intensity: float, confidence: float | None, _latency_ms: float) -> str:
-    sure = "" if confidence is None else f"  {100 * confidence:3.0f} % sure"
+    sure = "" if confidence is None else f"  {100 * confidence:3.0f} % confidence"
     return f"{time_s:8.2f} s  {phoneme:<12}  {intensity:.2f}{sure}"
 
 
@@ -277,7 +284,7 @@ def _as_json(time_s: float, phoneme: str, intensity: float, confidence: float | 
 
 
 def _attend(listener: Listener, seconds: float | None, look: Callable[[], None]) -> None:
-    """Stay until so much has been heard; say what happens to the microphone."""
+    """Stay for a number of seconds of sound; report what happens to the microphone."""
     wanted = math.inf if seconds is None else seconds
     end = listener.clock() + wanted + PATIENCE
     said = ""

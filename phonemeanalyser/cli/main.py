@@ -14,24 +14,27 @@ from phonemeengine import EngineError
 from phonemeengine.errors import OptionError, meant_by
 
 COMMANDS = {
-    "adapt": "Calibrate a preset to the takes or labelled recordings of one voice, or to a room alone.",
-    "align": "Tell where a script is said in sound files, and which take of each line is the best.",
-    "analyse": "Write the phonemes of sound files as tables.",
-    "export": "Write what sound files say as mouth cues and movements for other programs.",
-    "listen": "Recognise what a microphone hears, and print a line at each change; Ctrl-C ends it.",
-    "measure": "Measure a stretch of a sound: level, pitch, formants, variables and the shares of the phonemes.",
-    "movestates": "Make, look at and convert files of movestates.",
-    "performance": "Make tables of recorded faces, look at them, and make synthetic recordings.",
-    "preview": "Make a clip in which a head says a sound file.",
-    "record": "Record a microphone to a file; Ctrl-C ends it.",
-    "score": "Recognise labelled recordings with one or two presets, and tell how right the answers are.",
+    "adapt": "Calibrate a preset to takes or recordings of one voice, or to the background noise alone.",
+    "align": "Align audio files with a script, and find the best take of each line.",
+    "analyse": "Write the phonemes of audio files as tables or labels.",
+    "explain": "Print the rules of a preset, and why a phoneme was recognised at a time.",
+    "export": "Write audio files as mouth cues or facial animation for other programs.",
+    "listen": "Recognise phonemes from a microphone, and print a line at each change, until Ctrl-C.",
+    "measure": "Measure a part of an audio file: level, pitch, formants, variables and shares of phonemes.",
+    "movestates": "Make, inspect and convert files of movestates (blend shapes).",
+    "performance": "Make and inspect tables of recorded faces, and make synthetic recordings.",
+    "preview": "Render a video of a head that speaks an audio file.",
+    "record": "Record a microphone to a file, until Ctrl-C.",
+    "rules": "Find few rules in labelled recordings, and write them as a preset.",
+    "score": "Measure how right one or two presets are on labelled recordings.",
     "screenshot": "Take a picture of the window, without a display.",
-    "serve": "Serve streams of speech and sound files to other programs, over WebSocket and HTTP; Ctrl-C ends it.",
-    "ship": "Write a preset and the ear that hears with it, as sources for programs without Python.",
-    "speak": "Have a voice say a text, aloud or into a sound, labels and a mouth's movement.",
-    "takes": "Say what a folder of takes holds, and remove deleted takes for ever.",
+    "serve": "Recognise streams and audio files for other programs, over WebSocket and HTTP, until Ctrl-C.",
+    "ship": "Write a preset and the runtime that recognises with it, for programs without Python.",
+    "speak": "Speak a text, aloud or into audio, labels and facial animation.",
+    "spectra": "Average the spectra of speakers or phonemes in labelled recordings, and compare them.",
+    "takes": "List a folder of takes, and remove deleted takes for ever.",
     "train": "Train the learned recogniser on folders of labelled speech.",
-    "whisper": "Say where the speech encoder's model is that helps to hear files, choose it, or fetch it.",
+    "whisper": "Show, choose or download the Whisper model, the most exact model for files.",
 }
 """Every command, each a module of this package with `add_arguments` and `run`, and what it does."""
 _TABLES, _TABLE = "--performance", ".sqlite"
@@ -48,6 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         command, rest = _command_in(words)
         module, parser = _module_of(command), _parser_of(command)
         parser.set_defaults(parser=parser)
+        parser.examples = module.EXAMPLES
         module.add_arguments(parser)
         add_log(parser)
         options = parser.parse_args(_with_each_table(rest))
@@ -100,7 +104,7 @@ def _command_in(words: list[str]) -> tuple[str, list[str]]:
 
 
 def _module_of(command: str) -> ModuleType:
-    """Import the module of a command, and no other: nobody should wait for them."""
+    """Import the module of a command, and no other, since imports take time."""
     if command == "preview":
         return module_that_draws(command)
     return importlib.import_module(f"phonemeanalyser.cli.{command}")
@@ -112,7 +116,7 @@ def _parser_of(command: str) -> CommandParser:
     lines = "\n".join(f"  {name:<12}{words}" for name, words in COMMANDS.items())
     return CommandParser(
         prog="phonemeanalyser",
-        description="Calibrate real-time phoneme recognition for lip sync; without a command, in a window.",
+        description="Calibrate real-time phoneme recognition for lip sync, in a window or by commands.",
         epilog=f"commands:\n{lines}\n\nFor each: phonemeanalyser COMMAND --help",
         formatter_class=RawDescriptionHelpFormatter,
     )

@@ -1,4 +1,4 @@
-"""``phonemeanalyser measure``: what a stretch of a sound is like; and the stretch as sound or spectrum."""
+"""``phonemeanalyser measure``: the measures of a selection of a sound; and the selection as sound or spectrum."""
 
 import argparse
 import sys
@@ -12,35 +12,45 @@ from phonemeengine import SoundReader, measure
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.dsp.formants import CEILING
 from phonemeengine.inspection.averaged_spectrum import FORMAT, format_averaged_spectrum
-from phonemeengine.inspection.measurement import (
-    MEASUREMENT_COLUMNS,
-    average_spectrum,
-    format_measurement,
-    save_stretch,
-)
+from phonemeengine.inspection.measurement import MEASUREMENT_COLUMNS, format_measurement, save_stretch
+from phonemeengine.inspection.speaker_spectra import average_spectrum
 from phonemeengine.storage.files import begins_like
 from phonemeengine.storage.replacing import STANDARD_OUTPUT, Guard, guarded_text, nothing_is_own, output_path
 
 HEADING = ",".join(MEASUREMENT_COLUMNS).encode()
 
+EXAMPLES = (
+    "phonemeanalyser measure speech.wav --from 0.48 --to 0.63",
+    "phonemeanalyser measure speech.wav -o measured.csv --ceiling 5000",
+    "phonemeanalyser measure speech.wav --from 0.48 --to 0.63 --sound-out sh.wav --spectrum-out sh.csv",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is measured, and where that goes."""
-    parser.add_argument("sound", type=Path, metavar="SOUND", help="sound file")
-    parser.add_argument("--from", type=number, default=0.0, dest="start", metavar="S", help="begin, seconds (0)")
-    parser.add_argument("--to", type=number, dest="end", metavar="S", help="end, seconds (default: the sound's)")
-    parser.add_argument("-o", "--out", type=Path, help="table, .csv (default: print)")
-    parser.add_argument("--sound-out", type=Path, metavar="WAV", help="write the stretch as a sound, too")
-    parser.add_argument("--spectrum-out", type=Path, metavar="CSV", help="write its averaged spectrum, too")
+    parser.add_argument("sound", type=Path, metavar="SOUND", help="audio file")
     parser.add_argument(
-        "--ceiling", type=number, default=CEILING, metavar="HZ", help=f"formants lie below it ({CEILING:g})"
+        "--from", type=number, default=0.0, dest="start", metavar="S", help="start, seconds (default: 0)"
+    )
+    parser.add_argument(
+        "--to", type=number, dest="end", metavar="S", help="end, seconds (default: the end of the file)"
+    )
+    parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="table, .csv (default: print)")
+    parser.add_argument("--sound-out", type=Path, metavar="WAV", help="write this part as an audio file")
+    parser.add_argument("--spectrum-out", type=Path, metavar="CSV", help="write its averaged spectrum")
+    parser.add_argument(
+        "--ceiling",
+        type=number,
+        default=CEILING,
+        metavar="HZ",
+        help=f"highest frequency of formants (default: {CEILING:g})",
     )
     add_options(parser, *HEARD, "overwrite")
 
 
 def run(options: argparse.Namespace) -> int:
     """Measure; returns the exit code."""
-    preset, table = file_preset(options.preset, options.ear), Guard(begins_like(HEADING), options.overwrite)
+    preset, table = file_preset(options.preset, options.model), Guard(begins_like(HEADING), options.overwrite)
     table.check(options.out)
     spectrum = Guard(begins_like(f"# {FORMAT}".encode()), options.overwrite)
     spectrum.check(options.spectrum_out)

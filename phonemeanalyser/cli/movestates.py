@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_options, file_place, number_in
+from phonemeanalyser.cli.arguments import add_examples, add_options, file_place, number_in
 from phonemeengine import (
     MeshError,
     MorphMesh,
@@ -31,28 +31,63 @@ EPILOG = (
     "For each, movestates WHAT --help."
 )
 
+EXAMPLES = (
+    "phonemeanalyser movestates convert head face.glb",
+    "phonemeanalyser movestates info face.glb",
+    "phonemeanalyser movestates export base.obj smile.obj -o smile.3dm",
+)
+EXAMPLES_OF = {
+    "convert": (
+        "phonemeanalyser movestates convert head face.glb",
+        "phonemeanalyser movestates convert face.glb face.3dma",
+        "phonemeanalyser movestates convert face.3dma face.3dm --overwrite",
+    ),
+    "info": (
+        "phonemeanalyser movestates info face.glb",
+        "phonemeanalyser movestates info face.3dma",
+        "phonemeanalyser movestates info face.3dm",
+    ),
+    "export": (
+        "phonemeanalyser movestates export base.obj smile.obj -o smile.3dm",
+        "phonemeanalyser movestates export base.obj smile.obj frown.obj -o moods.glb",
+        "phonemeanalyser movestates export face.glb -o copy.3dma --overwrite",
+    ),
+}
+"""Examples of what is done with movestates; each uses the files of those before it."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is to be done with movestates."""
     parser.epilog = EPILOG
     kinds = parser.add_subparsers(required=True, metavar="WHAT")
-    export = kinds.add_parser("export", help="make movestates of a mesh and its targets")
-    export.add_argument("base", type=Path, metavar="BASE", help="the mesh at rest; its morph targets count")
-    export.add_argument("targets", type=Path, nargs="*", metavar="TARGET", help="the mesh moved, named as the state")
+    export = kinds.add_parser(
+        "export", help="make movestates from meshes", description="Make movestates from a mesh and its targets."
+    )
+    export.add_argument("base", type=Path, metavar="BASE", help="mesh at rest; its morph targets are used")
+    export.add_argument(
+        "targets", type=Path, nargs="*", metavar="TARGET", help="the same mesh deformed; its name is the movestate's"
+    )
     export.add_argument("-o", "--out", type=file_place, required=True, metavar="FACE", help=".3dm, .3dma or .glb")
     add_options(export, "overwrite")
     export.set_defaults(act=_export)
-    info = kinds.add_parser("info", help="say what a file holds")
-    info.add_argument("file", type=Path, metavar="FILE")
+    info = kinds.add_parser("info", help="list a file", description="List the movestates of a file.")
+    info.add_argument("file", type=Path, metavar="FILE", help=".3dm, .3dma, .glb or .gltf")
     info.set_defaults(act=_info)
-    convert = kinds.add_parser("convert", help="write movestates in another format")
+    convert = kinds.add_parser("convert", help="convert a file", description="Write movestates in another format.")
     convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
     convert.add_argument("out", type=file_place, metavar="OUT", help=".3dm, .3dma or .glb")
-    convert.add_argument("--mesh", type=Path, help="the mesh of IN, by whose vertices it is renumbered if need be")
+    convert.add_argument("--mesh", type=Path, metavar="M", help="mesh of IN, if its vertices are to be renumbered")
     distance = number_in(0, math.inf, "units of the mesh")
-    convert.add_argument("--tolerance", type=distance, default=TOLERANCE, help=f"of a place (default {TOLERANCE})")
+    convert.add_argument(
+        "--tolerance",
+        type=distance,
+        default=TOLERANCE,
+        metavar="D",
+        help=f"distance of equal vertices (default: {TOLERANCE})",
+    )
     add_options(convert, "overwrite")
     convert.set_defaults(act=_convert)
+    add_examples(kinds, EXAMPLES_OF)
 
 
 def run(options: argparse.Namespace) -> int:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_clip, add_options, file_place, number, number_in, whole_in
+from phonemeanalyser.cli.arguments import add_clip, add_examples, add_options, file_place, number, number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
@@ -22,6 +22,35 @@ BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"
 LARGEST = 4 << 20
 """Bytes of a file of sentences."""
 
+EXAMPLES = (
+    "phonemeanalyser performance make recorded --minutes 0.2",
+    "phonemeanalyser performance build recorded -o face.sqlite",
+    "phonemeanalyser performance info face.sqlite",
+)
+EXAMPLES_OF = {
+    "make": (
+        "phonemeanalyser performance make recorded --minutes 0.2",
+        "phonemeanalyser performance make other --minutes 0.1 --seed 7",
+        "phonemeanalyser performance make mine --minutes 0.1 --sentences lines.txt --language en-gb",
+    ),
+    "build": (
+        "phonemeanalyser performance build recorded -o face.sqlite",
+        "phonemeanalyser performance build other -o other.sqlite --name Ada",
+        "phonemeanalyser performance build mine -o face.sqlite --overwrite",
+    ),
+    "info": (
+        "phonemeanalyser performance info face.sqlite",
+        "phonemeanalyser performance info other.sqlite",
+        "phonemeanalyser performance info face.sqlite --log log.txt",
+    ),
+    "show": (
+        "phonemeanalyser performance show face.sqlite synthetic0001 -o whole.gif --size 64x64",
+        "phonemeanalyser performance show face.sqlite synthetic0001 -o start.mp4 --to 0.4",
+        "phonemeanalyser performance show face.sqlite synthetic0001 -o frames --from 0.2 --to 0.4 --fps 25",
+    ),
+}
+"""Examples of what is done with performances; each uses the files of those before it."""
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is to be done with recorded performances."""
@@ -30,31 +59,38 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "NAME.glb, or NAME.osc of VMC messages, in place of the latter. For each, performance WHAT --help."
     )
     kinds = parser.add_subparsers(required=True, metavar="WHAT")
-    build = kinds.add_parser("build", help="make a table of a folder of recordings")
-    build.add_argument("folder", type=Path, metavar="FOLDER")
+    build = kinds.add_parser("build", help="make a table", description="Make a table from a folder of recordings.")
+    build.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
     build.add_argument("-o", "--out", type=file_place, required=True, metavar="T.sqlite", help="the table")
-    build.add_argument("--name", metavar="NAME", help="what the table is called (default: as the folder)")
+    build.add_argument("--name", metavar="NAME", help="name of the table (default: the folder's)")
     add_options(build, "overwrite")
     build.set_defaults(act=_build)
-    info = kinds.add_parser("info", help="say what a table holds")
-    info.add_argument("table", type=Path, metavar="T.sqlite")
+    info = kinds.add_parser("info", help="list a table", description="List what a table holds.")
+    info.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
     info.set_defaults(act=_info)
-    show = kinds.add_parser("show", help="make a clip of a recording: the face as it was tracked, with its sound")
-    show.add_argument("table", type=Path, metavar="T.sqlite")
-    show.add_argument("recording", metavar="RECORDING", help="its name, as --units has it")
-    show.add_argument("--from", dest="start", type=number, metavar="S", help="seconds (default: its beginning)")
-    show.add_argument("--to", dest="end", type=number, metavar="S", help="seconds (default: its end)")
+    show = kinds.add_parser("show", help="render a recording", description="Render a recorded face with its sound.")
+    show.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    show.add_argument("recording", metavar="RECORDING", help="name of the recording, as in --units")
+    show.add_argument("--from", dest="start", type=number, metavar="S", help="start, seconds (default: its start)")
+    show.add_argument("--to", dest="end", type=number, metavar="S", help="end, seconds (default: its end)")
     add_clip(show)
     add_options(show, "overwrite")
     show.set_defaults(act=_show)
-    make = kinds.add_parser("make", help="have a synthetic performer read sentences, for demonstration and tests")
-    make.add_argument("folder", type=Path, metavar="FOLDER", help="a new folder for its recordings")
+    make = kinds.add_parser(
+        "make", help="make synthetic recordings", description="Make recordings of a synthetic performer, for tests."
+    )
+    make.add_argument("folder", type=Path, metavar="FOLDER", help="new folder for the recordings")
     minutes = number_in(0.01, MOST_MINUTES, "minutes")
-    make.add_argument("--minutes", type=minutes, default=USUAL_MINUTES, metavar="M", help="how much (default: 15)")
-    make.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="another number makes other takes")
-    make.add_argument("--sentences", type=Path, metavar="F", help="a text file (UTF-8) with a sentence a line")
-    make.add_argument("--language", default="en-us", metavar="L", help="of the sentences (default: en-us)")
+    make.add_argument(
+        "--minutes", type=minutes, default=USUAL_MINUTES, metavar="M", help="minutes of speech (default: 15)"
+    )
+    make.add_argument(
+        "--seed", type=whole_in(0), default=0, metavar="N", help="seed of random variation (default: 0)"
+    )
+    make.add_argument("--sentences", type=Path, metavar="F", help="text file (UTF-8) with one sentence per line")
+    make.add_argument("--language", default="en-us", metavar="L", help="language of the sentences (default: en-us)")
     make.set_defaults(act=_make)
+    add_examples(kinds, EXAMPLES_OF)
 
 
 def run(options: argparse.Namespace) -> int:

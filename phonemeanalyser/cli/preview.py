@@ -1,6 +1,6 @@
-"""``phonemeanalyser preview``: a head says a sound file, as a film, a .gif, or a folder of pictures.
+"""``phonemeanalyser preview``: a head speaks an audio file, as a video, a .gif, or a folder of pictures.
 
-Two heads say it side by side, in step, where drivers are compared.
+Two heads speak it side by side, in step, where drivers are compared.
 """
 
 import argparse
@@ -17,12 +17,18 @@ from phonemeengine.storage.replacing import STANDARD_OUTPUT
 CLIPS = ("mp4", "gif")
 """What the clips of several sounds are."""
 
+EXAMPLES = (
+    "phonemeanalyser preview speech.wav -o speech.mp4",
+    "phonemeanalyser preview speech.wav -o speech.gif --size 320x320 --fps 10",
+    "phonemeanalyser preview recordings -o clips --size 320x320 --theme dark",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is shown, and how."""
-    parser.add_argument("inputs", type=Path, nargs="+", metavar="FILE", help="sound files, or folders of them")
+    parser.add_argument("inputs", type=Path, nargs="+", metavar="FILE", help="audio files, or folders of them")
     add_clip(parser)
-    parser.add_argument("--format", choices=CLIPS, dest="kind", help=f"of several clips (default: {CLIPS[0]})")
+    parser.add_argument("--format", choices=CLIPS, dest="kind", help=f"format of several clips (default: {CLIPS[0]})")
     add_options(parser, *SAID, *HEARD, "table", *MOVED, *DRIVEN, "beside", "mesh", "movestates", "overwrite")
     add_batch(parser)
 
@@ -32,11 +38,11 @@ def run(options: argparse.Namespace) -> int:
     share_paths(options)
     printed = options.out == STANDARD_OUTPUT
     if options.kind is not None and not is_batch(options.inputs) and not printed:
-        options.parser.error("--format is of the clips of several sounds; of a single one, the name of OUT says it")
+        options.parser.error("--format goes with several files; for one, end the name of OUT with the format")
     kind = options.kind or CLIPS[0]
     check_clip(Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out, options.size)
     asked = given(options)
-    preset = file_preset(asked.preset, asked.ear)
+    preset = file_preset(asked.preset, asked.model)
     jobs = jobs_of(options.inputs, options.out, f".{kind}") if is_batch(options.inputs) else _single(options)
     look = clip_options(options)
     work = ClipWork.of(asked, preset, look, f".{kind}", [job.source for job in jobs], say_note)

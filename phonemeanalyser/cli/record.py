@@ -6,14 +6,20 @@ from phonemeanalyser.cli.arguments import file_place
 from phonemeanalyser.cli.listen import add_input, input_of, record
 from phonemeengine import load_preset
 
+EXAMPLES = (
+    "phonemeanalyser record voice.wav",
+    "phonemeanalyser record voice.flac --seconds 5 --phonemes",
+    "phonemeanalyser record voice.wav --device Yeti --fill-gaps",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is recorded, and where."""
-    parser.add_argument("out", type=file_place, metavar="OUT", help="a new .wav or .flac file")
+    parser.add_argument("out", type=file_place, metavar="OUT", help="new .wav or .flac file")
     add_input(parser)
-    parser.add_argument("--phonemes", action="store_true", help="write the phonemes beside it, as OUT.csv")
+    parser.add_argument("--phonemes", action="store_true", help="write the phonemes too, as OUT.csv")
     parser.add_argument(
-        "--fill-gaps", action="store_true", help="silence for the time the microphone was away, besides the mark"
+        "--fill-gaps", action="store_true", help="write silence while the microphone is away, besides the mark"
     )
 
 

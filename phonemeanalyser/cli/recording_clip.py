@@ -77,7 +77,7 @@ def _animation_of(performance: Performance, start: float, end: float, rate: floa
 def _sound_of(
     table: PerformanceTable, start: float, end: float, options: argparse.Namespace, stack: ExitStack
 ) -> SoundTrack | None:
-    """Return what is heard of a recording, for a film; None, which is said, where its sound is not found."""
+    """Return the sound of a recording, for a film; None, which is reported, where its sound is not found."""
     if options.out != STANDARD_OUTPUT and options.out.suffix.lower() != ".mp4":
         return None
     path = original_sound(table, options.recording)

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import HEARD, add_batch, add_map, add_options, number_in, whole_in
+from phonemeanalyser.cli.arguments import HEARD, add_batch, add_map, add_options, number_in, refuse_unused, whole_in
 from phonemeanalyser.cli.jobs import file_preset, say_cut_off, share_paths, work_through
 from phonemeanalyser.cli.prediction_work import PredictionWork, words_to_score
 from phonemeanalyser.reports.figures import json_of, text_of
@@ -19,9 +19,9 @@ from phonemeengine import (
     AudioError,
     Channel,
     CorpusError,
-    Ear,
     EngineError,
     LabelledUtterance,
+    ModelKind,
     PhonemeMap,
     Preset,
     PresetError,
@@ -34,6 +34,8 @@ from phonemeengine.calibration.scores.added_noise import HIGHEST_SNR, LOWEST_SNR
 from phonemeengine.calibration.scores.comparison import compare
 from phonemeengine.calibration.scores.confusion import ERROR_COLUMNS, label_errors
 from phonemeengine.calibration.scores.evaluation import CorpusScores, corpus_scores_of
+from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
+from phonemeengine.calibration.workbench.phoneme_data_table import NUMBER_COLUMNS, number_rows, number_table
 from phonemeengine.storage.files import printable, printable_name
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
@@ -50,33 +52,47 @@ class Named:
     preset: Preset
 
 
+EXAMPLES = (
+    "phonemeanalyser score corpus",
+    "phonemeanalyser score corpus --preset extended --against thesis -o report.html",
+    "phonemeanalyser score corpus --noise pink --snr 10 --errors errors.csv",
+)
+
+
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Say what is scored, and how that is told."""
+    """Declare what is scored, and how that is reported."""
     parser.add_argument(
         "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv, or with sounds beside label files"
     )
-    add_options(parser, *HEARD, ear=Ear.LIVE)
-    parser.add_argument("--against", type=Path, metavar="B", help="another one, which is compared with it")
+    add_options(parser, *HEARD, model=ModelKind.REAL_TIME)
+    parser.add_argument("--against", type=Path, metavar="B", help="second preset to compare with")
     parser.add_argument(
-        "--format", choices=["text", "json", "html"], dest="kind", help="(default: as OUT ends, else text)"
+        "--format",
+        choices=["text", "json", "html"],
+        dest="kind",
+        help="file format (default: from the ending of OUT, else text)",
     )
-    parser.add_argument("-o", "--out", type=Path, help="file to write (default: print)")
-    parser.add_argument("--by", choices=["corpus", "speaker"], default="corpus", help="rows of the text's table")
+    parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="report to write (default: print)")
+    parser.add_argument(
+        "--by", choices=["corpus", "speaker"], default="corpus", help="rows of the text report (default: corpus)"
+    )
     lag = number_in(-MOST_LAG_MS, MOST_LAG_MS, "ms")
-    parser.add_argument("--lag", type=lag, default=0.0, metavar="MS", help="take the answers to come so late")
+    parser.add_argument("--lag", type=lag, default=0.0, metavar="MS", help="delay of the answers against the labels")
     add_map(parser)
-    texts = "align the texts, the manifest's column text or those of --script, and score that"
+    texts = "score the alignment of the texts: the manifest's column text, or --script"
     parser.add_argument("--texts", action="store_true", help=texts)
-    parser.add_argument("--script", type=Path, metavar="FILE", help="table with a line FILE<TAB>TEXT for each sound")
+    parser.add_argument("--script", type=Path, metavar="FILE", help="table with a line FILE<TAB>TEXT for each file")
     add_options(parser, "language", "lexicon", "literal", "overwrite")
-    where = "write where something else was recognised than the labels say, for 30 ms or more"
+    where = "write the segments of 30 ms or more that differ from the labels"
     parser.add_argument("--errors", type=Path, metavar="CSV", help=where)
+    where = "write the 21 numbers of PhonemeData, with the values that they divide by speaker"
+    parser.add_argument("--phoneme-data", type=Path, metavar="CSV", help=where)
     parser.add_argument("--noise", choices=[k.value for k in NoiseKind], help="add noise before the analysis")
     snr = number_in(LOWEST_SNR, HIGHEST_SNR, "dB")
-    parser.add_argument("--snr", type=snr, metavar="DB", help="how far the noise is below the speech")
-    parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="of the noise (default: 0)")
+    parser.add_argument("--snr", type=snr, metavar="DB", help="signal-to-noise ratio")
+    parser.add_argument("--seed", type=whole_in(0), default=0, metavar="N", help="seed of the noise (default: 0)")
     add_batch(parser)
-    keep = "keep what is recognised, so that nothing is recognised twice, and a score that was stopped goes on"
+    keep = "keep recognised phonemes here, to go on later without repeating work"
     parser.add_argument("--keep", type=Path, metavar="FOLDER", help=keep)
 
 
@@ -84,10 +100,12 @@ def run(options: argparse.Namespace) -> int:
     """Score presets as the command line asks; 1 where a sound could not be read."""
     share_paths(options)
     if (options.noise is None) != (options.snr is None):
-        options.parser.error("--noise and --snr go together: say what noise, and how far below the speech")
-    for out in (options.out, options.errors):
+        options.parser.error("--noise and --snr go together; give both")
+    if not (options.texts or options.script):
+        refuse_unused(options, ("language", "lexicon", "literal"), "goes with --texts or --script; give one of them")
+    for out in (options.out, options.errors, options.phoneme_data):
         Guard(nothing_is_own, options.overwrite).check(out)
-    presets = _presets_of(options.preset, options.against, options.ear)
+    presets = _presets_of(options.preset, options.against, options.model)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_phoneme_map(options.map)
     troubles: list[str] = []
@@ -101,6 +119,8 @@ def run(options: argparse.Namespace) -> int:
         utterances = tuple(p.utterance for p in scored[-1].scores.predictions)
     if options.errors is not None:
         _write_errors(scored, options.errors)
+    if options.phoneme_data is not None:
+        _write_numbers(presets, utterances, options.phoneme_data)
     comparison = compare(*(preset.scores for preset in scored)) if len(scored) > 1 else None
     report = Report(options.corpus, tuple(scored), comparison, noise, tuple(troubles))
     _write(report, options.kind or KINDS.get((options.out or Path()).suffix.lower(), "text"), options.by, options.out)
@@ -117,6 +137,16 @@ def _write_errors(scored: Sequence[ScoredPreset], path: Path) -> None:
                 rows.writerows(
                     (preset.title, p.utterance.path, *found.row()) for found in label_errors(p.labels, p.phonemes)
                 )
+
+
+def _write_numbers(presets: Sequence[Named], utterances: Sequence[LabelledUtterance], path: Path) -> None:
+    """Write the numbers of the first preset, those of the second beside them, and what they divide."""
+    data = [named.preset.phoneme_data for named in presets]
+    rows = number_rows(LabelledFeatures(utterances, presets[0].preset))
+    with guarded_text(path) as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(NUMBER_COLUMNS)
+        table.writerows(number_table(rows, *data))
 
 
 def _recordings_in(
@@ -151,11 +181,11 @@ def _scored(
     return corpus_scores_of(work.preset, predictions, work.delay)
 
 
-def _presets_of(first: Path, against: Path | None, ear: Ear) -> list[Named]:
-    one = file_preset(first, ear)
+def _presets_of(first: Path, against: Path | None, kind: ModelKind) -> list[Named]:
+    one = file_preset(first, kind)
     if against is None:
         return [Named(printable(one.name), one)]
-    other = file_preset(against, ear)
+    other = file_preset(against, kind)
     if one == other:
         raise PresetError(
             f"{printable_name(first)} and {printable_name(against)} hold the same preset; name two that differ"

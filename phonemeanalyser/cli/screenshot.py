@@ -9,16 +9,30 @@ import phonemeanalyser
 from phonemeanalyser.cli.arguments import add_options, add_theme, file_place, number_in, size_in
 from phonemeanalyser.cli.display import load_desktop
 
+EXAMPLES = (
+    "phonemeanalyser screenshot speech.wav -o window.png",
+    "phonemeanalyser screenshot speech.wav -o window.png --at 1.5 --theme dark",
+    "phonemeanalyser screenshot speech.wav -o fenster.png --language de --size 1920x1080",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is to be seen."""
-    parser.add_argument("file", type=Path, metavar="FILE", help="sound file")
-    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PNG")
+    parser.add_argument("file", type=Path, metavar="FILE", help="audio file")
+    parser.add_argument("-o", "--out", type=file_place, required=True, metavar="PNG", help="picture to write")
     seconds = number_in(0, math.inf, "s")
-    parser.add_argument("--at", type=seconds, metavar="SECONDS", help="analysed up to here (default: the end)")
-    parser.add_argument("--size", type=size_in((640, 480), (7680, 4320)), default=(1280, 800), metavar="WxH")
+    parser.add_argument("--at", type=seconds, metavar="S", help="position, seconds (default: the end)")
+    parser.add_argument(
+        "--size",
+        type=size_in((640, 480), (7680, 4320)),
+        default=(1280, 800),
+        metavar="WxH",
+        help="(default: 1280x800)",
+    )
     add_theme(parser)
-    parser.add_argument("--language", choices=["en", *translated()], default="en", help="of the window")
+    parser.add_argument(
+        "--language", choices=["en", *translated()], default="en", help="language of the window (default: en)"
+    )
     add_options(parser, "preset", "channel", preset=None)
 
 

@@ -1,4 +1,4 @@
-"""``phonemeanalyser serve``: hear streams of speech, and export files, for programs that ask over the network."""
+"""``phonemeanalyser serve``: recognise streams of speech, and export files, for programs over the network."""
 
 import argparse
 import asyncio
@@ -13,17 +13,23 @@ from phonemeanalyser.cli.listen import ended_by_signals
 from phonemeanalyser.server.access import Access, token_in
 from phonemeanalyser.server.limits import LIMITS, USUAL_HOST, USUAL_PORT, ServerLimits
 
+EXAMPLES = (
+    "phonemeanalyser serve",
+    "phonemeanalyser serve --port 9000 --preset my-voice.toml",
+    "phonemeanalyser serve --host 0.0.0.0 --token-file token.txt --origin https://example.org",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say where it is served, to whom, and how much."""
-    parser.add_argument("--host", default=USUAL_HOST, help=f"address (default: {USUAL_HOST}, this machine alone)")
+    parser.add_argument("--host", default=USUAL_HOST, help=f"address (default: {USUAL_HOST}, this machine only)")
     port = f"port; 0 takes a free one (default: {USUAL_PORT})"
     parser.add_argument("--port", type=whole_in(0, 65_535), default=USUAL_PORT, metavar="P", help=port)
-    token = "file with the token that clients must know; without one, only this machine is served"  # noqa: S105
+    token = "file with the token that clients must send; without it, only this machine is served"  # noqa: S105
     parser.add_argument("--token-file", type=Path, metavar="FILE", help=token)
-    origin = "origin of pages that may ask, such as https://example.org or http://localhost:8000; again for more"
+    origin = "origin of web pages that may connect, such as https://example.org; may be repeated"
     parser.add_argument("--origin", action="append", default=[], metavar="URL", help=origin)
-    proxy = "address of a proxy whose X-Forwarded-For says who asks, such as 127.0.0.1; again for more"
+    proxy = "address of a proxy whose X-Forwarded-For names the client, such as 127.0.0.1; may be repeated"
     parser.add_argument("--trusted-proxy", action="append", default=[], metavar="ADDRESS", help=proxy)
     add_options(parser, "preset")
     for limit in fields(ServerLimits):

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import DRIVEN, MOVED, add_options, format_of, given, number
+from phonemeanalyser.cli.arguments import DRIVEN, MOVED, add_options, format_of, given, number, refuse_unused
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import (
     DeviceError,
@@ -48,19 +48,27 @@ from phonemeengine.text.pronunciation import notes_on
 from phonemeengine.text.script import LARGEST
 
 LOOK = 0.05
-"""Seconds between two looks at what is heard."""
+"""Seconds between two looks at what is playing."""
 SHOWN = 8
 """Words that are named of those that are not said."""
+EXPORTED = ("format", "table", "fps", "minimum", *(name for name in MOVED if name != "seed"))
+"""Options of exports alone; the seed varies pinyin, too."""
 _KANA = "[\u3040-\u30ff]"
+
+EXAMPLES = (
+    'phonemeanalyser speak "Hello, how are you?" --language en-us -o hello.wav',
+    "phonemeanalyser speak --file speech.txt --language en-us -o spoken.wav --labels spoken.TextGrid",
+    "phonemeanalyser speak 你好。 --silent --export face.csv --format livelink-csv",
+)
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is spoken, by whom, and what is written of it."""
     said = parser.add_mutually_exclusive_group(required=True)
-    said.add_argument("text", nargs="?", metavar="TEXT", help="what is said")
-    said.add_argument("--file", type=Path, metavar="F", help="a text file of it, or a Word document (.docx)")
+    said.add_argument("text", nargs="?", metavar="TEXT", help="text to speak")
+    said.add_argument("--file", type=Path, metavar="F", help="text file or Word document (.docx) to speak")
     said.add_argument(
-        "--recording", type=Path, metavar="SOUND", help="a sound; its .TextGrid has syllables of pinyin"
+        "--recording", type=Path, metavar="SOUND", help="audio file whose .TextGrid has syllables of pinyin"
     )
     _add_voice(parser)
     _add_files(parser)
@@ -85,21 +93,23 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _add_voice(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("--voice", default="", metavar="V", help="another voice, such as f2, m3 or klatt")
-    rate = f"syllables a second; without sound {SLOWEST:g}..{FASTEST:g} ({USUAL_RATE:g})"
+    parser.add_argument("--voice", default="", metavar="V", help="variant of the voice, such as f2, m3 or klatt")
+    rate = f"syllables per second; without sound {SLOWEST:g}..{FASTEST:g} (default: {USUAL_RATE:g})"
     parser.add_argument("--rate", type=number, default=USUAL_RATE, metavar="N", help=rate)
-    program = "another voice: a command that writes a WAV file {output} of {text}, and may write a TextGrid beside it"
+    program = "another voice: a command that writes {text} as the WAV file {output}, and optionally a TextGrid"
     add_options(parser, "language", "lexicon", "literal")
     parser.add_argument("--program", metavar="COMMAND", help=program)
-    parser.add_argument("--silent", action="store_true", help="without sound, and without a voice for Chinese")
+    parser.add_argument("--silent", action="store_true", help="make no sound; Chinese needs no voice then")
 
 
 def _add_files(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write the sound as WAV (default: play it)")
-    parser.add_argument("--labels", type=Path, metavar="OUT", help="write words, syllables and phones as TextGrid")
-    parser.add_argument("--export", type=Path, metavar="OUT", help="write the mouth for another program")
+    parser.add_argument("-o", "--out", type=Path, metavar="OUT", help="write a WAV file (default: play the speech)")
+    parser.add_argument("--labels", type=Path, metavar="OUT", help="write words, syllables and phones as a TextGrid")
+    parser.add_argument("--export", type=Path, metavar="OUT", help="write facial animation or mouth cues")
     add_options(parser, "format")
-    parser.add_argument("--plan", type=Path, metavar="OUT", help="write what is said when as CSV; - prints it")
+    parser.add_argument(
+        "--plan", type=Path, metavar="OUT", help="write the syllables with their times as CSV; - prints them"
+    )
 
 
 def _files_of(options: argparse.Namespace, asked: ConversionOptions, driving: Driving) -> SpeechFiles:
@@ -107,8 +117,10 @@ def _files_of(options: argparse.Namespace, asked: ConversionOptions, driving: Dr
     exporter = None
     if options.export is not None:
         exporter = Exporter(asked.format or format_of(options, options.export), asked.written())
-    elif asked.format:
-        raise EngineError("--format is of a file for another program; name it with --export")
+    else:
+        refuse_unused(options, EXPORTED, "goes with --export; name a file there")
+    if options.recording is None:
+        refuse_unused(options, ("preset", "channel"), "goes with --recording; name an audio file there")
     return SpeechFiles(
         options.out, options.labels, options.export, options.plan, exporter, driving, say_note, asked.overwrite
     )
@@ -152,13 +164,15 @@ def _with_notes(sentences: Iterator[SpokenSentence], language: str) -> Iterator[
             note = f"the voice of {language} reads as usual, for want of their sounds: {printable(' '.join(words))}"
             say_note("the lexicon", note)
         if characters := [character for character in dict.fromkeys(sentence.skipped) if character not in told]:
-            say_note("the text", f"nobody knows how to read these, so they are left out: {' '.join(characters)}")
+            say_note(
+                "the text", f"the pronunciation of these is unknown, so they are left out: {' '.join(characters)}"
+            )
         told.update(words, characters)
         yield sentence
 
 
 def play_aloud(sentences: Iterable[SpokenSentence], open_device: Callable[[int], Output] = open_output) -> None:
-    """Let sentences be heard to the end, and print each when it begins; a card that sleeps or goes is waited for.
+    """Play sentences to the end, and print each when it begins; a card that sleeps or goes is waited for.
 
     Parameters
     ----------
@@ -181,7 +195,7 @@ def play_aloud(sentences: Iterable[SpokenSentence], open_device: Callable[[int],
 
 
 def _follow(player: Player, spooled: SpooledSpeech) -> None:
-    """Print what is heard, and say when the sound card takes no sound."""
+    """Print what is playing, and report when the sound card takes no sound."""
     shown, was_heard = -1.0, False
     while not player.finished:
         player.take_analyses()

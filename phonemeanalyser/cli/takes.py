@@ -10,12 +10,20 @@ from phonemeengine import TakeError
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.take_list import LIST
 
+EXAMPLES = (
+    "phonemeanalyser takes my-takes",
+    "phonemeanalyser takes my-takes --empty-deleted",
+    "phonemeanalyser takes my-takes --empty-deleted --yes",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say which folder, and whether it is cleared up."""
-    parser.add_argument("folder", type=Path, metavar="FOLDER", help="the folder of takes, as the window made it")
-    parser.add_argument("--empty-deleted", action="store_true", help="remove deleted takes for ever; asks before")
-    parser.add_argument("--yes", action="store_true", help="remove without asking")
+    parser.add_argument("folder", type=Path, metavar="FOLDER", help="folder of takes, as the window makes it")
+    parser.add_argument(
+        "--empty-deleted", action="store_true", help="remove deleted takes for ever, after a question"
+    )
+    parser.add_argument("--yes", action="store_true", help="remove without the question")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""``phonemeanalyser whisper``: where the speech encoder's model is, and how to get one."""
+"""``phonemeanalyser whisper``: show, choose or download the Whisper model."""
 
 import argparse
 from pathlib import Path
@@ -6,19 +6,25 @@ from pathlib import Path
 from phonemeengine import choose_whisper, fetch_whisper
 from phonemeengine.encoder.model_folder import FOLDER_VARIABLE, PACKAGES, whisper_in_words
 
+EXAMPLES = (
+    "phonemeanalyser whisper --fetch",
+    "phonemeanalyser whisper --folder whisper-base",
+    "phonemeanalyser whisper",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say where the model comes from."""
     parser.epilog = (
-        "Files are heard best by the network and the encoder of Whisper base together. Its library comes with "
-        'pip install "phonemeanalyser[whisper]"; its model is looked for in the folder that '
-        f"{FOLDER_VARIABLE} names, in the one that --folder chose, in what --fetch got, and in the packages "
-        f"{' and '.join(name.replace('_', '-') for name in PACKAGES)}. Without options, it says which is used."
+        "Whisper base together with the offline model recognises files best. Its library comes with "
+        'pip install "phonemeanalyser[whisper]". The model is searched in the folder that '
+        f"{FOLDER_VARIABLE} names, in that of --folder, in that of --fetch, and in the packages "
+        f"{' and '.join(name.replace('_', '-') for name in PACKAGES)}. Without options, print the one in use."
     )
     choice = parser.add_mutually_exclusive_group()
-    choice.add_argument("--folder", type=Path, metavar="F", help="use the model of this folder from now on")
-    choice.add_argument("--no-folder", action="store_true", help="use that folder no longer")
-    choice.add_argument("--fetch", action="store_true", help="get the model over the network (145 MB)")
+    choice.add_argument("--folder", type=Path, metavar="F", help="use the model in this folder from now on")
+    choice.add_argument("--no-folder", action="store_true", help="stop using that folder")
+    choice.add_argument("--fetch", action="store_true", help="download the model (145 MB)")
 
 
 def run(options: argparse.Namespace) -> int:

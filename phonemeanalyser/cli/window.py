@@ -15,15 +15,25 @@ DEMO = Path(__file__).parents[1] / "demo" / "demo.flac"
 NO_DISPLAY = 3
 """Exit code where there is no display."""
 
+EXAMPLES = (
+    "phonemeanalyser",
+    "phonemeanalyser speech.wav --preset my-voice.toml",
+    "phonemeanalyser --licences",
+)
+
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the window is opened with."""
     parser.add_argument(
-        "file", type=Path, nargs="?", help="sound, preset or face to open (default: the last sound, or a demo)"
+        "file",
+        type=Path,
+        nargs="?",
+        metavar="FILE",
+        help="audio file, preset or face to open (default: the last one, or a demo)",
     )
     add_options(parser, "preset", "channel", preset=None, channel=None)
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
-    parser.add_argument("--licences", action="store_true", help="print the licences of all parts, and end")
+    parser.add_argument("--licences", action="store_true", help="print the licences of all parts")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -15,7 +15,7 @@ from phonemeengine.mouth.mesh import Mesh
 NECK_LENGTH = 0.42
 """How far down the neck of a head with shoulders reaches from where it turns, as a share of all that is below."""
 SHOULDERS = 1.4
-"""What is below the neck are shoulders where it is so many times as wide as what is above."""
+"""What is below the neck are shoulders where it is this many times as wide as what is above."""
 
 
 @dataclass(frozen=True)
@@ -126,7 +126,7 @@ class Camera:
         return replace(self, centre=(x, y, z))
 
     def zoom(self, steps: float) -> "Camera":
-        """Return the camera so many steps nearer; negative ones go away."""
+        """Return the camera some steps nearer; negative ones go away."""
         distance = self.distance * PER_STEP**steps
         return replace(self, distance=min(max(distance, NEAREST * self.whole), FARTHEST * self.whole))
 

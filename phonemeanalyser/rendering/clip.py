@@ -41,7 +41,7 @@ from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
-from phonemeengine.presets.ears import for_files
+from phonemeengine.presets.model_choice import for_files
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.storage.files import printable, printable_name
 from phonemeengine.storage.replacing import REPLACING, Guard, guarded_write, output_path
@@ -217,7 +217,7 @@ def write_clip(
     morph_mesh : whose heads are seen.
     animations : of each head, from left to right; a shorter one stays at its end.
     captions : of each head; none for a single one.
-    sound : what is heard in a film.
+    sound : the sound of a film.
     progress : called with the share that is done, 0..1.
     guard : says whether a film that is there may be replaced.
 
@@ -249,7 +249,7 @@ def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) 
 
 
 def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = None) -> SoundTrack:
-    """Return what is heard of an open sound between two times, seconds; to its end where the second is None."""
+    """Return the samples of an open sound between two times, seconds; to its end where the second is None."""
     first = round(start * SAMPLE_RATE)
     last = reader.n_samples if end is None else round(end * SAMPLE_RATE)
     return SoundTrack(SAMPLE_RATE, reader.n_channels, _blocks_of(reader, first, last))
@@ -326,7 +326,7 @@ class ClipWork:
     Attributes
     ----------
     options : how mouths move by rules, and what else faces do.
-    preset : what is recognised with, by the best ear that it has for files.
+    preset : what is recognised with, by the best model that it has for files.
     channel : what is recognised of files of several channels.
     texts : what is said in the sounds.
     driver : what moves the faces.

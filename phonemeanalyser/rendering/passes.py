@@ -96,7 +96,7 @@ class Canvas:
             self._made = self._context.framebuffer(colours, depths)
         except moderngl.Error as error:
             raise RenderingError(
-                f"the graphics driver has no room for a picture of {size[0]}x{size[1]} pixels; make it smaller"
+                f"the graphics driver has no memory for a picture of {size[0]}x{size[1]} pixels; make it smaller"
             ) from error
         return self._made
 

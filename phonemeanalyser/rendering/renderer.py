@@ -139,7 +139,7 @@ class HeadRenderer:
 
         Raises
         ------
-        RenderingError : the driver has no room for a picture of this size.
+        RenderingError : the driver has no memory for a picture of this size.
         """
         target = target or self._context.detect_framebuffer()
         finish = FINE if fine else QUICK
@@ -246,7 +246,7 @@ class HeadRenderer:
 
 @lru_cache(maxsize=4)
 def _lights_of(camera: Camera, light: Light, room: BoundingSphere) -> dict[str, Any]:
-    """Return the uniforms of the light, which stay while nobody moves the camera."""
+    """Return the uniforms of the light, which stay while the camera does not move."""
     key = direction_of(camera, light.azimuth, light.elevation)
     return {
         "key": key,

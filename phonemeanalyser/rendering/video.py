@@ -30,7 +30,7 @@ Blocks = Iterable[Float32Array]
 
 @dataclass(frozen=True)
 class SoundTrack:
-    """What is heard along with a film.
+    """The sound of a film.
 
     Attributes
     ----------
@@ -59,7 +59,7 @@ def why_no_film(size: tuple[int, int]) -> str:
 
 
 def why_no_gif(n_frames: int, rate: float) -> str:
-    """Return in a sentence why no .gif of so many frames can be written; empty if it can."""
+    """Return in a sentence why no .gif with this many frames can be written; empty if it can."""
     if rate > FASTEST_GIF:
         return f"a .gif shows at most {FASTEST_GIF:g} frames per second, got {rate:g}; choose fewer, or an .mp4"
     if n_frames > LONGEST_GIF:

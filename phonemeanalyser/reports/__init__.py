@@ -1,1 +1,1 @@
-"""What is told about scores: as text, as JSON, as a page."""
+"""Reports of scores: as text, as JSON, as a page."""

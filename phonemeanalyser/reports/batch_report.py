@@ -28,8 +28,8 @@ class ReportedFile:
     ----------
     path : of the sound.
     duration : seconds; 0 where it cannot be read.
-    language : of what is said in it; empty where nobody knows.
-    score : how well it says its script, 0 is best; None where nobody knows.
+    language : of what is said in it; empty where unknown.
+    score : how well it says its script, 0 is best; None where unknown.
     is_failed : whether nothing was made of it.
     words : what was wrong.
     """

@@ -6,13 +6,14 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import asdict, fields
 from typing import Any
 
+import numpy as np
+
 from phonemeanalyser.reports.report import (
     CLASSES,
     Report,
     ScoredPreset,
     clock,
     confusion_shares,
-    look_ahead_of,
     short,
     written,
 )
@@ -21,14 +22,16 @@ from phonemeengine.calibration.scores.comparison import Difference, DifferingSeg
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores, Predictions
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import ear_in_words
+from phonemeengine.presets.model_choice import model_in_words
+from phonemeengine.presets.rule_text import rules_of
+from phonemeengine.recognition.rules import active_rules
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import printable
 
 # A report as text: the table of the corpus scorer, the confusion in percent, and what only one preset gets right.
 
 MOST_SHOWN = 10
-"""Recordings and stretches that are listed of each preset."""
+"""Recordings and segments that are listed of each preset."""
 COARSE = {"changes_per_s", "label_changes_per_s", "minutes"}
 """Figures that are written with two digits."""
 FIRST, COLUMN, CELL = 22, 15, 6
@@ -47,23 +50,26 @@ def text_of(report: Report, by: str) -> str:
 
 def _preset_lines(preset: ScoredPreset, by: str) -> Iterator[str]:
     scores = preset.scores
-    yield f"{preset.title} (heard with: {ear_in_words(scores.preset)}; look-ahead {look_ahead_of(scores)})"
-    yield f"lag {1000 * scores.delay:g} ms".ljust(FIRST) + "".join(f.name[:13].rjust(COLUMN) for f in fields(Scores))
+    yield f"{preset.title} (model: {model_in_words(scores.preset)})"
+    yield f"lag {1000 * scores.delay:g} ms".ljust(FIRST) + "".join(f"  {f.name}" for f in fields(Scores))
     groups: Mapping[str, GroupScores] = scores.by_kind if by == "corpus" else scores.by_speaker
     for name, group in sorted({**groups, "all": scores.overall}.items()):
-        yield printable(name).ljust(FIRST) + "".join(cell.rjust(COLUMN) for cell in _cells(group.scores))
+        yield printable(name).ljust(FIRST) + "".join(_cells(group.scores))
     yield ""
     overall = scores.overall
     yield (
         f"confidence is off by {written(overall.calibration_error)} on average, and by "
         f"{written(overall.largest_gap)} at most (of tenths of it, where the labels are certain)"
     )
+    if rules := active_rules(rules_of(scores.preset)):
+        n = sum(len(rule.conditions) for rule in rules)
+        yield f"{len(rules)} rules with {n} conditions; phonemeanalyser explain lists them"
     yield ""
     yield from _confusion_lines(scores)
 
 
 def _cells(scores: Scores) -> Iterator[str]:
-    return (written(value, 2 if name in COARSE else 3) for name, value in asdict(scores).items())
+    return (written(value, 2 if name in COARSE else 3).rjust(len(name) + 2) for name, value in asdict(scores).items())
 
 
 def _confusion_lines(scores: CorpusScores) -> Iterator[str]:
@@ -86,13 +92,31 @@ def _comparison_lines(report: Report, comparison: PresetComparison) -> Iterator[
         cells = (comparison.both[phoneme], *gains, comparison.neither[phoneme], f"{gains[0] - gains[1]:+d}")
         yield phoneme.label.ljust(FIRST) + "".join(str(cell).rjust(COLUMN) for cell in cells)
     yield ""
-    yield "recordings with the greatest difference (only A, only B, of so many frames)"
+    yield from _changed_lines(comparison)
+    yield ""
+    yield "recordings with the greatest difference (frames that only A and only B gets right, of all)"
     for d in comparison.differences[:MOST_SHOWN]:
         yield f"  {d.n_one:5d} {d.n_other:5d} of {d.n_frames:5d}  {report.name_of(d.utterance)}"
     for title, against, stretches in (("A", "B", comparison.stretches_one), ("B", "A", comparison.stretches_other)):
         yield ""
-        yield f"the longest stretches that only {title} gets right"
+        yield f"the longest segments that only {title} gets right"
         yield from _stretch_lines(report, against, stretches[:MOST_SHOWN])
+
+
+def _changed_lines(comparison: PresetComparison) -> Iterator[str]:
+    """Write how many frames have another phoneme with B, and which."""
+    changed = comparison.changed - np.diag(comparison.changed.diagonal())
+    yield f"frames whose phoneme is another one with B: {changed.sum()} of {comparison.changed.sum()}"
+    yield "phoneme".ljust(FIRST) + "".join(w.rjust(COLUMN) for w in ("with A", "with B", "B - A")) + "  becomes"
+    for phoneme in CLASSES:
+        n, other = comparison.changed[phoneme].sum(), comparison.changed[:, phoneme].sum()
+        becomes = sorted(((int(changed[phoneme, p]), short(p)) for p in CLASSES), reverse=True)
+        words = ", ".join(f"{name} {count}" for count, name in becomes if count)
+        yield (
+            phoneme.label.ljust(FIRST)
+            + "".join(str(c).rjust(COLUMN) for c in (n, other, f"{other - n:+d}"))
+            + (f"  {words}" if words else "")
+        )
 
 
 def _stretch_lines(report: Report, wrong: str, stretches: Iterable[DifferingSegment]) -> Iterator[str]:
@@ -124,10 +148,11 @@ def _preset(preset: ScoredPreset, report: Report) -> dict[str, Any]:
         "title": preset.title,
         "name": scores.preset.name,
         "recogniser": scores.preset.recogniser,
-        "heard_with": ear_in_words(scores.preset),
+        "model": model_in_words(scores.preset),
         "look_ahead_ms": round(1000 * scores.look_ahead * FRAME_PERIOD, 3),
         "lag_ms": round(1000 * scores.delay, 3),
         "all": _group(scores.overall),
+        "rules": preset.rules,
         "by_corpus": {name: _group(group) for name, group in scores.by_kind.items()},
         "by_speaker": {name: _group(group) for name, group in scores.by_speaker.items()},
         "recordings": [_recording(heard, report) for heard in scores.predictions if len(heard.phonemes)],
@@ -160,6 +185,7 @@ def _comparison(comparison: PresetComparison, report: Report) -> dict[str, Any]:
         "only_first": _by_phoneme(comparison.only_one),
         "only_second": _by_phoneme(comparison.only_other),
         "neither": _by_phoneme(comparison.neither),
+        "changed": comparison.changed.tolist(),
         "recordings": [_difference(d, report) for d in comparison.differences],
         "stretches_only_first": [_stretch(s, report) for s in comparison.stretches_one],
         "stretches_only_second": [_stretch(s, report) for s in comparison.stretches_other],

@@ -30,7 +30,7 @@ from phonemeengine.calibration.scores.comparison import PresetComparison
 from phonemeengine.calibration.scores.evaluation import GroupScores, Predictions, group_scores_of
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import ear_in_words
+from phonemeengine.presets.model_choice import model_in_words
 from phonemeengine.recognition.segments import Segment, segments_of
 from phonemeengine.settings import FRAME_PERIOD
 
@@ -104,7 +104,7 @@ class TimeRow:
 
 
 def time_rows(heard: Sequence[Predictions]) -> Iterator[TimeRow]:
-    """Cut one recording, as each preset heard it, into rows as far as it is drawn."""
+    """Cut one recording, as each preset recognised it, into rows as far as it is drawn."""
     n_frames, per_row = len(heard[0].phonemes), round(ROW_SECONDS / FRAME_PERIOD)
     for first in range(0, min(n_frames, MOST_ROWS * per_row), per_row):
         last = min(n_frames, first + per_row)
@@ -273,7 +273,7 @@ FILTERS: dict[str, Callable[..., Any]] = {
     "clock": clock,
     "confusion_cells": confusion_cells,
     "difference_cells": difference_cells,
-    "ear": ear_in_words,
+    "model": model_in_words,
     "flicker": flicker_of,
     "ink": _ink,
     "look_ahead": look_ahead_of,

@@ -13,6 +13,7 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import CorpusScores, GroupScores
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.rule_text import rule_lines, rules_of
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import printable, printable_name
 
@@ -26,6 +27,12 @@ class ScoredPreset:
 
     title: str
     scores: CorpusScores
+
+    @property
+    def rules(self) -> list[str]:
+        """The preset's rules, a line each, and what their variables measure; none where it has no rules."""
+        preset = self.scores.preset
+        return rule_lines(preset) if rules_of(preset) else []
 
 
 @dataclass(frozen=True)
@@ -59,7 +66,7 @@ class Report:
 
     @property
     def conditions(self) -> str:
-        """What was heard under which conditions, in words."""
+        """What was analysed under which conditions, in words."""
         minutes = self.first.overall.scores.minutes
         words = [counted(len(self.first.predictions), "recording"), f"{minutes:.1f} minutes"]
         words.append(counted(len(self.first.by_speaker), "speaker"))

@@ -1,4 +1,4 @@
-"""The door to Jinja2: templates beside this module become pages."""
+"""Renders pages from the templates beside this module; the only module that imports Jinja2."""
 
 from collections.abc import Callable, Mapping
 from typing import Any

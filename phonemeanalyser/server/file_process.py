@@ -1,7 +1,7 @@
 """A process that makes one file for the server.
 
 Its input has, pickled, a preset's file, what makes the work with that preset, and the job. The server holds the input
-open for as long as somebody waits. The process prints what came of it: a list in JSON, of one of `MADE`, `REFUSED`,
+open for as long as a client waits. The process prints what came of it: a list in JSON, of one of `MADE`, `REFUSED`,
 `NO_MEMORY` and `CRASHED`, and of words.
 """
 

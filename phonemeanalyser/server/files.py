@@ -266,9 +266,9 @@ class FileExporter:
 
 
 async def _make(order: bytes, turn: FileTurn, memory: float) -> None:
-    """Have a process make a file in its turn, with so many MB of memory; what it refuses is refused.
+    """Have a process make a file in its turn, with a limit of memory in MB; what it refuses is refused.
 
-    The process is killed where nobody waits for it any more.
+    The process is killed once no client waits for it.
     """
     pipe = asyncio.subprocess.PIPE
     process = await asyncio.create_subprocess_exec(
@@ -321,7 +321,7 @@ def _set_priority(process: int, nice: int) -> None:
 
 
 def limit_memory(process: int, most: int) -> None:
-    """Let a process have so many bytes of data; only Linux limits other processes."""
+    """Limit the data of a process to a number of bytes; only Linux limits other processes."""
     if sys.platform == "linux":
         import resource  # noqa: PLC0415 - it is not there on Windows
 

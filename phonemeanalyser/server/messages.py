@@ -87,7 +87,7 @@ def later_words_of(message: str) -> LaterWords:
 
 
 def ready(start: StreamStart, speech: IncomingSpeech, preset: str) -> str:
-    """Return what a client is told before it sends its sound."""
+    """Return the first message to a client, before it sends its sound."""
     told = {"preset": preset, "period": FRAME_PERIOD, "latency": round(speech.latency, 4)}
     return json.dumps({"ready": told | ({"movestates": start.table.movestates} if start.table else {})})
 

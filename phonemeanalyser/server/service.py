@@ -13,7 +13,7 @@ import numpy as np
 from aiohttp import web
 
 from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_of
-from phonemeanalyser.server.door import CLOSING, Door, refusal
+from phonemeanalyser.server.connections import CLOSING, Connections, refusal
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import FAILED, MEGABYTE, USUAL_HOST, USUAL_PORT, RefusedError, ServerLimits
 from phonemeanalyser.server.session import StreamSession
@@ -22,8 +22,8 @@ from phonemeengine import FORMATS, EngineError, ScriptWord, __version__, load_pr
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
-from phonemeengine.presets.ears import ear_in_words
 from phonemeengine.presets.files import DEFAULT_PRESET
+from phonemeengine.presets.model_choice import model_in_words
 from phonemeengine.settings import WINDOW
 from phonemeengine.storage.files import reason_of
 
@@ -85,9 +85,11 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
         await runner.setup()
         stack.push_async_callback(runner.cleanup)
         assert runner.server is not None
-        service.door = Door(runner.server, settings.limits)
+        service.connections = Connections(runner.server, settings.limits)
         try:
-            listening = await asyncio.get_running_loop().create_server(service.door, settings.host, settings.port)
+            listening = await asyncio.get_running_loop().create_server(
+                service.connections, settings.host, settings.port
+            )
         except OSError as error:
             place = f"{settings.host}:{settings.port}"
             raise EngineError(
@@ -105,10 +107,10 @@ class Service:
 
     Attributes
     ----------
-    door : through which connections come.
+    connections : accepts connections.
     """
 
-    door: Door
+    connections: Connections
 
     def __init__(self, settings: ServerSettings) -> None:
         self._access, self._limits = settings.access, settings.limits
@@ -118,7 +120,7 @@ class Service:
         self._readers = ThreadPoolExecutor(1, "reading texts")  # a voice reads one text at a time
         self._n_streams = 0
         speech = IncomingSpeech(self._preset, StreamFormat())
-        self._recogniser = ear_in_words(speech.analyser.preset)
+        self._recogniser = model_in_words(speech.analyser.preset)
         for warning in speech.analyser.preset.warnings:
             _log.warning("%s: %s", self._preset.name, warning)
         speech.hear(np.zeros(2 * WINDOW, np.float32))  # so that the first stream need not wait for imports
@@ -132,10 +134,10 @@ class Service:
         self, request: web.Request, handler: Callable[[web.Request], Awaitable[web.StreamResponse]]
     ) -> web.StreamResponse:
         """Let in who may come, and say in one sentence why something is refused."""
-        self.door.enter(request)
+        self.connections.enter(request)
         client = self._client_of(request)
         try:
-            with self.door.place_of(client):
+            with self.connections.place_of(client):
                 if request.method == "OPTIONS":
                     self._access.check_preflight(request.headers)
                     answer: web.StreamResponse = web.Response(status=204, headers=PREFLIGHT)
@@ -202,7 +204,7 @@ class Service:
         return await self._exporter.handle(request, self._client_of(request))
 
     async def stream(self, request: web.Request) -> web.StreamResponse:
-        """Hear a stream."""
+        """Recognise a stream."""
         if self._n_streams >= self._limits.most_streams:
             raise RefusedError(f"there are {self._n_streams} streams, as many as this server takes; try later", 503)
         stream = _StreamSocket(
@@ -221,7 +223,7 @@ class Service:
         finally:
             self._n_streams -= 1
             if not stream.closed and request.transport is not None:
-                request.transport.abort()  # nobody would take a farewell
+                request.transport.abort()  # a closing message would not be read
         return stream
 
     async def _words_of_text(self, text: str, language: str) -> Sequence[ScriptWord]:

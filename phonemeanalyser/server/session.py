@@ -47,11 +47,11 @@ class Pace:
 
 _log = logging.getLogger(__name__)
 MOST_AT_ONCE = round(PIECE * SAMPLE_RATE)
-"""Samples that are heard in one turn."""
+"""Samples that are analysed in one turn."""
 MOST_WAITING = SAMPLE_RATE
-"""Samples that may wait to be heard; then no more are read."""
+"""Samples that may wait for the analysis; then no more are read."""
 MOST_UNSENT = 64
-"""Answers that may wait to be sent; then no more sound is heard."""
+"""Answers that may wait to be sent; then no more sound is analysed."""
 REFUSED = 1008
 """The code with which a stream is closed after a sentence that says why (RFC 6455: policy violation)."""
 LOOKS = 4
@@ -68,7 +68,7 @@ class GoneError(Exception):
 
 
 class StreamSession:
-    """Hears the sound of one client.
+    """Recognises the sound of one client.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ class StreamSession:
 
     Attributes
     ----------
-    speech : what is heard, once the client has said what it sends.
+    speech : what is analysed, once the client has said what it sends.
     """
 
     speech: IncomingSpeech
@@ -125,7 +125,7 @@ class StreamSession:
     # -- its turns ----------------------------------------------------------------------------------------
 
     def next_piece(self) -> Float32Array | None:
-        """Return what shall be heard now, a fifth of a second at the most."""
+        """Return the samples to analyse now, a fifth of a second at the most."""
         if self._unsent.qsize() >= MOST_UNSENT:
             return None
         if not self._waiting:
@@ -152,12 +152,12 @@ class StreamSession:
             self._unsent.put_nowait(messages.words(words))
 
     def fail(self, error: EngineError) -> None:
-        """Have the client told why no more is heard, after all that is known."""
+        """Tell the client why no more is analysed, after all that is known."""
         self._unsent.put_nowait(error)
         self._turns.leave(self)
 
     def _conclude(self) -> None:
-        """Say what is known of the end, once the sound has ended and all of it was heard."""
+        """Say what is known of the end, once the sound has ended and all of it was analysed."""
         if not self._has_ended:
             return
         self._turns.leave(self)
@@ -237,13 +237,13 @@ class StreamSession:
         await self._slow_down(PER_MESSAGE)
 
     async def _heard_all(self) -> None:
-        """Wait until all that came before has been heard."""
+        """Wait until all that came before has been analysed."""
         while self._waiting:
             self._room.clear()
             await self._room.wait()
 
     async def _slow_down(self, seconds: float) -> None:
-        """Take so many seconds of sound, and wait if that is more than the client may send."""
+        """Take some seconds of sound, and wait if that is more than the client may send."""
         wait = self._pace.wait_after(seconds)
         if wait:
             await asyncio.sleep(wait)
@@ -260,7 +260,7 @@ class StreamSession:
             )
         self.speech.add_words(await self._words_of_text(text, self._language))
 
-    # -- what it is told ----------------------------------------------------------------------------------
+    # -- messages of the client ---------------------------------------------------------------------------
 
     async def _send_all(self) -> None:
         while (answer := await self._unsent.get()) is not None:

@@ -1,4 +1,4 @@
-"""Whose turn it is: the sounds of all streams are heard in one thread, a little of each at a time."""
+"""Whose turn it is: the sounds of all streams are analysed in one thread, a little of each at a time."""
 
 import asyncio
 import logging
@@ -14,8 +14,10 @@ from phonemeengine.live.incoming_speech import LOOK, HeardPiece, IncomingSpeech,
 
 LOOKING = 0.004
 """Seconds of a turn after which no more words are looked for."""
-GATHER = 0.004
-"""Seconds from the first piece that waits to the turn, so that what comes meanwhile is heard in the same one."""
+GATHER, GATHER_OF_MANY = 0.004, 0.02
+"""Seconds from the first chunk that waits to the turn, so that what comes meanwhile is analysed in the same one; the
+second from `MANY` streams on: each then has a chunk in every turn, and all together cost half as much as in parts."""
+MANY = 8
 
 
 _T = TypeVar("_T")
@@ -27,10 +29,10 @@ class Hearing(Protocol):
 
     @property
     def speech(self) -> IncomingSpeech:
-        """What it hears."""
+        """What analyses it."""
 
     def next_piece(self) -> Float32Array | None:
-        """Return what shall be heard now, not much at once; None where nothing waits, or nobody takes the answers."""
+        """Return what to analyse now, not much at once; None where nothing waits, or the answers are not taken."""
 
     def tell(self, heard: HeardPiece) -> None:
         """Take what is known of that piece."""
@@ -39,7 +41,7 @@ class Hearing(Protocol):
         """Take what is known of its text."""
 
     def fail(self, error: EngineError) -> None:
-        """Take why it cannot be heard."""
+        """Take why it cannot be analysed."""
 
 
 class Turns:
@@ -67,7 +69,8 @@ class Turns:
         """Plan the next turn, since something waits in a stream."""
         if not self._is_planned:
             self._is_planned = True
-            asyncio.get_running_loop().call_later(GATHER, self._take)
+            seconds = GATHER if len(self._streams) < MANY else GATHER_OF_MANY
+            asyncio.get_running_loop().call_later(seconds, self._take)
 
     def _take(self) -> None:
         self._is_planned = False
@@ -109,5 +112,5 @@ def _heard(pieces: Mapping[Hearing, Float32Array]) -> Sequence[HeardPiece | Engi
     try:
         return hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
     except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no others
-        _log.exception("sounds could not be heard")
+        _log.exception("sounds could not be recognised")
         return [EngineError(FAILED)] * len(pieces)

@@ -1,4 +1,4 @@
-"""The door of a server: how many connections may be open, and how long one may stand there without a word."""
+"""Connections of a server: how many may be open, and how long one may stay silent."""
 
 import asyncio
 import logging
@@ -13,7 +13,7 @@ from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import FAILED, RefusedError, ServerLimits
 
 CLOSING = 2.0
-"""Seconds that a client has to take what it is told last."""
+"""Seconds that a client has to take the last message."""
 ARRIVING = 5.0
 """Seconds from a connection to the end of its request's head."""
 FULL = "there are as many connections as this server takes; try later"
@@ -26,7 +26,7 @@ def refusal(sentence: str, status: int) -> web.Response:
     return web.Response(text=messages.error(sentence), status=status, content_type="application/json")
 
 
-class Door:
+class Connections:
     """Makes what speaks on each new connection.
 
     Parameters
@@ -99,9 +99,9 @@ class Door:
 class _Handler(web.RequestHandler):
     """Can be let go before it has asked for anything; answers what is no request of HTTP in one sentence, too."""
 
-    def __init__(self, door: Door, *words: Any, **options: Any) -> None:
+    def __init__(self, connections: Connections, *words: Any, **options: Any) -> None:
         super().__init__(*words, **options)
-        self._door, self._is_let_go = door, False
+        self._connections, self._is_let_go = connections, False
 
     def let_go(self) -> None:
         """Break the connection, as soon as there is one."""
@@ -118,7 +118,7 @@ class _Handler(web.RequestHandler):
     def connection_lost(self, exc: BaseException | None) -> None:
         """End."""
         super().connection_lost(exc)
-        self._door.forget(self)
+        self._connections.forget(self)
 
     def handle_error(
         self,
