@@ -2,7 +2,7 @@
 PYTHON ?= python3
 BIN = .venv/bin
 
-.PHONY: setup run test test-web bench fuzz soak screenshots fit docs bundle translations test-csharp blender test-blender release hooks
+.PHONY: setup run test test-web bench bench-peers fuzz soak screenshots fit docs bundle translations test-csharp blender test-blender release hooks
 
 setup: .venv/ready
 
@@ -36,6 +36,11 @@ test-csharp: setup
 bench: setup
 	@$(BIN)/python -c 'import librosa' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[bench]'
 	$(BIN)/python -m tools.bench
+
+# Other recognisers beside ours on the labelled recordings of CORPUS, as one table. They are installed into build/peers; needs npm, and the network
+# once.
+bench-peers: setup
+	$(BIN)/python -m tools.bench.peers $(CORPUS)
 
 fuzz: setup
 	$(BIN)/python -m tools.fuzz

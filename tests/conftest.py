@@ -11,6 +11,8 @@ from types import SimpleNamespace
 from tests.homes import environment_of, home_of_this_run
 
 os.environ |= home_of_this_run()  # before anything looks for what the user keeps
+os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")  # tests need no display
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # where others work too, threads of PyTorch wait for each other busily
 
 import numpy as np
 import pytest
@@ -31,8 +33,8 @@ for number, handler in (("SIGINT", signal.default_int_handler), ("SIGHUP", signa
     if hasattr(signal, number) and signal.getsignal(signal.Signals[number]) is signal.SIG_IGN:
         signal.signal(signal.Signals[number], handler)
 
-settings.register_profile("house", deadline=None)  # a busy machine is no failure
-settings.load_profile("house")
+settings.register_profile("project", deadline=None)  # a busy machine is no failure
+settings.load_profile("project")
 
 
 @pytest.hookimpl(optionalhook=True)

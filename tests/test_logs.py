@@ -25,7 +25,7 @@ def test_a_command_logs_the_files_that_it_refuses(sound: Path, tmp_path: Path, c
     bad.write_bytes(b"no sound")
     assert main(["analyse", str(sound), str(bad), "--preset", "thesis", "--log", str(log), "-o", str(tmp_path)]) == 1
     (line,) = log.read_text().splitlines()
-    assert re.fullmatch(r"[-\d]+ [\d:,]+ WARNING phonemeengine\.batch\.runner: bad\.wav: this is not a sound.*", line)
+    assert re.fullmatch(r"[-\d]+ [\d:,]+ WARNING phonemeengine\.batch\.runner: bad\.wav: this is not an aud.*", line)
     assert line.split("runner: ")[1] in capsys.readouterr().err
 
 

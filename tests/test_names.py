@@ -4,6 +4,7 @@ import ast
 import importlib
 from collections import defaultdict
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 from tests.conftest import ROOT
@@ -25,10 +26,11 @@ PYTHON_S_OWN = (
 """The modules whose names people use without the module's before them."""
 
 
-def modules() -> Iterator[tuple[Path, ast.Module]]:
-    for package in PACKAGES:
-        for path in sorted(package.rglob("*.py")):
-            yield path.relative_to(ROOT), ast.parse(path.read_text(encoding="utf-8"))
+@cache
+def modules() -> dict[Path, ast.Module]:
+    """Give the product's modules, by their paths."""
+    files = [path for package in PACKAGES for path in sorted(package.rglob("*.py"))]
+    return {path.relative_to(ROOT): ast.parse(path.read_text(encoding="utf-8")) for path in files}
 
 
 def names_in(module: ast.Module) -> Iterator[str]:
@@ -42,7 +44,7 @@ def names_in(module: ast.Module) -> Iterator[str]:
 
 def test_no_class_is_called_as_another_one() -> None:
     places: defaultdict[str, list[str]] = defaultdict(list)
-    for path, module in modules():
+    for path, module in modules().items():
         for node in ast.walk(module):
             if isinstance(node, ast.ClassDef):
                 places[node.name.lstrip("_")].append(f"{path}:{node.lineno}")
@@ -54,7 +56,10 @@ def test_no_public_name_hides_one_of_python() -> None:
     modules_of_python = map(importlib.import_module, PYTHON_S_OWN)
     known = {name for module in modules_of_python for name in getattr(module, "__all__", dir(module))}
     public = [
-        (name, str(path)) for path, module in modules() for name in names_in(module) if not name.startswith("_")
+        (name, str(path))
+        for path, module in modules().items()
+        for name in names_in(module)
+        if not name.startswith("_")
     ]
     assert len(public) > 500
     assert [(name, path) for name, path in public if name in known] == []

@@ -1,4 +1,4 @@
-"""Rules of the house that a look at the source can hold: nothing is patched in, and nothing sleeps."""
+"""Rules of the project that a look at the source can check: no patched modules, and no sleeps."""
 
 import ast
 from collections.abc import Iterator

@@ -23,7 +23,7 @@ def main() -> int:
 
 
 def complaints_about(message: str, n_changed: int) -> list[str]:
-    """Return what is wrong with a message for a change of so many lines; mostly nothing."""
+    """Return what is wrong with a message for a change of this many lines; mostly nothing."""
     said = [line for line in message.partition(SCISSORS)[0].splitlines() if not line.startswith("#")]
     subject, *rest = "\n".join(said).strip().splitlines() or [""]
     if not subject or subject.startswith("Merge "):

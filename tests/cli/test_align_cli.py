@@ -44,7 +44,7 @@ def test_without_words_there_is_nothing_to_align(takes: Path, capsys: pytest.Cap
     with pytest.raises(SystemExit) as ended:
         main(["align", str(takes)])
     assert ended.value.code == 2
-    assert "say what is said in the sounds, with --text or --script" in capsys.readouterr().err
+    assert "there is no text to align; give it with --text or --script" in capsys.readouterr().err
 
 
 def test_scores_with_the_texts_of_the_manifest_are_better(tmp_path: Path) -> None:

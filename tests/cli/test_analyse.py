@@ -20,7 +20,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.bad_files import ODD_FILES
 from tests.conftest import SCORER
-from tests.sounds import silence, tone
+from tests.sounds import silence, tone, vowel
 from tests.tables import HEADER, analysed, gapless, outputs_in, refused, rows_of
 
 
@@ -64,7 +64,8 @@ def test_how_sure_it_is_is_an_empty_cell_and_null_where_nobody_measured_it(
 def test_a_sound_that_begins_in_the_middle_begins_there_in_the_table(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    soundfile.write(tmp_path / "late.wav", np.concatenate((silence(1.0), tone(700, 1.0, 0.5))), SAMPLE_RATE)
+    late = np.concatenate((silence(1.0), vowel((700, 1200, 2500), 1.0)))
+    soundfile.write(tmp_path / "late.wav", late, SAMPLE_RATE)
     analysed(tmp_path / "late.wav")
     first = rows_of(capsys.readouterr().out)[0]
     assert first["phoneme"] == "silence"

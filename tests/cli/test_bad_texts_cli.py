@@ -160,8 +160,8 @@ def test_a_table_tells_of_texts_without_sound_and_sounds_without_text(
     assert not out.exists()
 
 
-def test_a_megabyte_without_a_mark_is_another_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    (tmp_path / "text.txt").write_text("a" * 1_000_000, encoding="utf-8")
+def test_300_kilobytes_without_a_mark_are_another_text(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "text.txt").write_text("a" * 300_000, encoding="utf-8")
     out = tmp_path / "o.csv"
     assert main(["align", str(SAID), "--script", str(tmp_path / "text.txt"), "--language", "de", "-o", str(out)]) == 0
     assert "another text seems to be said in it" in capsys.readouterr().err

@@ -77,7 +77,7 @@ def test_what_was_wrong_stands_in_a_table_and_on_a_page(
         rows = list(csv.DictReader(file))
     assert Path(rows[0]["file"]).name == "b.wav"
     assert (rows[0]["state"], rows[0]["duration_s"]) == ("failed", "")
-    assert rows[0]["what was wrong"].startswith("b.wav: this is not a sound file")
+    assert rows[0]["what was wrong"].startswith("b.wav: this is not an audio file")
     told = next(row for row in rows if row["file"].endswith("a.wav"))
     assert (told["state"], told["language"]) == ("note", "en-us")
     assert float(told["duration_s"]) > 0

@@ -105,8 +105,8 @@ def test_each_head_is_called_what_moves_it_and_a_synthetic_performer_so(recorded
     context_or_skip().release()
     heads = np.zeros((2, 88, 64, 3), np.uint8)
     for words, captions in (
-        (["--beside", "rules"], ("letters of pinyin", "sounds, by the mouth table")),
-        (["--beside", "pinyin", "--performance", "ann.sqlite"], ("Ann (synthetic performer)", "letters of pinyin")),
+        (["--beside", "rules"], ("Pinyin letters", "Phonemes (rules)")),
+        (["--beside", "pinyin", "--performance", "ann.sqlite"], ("Ann (synthetic performer)", "Pinyin letters")),
     ):
         sheet = SideBySide((128, 96), captions, LIGHT.text, LIGHT.window)
         assert sheet.head_size == HEAD

@@ -21,8 +21,8 @@ from phonemeanalyser.cli.main import main
 from phonemeengine.audio.devices import InputChoice
 from phonemeengine.errors import RecordingError
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_live_use, with_small_network
 from phonemeengine.presets.files import DEFAULT_PRESET, factory_preset, load_preset
+from phonemeengine.presets.model_choice import for_live_use, with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in, offline
@@ -100,7 +100,9 @@ def test_without_a_microphone_it_says_so_and_fails(words: list[str], capsys: pyt
     assert main(words) == 1
     said = capsys.readouterr()
     assert said.out == ""
-    assert said.err == ("phonemeanalyser: there is no microphone; plug one in, or check that the sound system runs\n")
+    assert said.err == (
+        "phonemeanalyser: no microphone was found; connect one, or check that the audio system is running\n"
+    )
 
 
 def test_a_microphone_that_is_not_there_is_said_before_anything_is_begun(
@@ -109,7 +111,7 @@ def test_a_microphone_that_is_not_there_is_said_before_anything_is_begun(
     portaudio.plug("Yeti")
     assert main(["record", str(tmp_path / "a.wav"), "--device", "Gone"]) == 1
     assert capsys.readouterr().err == (
-        "phonemeanalyser: the microphone 'Gone' is not there; choose one of: Yeti · ALSA\n"
+        "phonemeanalyser: the microphone 'Gone' is not connected; choose one of: Yeti · ALSA\n"
     )
     assert list(tmp_path.iterdir()) == []
 
@@ -166,7 +168,7 @@ def test_lines_of_text_have_time_phoneme_and_intensity_in_columns(capsys: pytest
     assert len({line.index(" s ") for line in lines}) == 1
     assert [int(w[4]) for w in words] == pytest.approx([100 * c for c in expected_confidences()], abs=1)
     assert lines[0].startswith("    0.00 s  silence       0.00  ")
-    assert lines[0].endswith(" % sure")
+    assert lines[0].endswith(" % confidence")
 
 
 def test_how_sure_it_is_is_not_said_where_nobody_measured_it() -> None:
@@ -200,9 +202,9 @@ def test_it_says_how_late_and_how_right_it_was_as_far_ahead_as_the_user_let_it_l
     preset = with_small_network(replace(learned, model=model, settings=settings))
     listening.listen(preset, InputChoice(), len(SPEECH) / SAMPLE_RATE, "json", open_listener=listener)
     said = capsys.readouterr().err
-    assert "ms late on the average (capture " in said
+    assert " ms (capture " in said
     assert " + look-ahead 50 + analysis " in said
-    assert "so far ahead: macro F1 0.71, mouth shapes 74 %" in said
+    assert "accuracy with this look-ahead: macro F1 0.71, mouth shapes 74 %" in said
 
 
 @pytest.mark.parametrize("words", [[], ["--look-ahead", "0.04"]])
@@ -210,7 +212,7 @@ def test_the_look_ahead_is_the_presets_or_the_users(
     words: list[str], portaudio: FakePortAudio, capsys: pytest.CaptureFixture[str]
 ) -> None:
     portaudio.plug("Yeti", hears=SPEECH)
-    assert main(["listen", "--preset", "learned", "--live-model", "live", "--seconds", "0.5", *words]) == 0
+    assert main(["listen", "--preset", "learned", "--model", "real-time", "--seconds", "0.5", *words]) == 0
     expected = 0.04 if words else factory_preset("learned").settings.live_look_ahead
     assert f" + look-ahead {1000 * expected:.0f} + " in capsys.readouterr().err
 

@@ -140,7 +140,7 @@ def test_what_somebody_changed_in_a_folder_stays_when_the_sound_changes(
 @pytest.mark.parametrize(
     ("words", "name"),
     [
-        (["adapt", "--room", "{sound}", "-o", "{out}"], "mine.toml"),
+        (["adapt", "--background-noise", "{sound}", "-o", "{out}"], "mine.toml"),
         (["score", "{folder}", "-o", "{out}"], "mine.html"),
         (["score", "{folder}", "--errors", "{out}"], "mine.csv"),
         (["movestates", "export", "head", "-o", "{out}"], "mine.3dma"),

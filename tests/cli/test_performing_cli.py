@@ -113,7 +113,7 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
         ([*EXPORT, *TABLES], "one table moves a face, and there are 'Ann', 'Ann'; name one of them with --use"),
         ([*EXPORT, "--performance", "ann.sqlite", "--use", "Bob"], "one table moves a face, and there are 'Ann'"),
         ([*EXPORT, "--performance", "mami.wav"], "mami.wav: this is no table of performances"),
-        ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which nobody knows"),
+        ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which are unknown"),
         ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
         ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
         (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),

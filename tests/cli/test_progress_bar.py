@@ -3,7 +3,7 @@
 import io
 from contextlib import redirect_stderr
 
-from phonemeanalyser.cli.progress_bar import batch_bar
+from phonemeanalyser.cli.jobs import batch_bar
 from phonemeengine.batch.runner import BatchProgress
 
 

@@ -1,5 +1,6 @@
 """``phonemeanalyser score``: what it prints, its exit codes, and that its figures are those of the corpus scorer."""
 
+import csv
 import json
 import math
 import os
@@ -66,11 +67,26 @@ def test_right_answers_score_one_in_json(small: Path, printed: Said) -> None:
     assert [row["file"] for row in preset["recordings"]] == ["u0.wav", "u1.wav", "u2.wav"]
 
 
+def test_the_numbers_of_two_presets_stand_beside_what_they_divide(small: Path, printed: Said, tmp_path: Path) -> None:
+    out = tmp_path / "numbers.csv"
+    said = printed(small, "--preset", THESIS, "--against", CLEAN, "--phoneme-data", out)
+    assert "frames whose phoneme is another one with B: " in said
+    with out.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    own, other = PRESET.phoneme_data, load_preset(CLEAN).phoneme_data
+    assert {row["number"]: (float(row["value"]), float(row["other"])) for row in rows} == {
+        name: (pytest.approx(value, rel=1e-5), pytest.approx(getattr(other, name), rel=1e-5))
+        for name, value in vars(own).items()
+    }
+    (row,) = [r for r in rows if (r["number"], r["speaker"], r["side"]) == ("szsch_szsch1", "all", "holds")]
+    assert (row["variable"], row["sign"], row["sounds"]) == ("m_szsch1", ">", "sz sch")
+
+
 def test_the_table_is_that_of_the_corpus_scorer(small: Path, printed: Said) -> None:
     lines = printed(small, "--preset", THESIS, "--by", "speaker").splitlines()
     assert lines[0].startswith("small: 3 recordings, 0.1 minutes, 3 speakers, lag 0 ms")
     head = next(k for k, line in enumerate(lines) if line.startswith("lag 0 ms"))
-    assert lines[head].split()[3:] == [name[:13] for name in FIGURES]
+    assert lines[head].split()[3:] == list(FIGURES)
     table = [line.split() for line in lines[head + 1 : head + 5]]
     assert [row[0] for row in table] == ["all", "human/ann", "human/bob", "machine/cyd"]
     assert all(row[1:8] == ["1.000"] * 6 + ["0.000"] for row in table)
@@ -139,6 +155,8 @@ def test_two_presets_are_compared(small: Path, printed: Said) -> None:
     assert gains["stretches_only_first"][0]["end_s"] > gains["stretches_only_first"][0]["start_s"]
     text = printed(*words)
     assert "What Thesis (A) gets right that Thesis, anti-aliased (B) misses" in text
+    assert "the longest segments that only A gets right" in text
+    assert "  viseme_accuracy  " in text
     stretch = gains["stretches_only_first"][0]
     assert f"{stretch['label']}, which B calls {stretch['wrong']}" in text
 

@@ -112,7 +112,7 @@ def test_a_place_that_cannot_be_written_is_refused(
     qapp: QApplication, sound: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     sentence = refused(capsys, "screenshot", sound, "-o", sound.parent / "nowhere" / "none.png")
-    assert sentence.endswith("the picture cannot be written; choose another place with -o")
+    assert sentence.endswith("the picture could not be written; choose another location with -o")
 
 
 def test_the_program_takes_a_picture_without_a_display(sound: Path, tmp_path: Path) -> None:

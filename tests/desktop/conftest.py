@@ -11,7 +11,6 @@ import pytest
 
 from phonemeengine.settings import SAMPLE_RATE
 
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
 os.environ |= {"LC_ALL": "C.UTF-8", "LANGUAGE": "en"}  # of the programs that tests start, wherever these run
 
 from PySide6.QtCore import QEvent, QSettings

@@ -9,13 +9,14 @@ import pyqtgraph as pg
 import soundfile
 from numpy.typing import NDArray
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer
-from PySide6.QtGui import QColor, QImage, QWheelEvent
+from PySide6.QtGui import QColor, QImage, QWheelEvent, qGray
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSpinBox,
     QApplication,
     QDialog,
+    QDockWidget,
     QMenu,
     QMessageBox,
     QToolButton,
@@ -252,10 +253,17 @@ class TimeEyes:
         return self.image.pixelColor(place(self.graphics, plot, x, y))
 
     def brightest(self, seconds: float) -> float:
-        """Give the frequency of the brightest pixel of a column of the sonagram, Hz."""
+        """Give the frequency of the brightest pixel of a column of the sonagram, Hz: of several the middle one."""
         low, high = self.sonagram.viewRange()[1]
         column = [
-            (self.colour(self.sonagram, seconds, y).lightness(), y) for y in np.linspace(low + 20, high - 20, 400)
+            (qGray(self.colour(self.sonagram, seconds, y).rgb()), y) for y in np.linspace(low + 20, high - 20, 400)
         ]
         most = max(light for light, _ in column)
-        return float(np.mean([y for light, y in column if light == most]))
+        return float(np.median([y for light, y in column if light == most]))
+
+
+def lies_behind(widget: QWidget | None) -> bool:
+    """Whether a widget is in a dock that lies behind another: Qt leaves that one visible, outside the window."""
+    while widget is not None and not isinstance(widget, QDockWidget):
+        widget = widget.parentWidget()
+    return widget is not None and widget.geometry().right() < 0

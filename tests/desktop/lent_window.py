@@ -119,8 +119,8 @@ def _show(window: MainWindow) -> None:
 
 
 def _leave_sound(session: Session) -> None:
-    """Have no sound in hand, as before the first one."""
-    session.second.take(None)
+    """Have no sound open, as before the first one."""
+    session.preset.clear_second()
     session.view.follows = True
     session.leave_sound()
     session.set_channel(Channel.MIX)
@@ -134,8 +134,7 @@ def _forget_edits(desktop: Desktop) -> None:
     desktop.preset.set_bypassed(False)
     desktop.preset.try_out(None)
     desktop.preset.load(THESIS_PRESET)
-    while desktop.session.averages.curves:
-        desktop.session.averages.remove(0)
+    desktop.session.curves.take_away(desktop.session.curves.curves)
 
 
 def _show_usual(window: MainWindow, checked: dict[str, bool]) -> None:

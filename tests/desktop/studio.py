@@ -156,7 +156,7 @@ class Booth:
 
     def listen(self) -> None:
         """Choose the microphone in the source box."""
-        choose(self.window.transport.source, "microphone")
+        choose(self.window.transport.source, "Microphone")
 
     def go_to_view(self) -> None:
         """Give the keyboard to the view, as a click into it does; a box of questions or of choices had it before."""

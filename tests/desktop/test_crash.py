@@ -37,6 +37,6 @@ def test_a_crash_is_shown_and_kept_with_where_it_happened(tmp_path: Path) -> Non
     )
     (log,) = tmp_path.rglob("phonemeanalyser.log")
     assert done.returncode == 0, done.stderr
-    assert done.stdout == f"Something went wrong in the program itself; the details are in {log}.\n"
+    assert done.stdout == f"Internal error. Details are in {log}; send that file with your report.\n"
     assert "ERROR phonemeanalyser.desktop.app: the program crashed\nTraceback" in log.read_text()
     assert "ZeroDivisionError: a bug" in log.read_text()

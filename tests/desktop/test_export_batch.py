@@ -29,7 +29,7 @@ def folder(tmp_path):
 def exported(desktop, folder, out, qtbot):
     settings = QSettings(str(out.with_suffix(".ini")), QSettings.Format.IniFormat)
     dialog = ExportDialog(PRESET, Channel.MIX, [folder], settings, desktop.window)
-    dialog.kind.setCurrentIndex(dialog.kind.findData(KIND))
+    dialog.choices.kind.setCurrentIndex(dialog.choices.kind.findData(KIND))
     dialog._folder = out
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)

@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import soundfile
-from PySide6.QtCore import QSettings
+from PySide6.QtCore import QSettings, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog, QLineEdit
 
@@ -56,7 +56,7 @@ def dialog(desktop, qtbot, folder, tmp_path):
 
 
 def choose(dialog, kind):
-    dialog.kind.setCurrentIndex(dialog.kind.findData(kind))
+    dialog.choices.kind.setCurrentIndex(dialog.choices.kind.findData(kind))
 
 
 def cells(dialog, row):
@@ -126,17 +126,17 @@ def test_of_a_long_sound_the_beginning_is_seen(dialog, folder, qtbot):
 
 def test_options_count_where_a_mouth_moves_and_impossible_ones_are_one_sentence(dialog):
     choose(dialog, "phonemes-csv")
-    assert not dialog.table.isEnabled()
+    assert not dialog.choices.table.isEnabled()
     choose(dialog, "rhubarb-json")
-    assert dialog.table.isEnabled()
-    dialog.table.setCurrentText("arkit")
+    assert dialog.choices.table.isEnabled()
+    dialog.choices.table.setCurrentText("ARKit 52")
     QTest.mouseClick(dialog.start, LEFT)
     assert dialog.told.text()
     assert dialog.queue.jobs == []
-    dialog.table.setCurrentIndex(0)
-    dialog.minimum.setValue(0.2)
-    dialog.head.setChecked(False)
-    order = dialog.order()
+    dialog.choices.table.setCurrentIndex(0)
+    dialog.choices.minimum.setValue(0.2)
+    dialog.choices.head.setChecked(False)
+    order = dialog.choices.order()
     assert (order.options.minimum, order.options.table, order.options.idle.head) == (0.2, None, False)
 
 
@@ -161,12 +161,14 @@ def test_another_preset_is_chosen(desktop, qtbot, folder):
     window = shown(desktop, qtbot, None)
     window.dialogs.show_export([folder])
     (dialog,) = (d for d in window.findChildren(ExportDialog) if d.isVisible())
-    assert dialog.order().preset == desktop.preset.in_force
-    paths = [dialog.heard.itemData(k) for k in range(dialog.heard.count())]
-    dialog.heard.setCurrentIndex(paths.index(DEFAULT_PRESET))
-    assert dialog.order().preset == load_preset(DEFAULT_PRESET)
-    assert dialog.order().preset != desktop.preset.in_force
-    dialog.heard.setItemData(dialog.heard.currentIndex(), folder / "gone.toml")
+    assert dialog.choices.order().preset == desktop.preset.in_force
+    QTest.mouseClick(dialog.choices.preset, LEFT)
+    QTest.keyClicks(dialog.choices.preset.list.search, "learned")
+    QTest.keyClick(dialog.choices.preset.list.search, Qt.Key.Key_Return)
+    assert dialog.choices.preset.text() == "Learned ▾"
+    assert dialog.choices.order().preset == load_preset(DEFAULT_PRESET)
+    assert dialog.choices.order().preset != desktop.preset.in_force
+    dialog.choices.preset.choose(folder / "gone.toml")
     QTest.mouseClick(dialog.start, LEFT)
     assert "gone.toml" in dialog.told.text()
     assert dialog.queue.jobs == []
@@ -197,29 +199,30 @@ def test_words_that_talk_knows_of_the_sound_in_hand_are_its_timing(desktop, qtbo
     desktop.talking.text.words.put(KnownWords(said))
     window.dialogs.show_export()
     (dialog,) = (d for d in window.findChildren(ExportDialog) if d.isVisible())
-    assert dialog.timing.currentText() == "aligned words (1)"
-    assert dialog.heard.currentText() == desktop.preset.in_force.name
+    assert dialog.choices.timing.currentText() == "Aligned words (1)"
+    assert dialog.choices.preset.path is None
+    assert dialog.choices.preset.text().startswith(desktop.preset.in_force.name)
     content, _ = made(dialog, qtbot)[sound.stem]
     convert(sound, tmp_path / "api.tsv", "rhubarb-tsv", desktop.preset.in_force, script=said)
     assert content == (tmp_path / "api.tsv").read_text()
-    dialog.timing.setCurrentIndex(0)
-    assert dialog.order().texts == NO_TEXTS
+    dialog.choices.timing.setCurrentIndex(0)
+    assert dialog.choices.order().texts == NO_TEXTS
     choose(dialog, "frames-csv")
-    assert not dialog.timing.isEnabled()
+    assert not dialog.choices.timing.isEnabled()
     dialog.close()
 
 
 def test_a_batch_takes_the_words_beside_each_sound_and_says_where_there_are_none(dialog, folder, qtbot, tmp_path):
     said = said_in(folder / "one.flac")
-    assert dialog.timing.currentText() == "recognition only"
-    dialog.timing.setCurrentIndex(dialog.timing.findText("words or text beside each sound"))
+    assert dialog.choices.timing.currentText() == "Recognition only"
+    dialog.choices.timing.setCurrentIndex(dialog.choices.timing.findText("Text or labels beside each file"))
     found = made(dialog, qtbot)
     for name, script in (("one", said), ("deep/two", None)):
         convert(folder / f"{name}.flac", tmp_path / "api.tsv", "rhubarb-tsv", PRESET, script=script, overwrite=True)
         assert found[Path(name).name][0] == (tmp_path / "api.tsv").read_text()
     assert found["one"][1] == ()
-    assert found["two"][1] == ("there are no words beside it",)
-    assert "there are no words beside it" in cells(dialog, 0)[3]
+    assert found["two"][1] == ("no text or TextGrid beside the file",)
+    assert "no text or TextGrid beside the file" in cells(dialog, 0)[3]
 
 
 def exporting(window):
@@ -238,8 +241,8 @@ def test_a_face_is_exported_as_talk_shows_it(desktop, qtbot, tmp_path):
     talking.text.drivers.choose(FaceDriver.RULES)
     dialog = exporting(window)
     choose(dialog, "livelink-csv")
-    assert dialog.table.currentText() == "as on Talk: arkit"
-    assert dialog.driver.currentText() == "as on Talk: sounds, by the mouth table"
+    assert dialog.choices.table.currentText() == "Same as Talk: ARKit 52"
+    assert dialog.choices.driver.currentText() == "Same as Talk: Phonemes (rules)"
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
     preset, grid, expected = tmp_path / "preset.toml", sound.with_suffix(".TextGrid"), tmp_path / "cli.csv"
@@ -262,7 +265,7 @@ def test_only_choices_that_make_a_difference_to_the_format_are_shown(dialog):
     names = ("timing", "driver", "table", "mesh", "expression", "rate", "minimum", "anticipation", "detail", "seed")
     for kind, expected in shown_in.items():
         choose(dialog, kind)
-        assert {name for name in (*names, "blinks", "head") if getattr(dialog, name).isVisible()} == expected
+        assert {name for name in (*names, "blinks", "head") if getattr(dialog.choices, name).isVisible()} == expected
 
 
 def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_path):
@@ -272,9 +275,9 @@ def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_pat
     text.set_text("Guten Abend.")
     text.set_language("de")
     dialog = exporting(window)
-    assert cells(dialog, 0)[0] == "the text on Talk"
-    assert not dialog.timing.isVisible()
-    assert dialog.kind.findData("phonemes-csv") < 0
+    assert cells(dialog, 0)[0] == "Text on the page Talk"
+    assert not dialog.choices.timing.isVisible()
+    assert dialog.choices.kind.findData("phonemes-csv") < 0
     dialog._folder = tmp_path
     choose(dialog, "livelink-csv")
     with qtbot.waitSignal(dialog.queue.previewed):
@@ -324,10 +327,10 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     QTest.mouseClick(dialog.remove, LEFT)
     dialog.add([folder / "one.flac"])
     choose(dialog, "clip-gif")
-    dialog.rate.setValue(1)
-    dialog.head.setChecked(False)
+    dialog.choices.rate.setValue(1)
+    dialog.choices.head.setChecked(False)
     QTest.mouseClick(dialog.look, LEFT)
-    qtbot.waitUntil(lambda: dialog.preview.toPlainText().startswith("A clip is seen once it is made"))
+    qtbot.waitUntil(lambda: dialog.preview.toPlainText().startswith("Clips have no preview"))
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
     assert dialog.told.text() == "1 done"
@@ -336,9 +339,9 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     assert main(["preview", *words]) == 0
     assert (folder / "one.gif").read_bytes() == other.read_bytes()
     before = (folder / "one.gif").read_bytes()
-    dialog.rate.setValue(2)
+    dialog.choices.rate.setValue(2)
     QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.question.text() == "one.gif is there already."
+    assert dialog.question.text() == "one.gif already exists."
     dialog.question.reject()
     assert not dialog.queue.busy
     assert (folder / "one.gif").read_bytes() == before
@@ -351,15 +354,15 @@ def test_better_work_of_the_command_line_is_not_replaced_unasked(dialog, folder,
     before = target.read_bytes()
     choose(dialog, "livelink-csv")
     QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.question.text() == "one.livelink.csv is there already."
+    assert dialog.question.text() == "one.livelink.csv already exists."
     assert not dialog.queue.busy
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.keep, LEFT)
     assert dialog.told.text() == "1 done"
     assert target.read_bytes() == before
     QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.question.text() == "2 files are there already, such as two.livelink.csv."
-    assert not dialog.keep.isEnabled()
+    assert dialog.question.text() == "2 files already exist, such as two.livelink.csv."
+    assert not dialog.keep.isVisible()
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.replace, LEFT)
     assert target.read_bytes() != before
@@ -369,14 +372,14 @@ def test_better_work_of_the_command_line_is_not_replaced_unasked(dialog, folder,
 def test_the_same_export_into_a_folder_is_not_asked_about_and_another_one_is(dialog, folder, qtbot, tmp_path):
     dialog._folder = tmp_path / "out"
     choose(dialog, "rhubarb-tsv")
-    for told in ("2 done", "2 done before"):
+    for told in ("2 done", "2 already done"):
         with qtbot.waitSignal(dialog.queue.finished):
             QTest.mouseClick(dialog.start, LEFT)
         assert dialog.told.text() == told
     assert dialog.question is None
-    dialog.minimum.setValue(0.5)
+    dialog.choices.minimum.setValue(0.5)
     QTest.mouseClick(dialog.start, LEFT)
-    assert dialog.question.text() == "2 files are there already, such as two.rhubarb.tsv."
+    assert dialog.question.text() == "2 files already exist, such as two.rhubarb.tsv."
     dialog.question.reject()
     assert not dialog.queue.busy
 

@@ -1,12 +1,22 @@
 """What explains the program from within: the manual, What Is This?, and the cards of the first start."""
 
 import pytest
-from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt, QUrl
 from PySide6.QtGui import QHelpEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWhatsThis, QWidget
 
-from phonemeanalyser.desktop.manual import PAGES, ManualDialog, docs_folder, page_text, passage, slug_of, title_of
+from phonemeanalyser.desktop.language import use_language
+from phonemeanalyser.desktop.manual import (
+    PAGES,
+    ManualDialog,
+    docs_folder,
+    heading_at,
+    page_text,
+    passage,
+    slug_of,
+    title_of,
+)
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.what_is_this import PASSAGES, explanation_of, passage_for
 from tests.conftest import ROOT
@@ -61,7 +71,7 @@ def test_the_manual_opens_follows_links_and_finds_words(window, qtbot):
     (dialog,) = dialogs(window)
     assert dialog.pages.currentItem().text() == title_of("manual")
     dialog.show_page("calibrating.md#on-the-command-line")
-    assert dialog.pages.currentItem().text() == "How to calibrate"
+    assert dialog.pages.currentItem().text() == "Calibrate a preset"
     assert dialog.text.verticalScrollBar().value() > 0
     dialog.field.setText("mel bank")
     QTest.keyClick(dialog.field, Qt.Key.Key_Return)
@@ -69,6 +79,32 @@ def test_the_manual_opens_follows_links_and_finds_words(window, qtbot):
     assert dialog.field.hasFocus() or not dialog.isActiveWindow()
     dialog.reject()
     assert dialogs(window) == []
+
+
+@pytest.fixture
+def german(qapp):
+    use_language(qapp, "de")
+    yield
+    use_language(qapp, "en")
+
+
+def test_the_manual_of_a_german_window_has_german_pages(german, qtbot):
+    dialog = ManualDialog(None)
+    qtbot.addWidget(dialog)
+    assert dialog.pages.currentItem().text() == "Das Fenster"
+    for link, page in (
+        ("../presets.md#phonemedata-files", "Preset files"),
+        ("manual.md#die-ganze-datei", "Das Fenster"),
+    ):
+        dialog.text.anchorClicked.emit(QUrl(link))
+        assert dialog.pages.currentItem().text() == page
+    assert heading_at("manual", "the-whole-file") == heading_at("manual", "die-ganze-datei") == "Die ganze Datei"
+    assert heading_at("manual", "nowhere") == ""
+
+
+def test_what_is_this_answers_in_german(german):
+    assert passage("manual", "Thresholds").startswith("**Schwellen**")
+    assert passage("manual", "#The whole file").startswith("Eine geöffnete Datei")
 
 
 def test_anchors_are_those_that_links_have():

@@ -1,5 +1,6 @@
 """The window speaks the language of the system, or the one that is chosen, wholly."""
 
+import ast
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -16,29 +17,40 @@ from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import Encode
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
-from phonemeanalyser.desktop.engine_words import SPOKEN, tr_engine
+from phonemeanalyser.desktop.engine_errors import ERRORS
+from phonemeanalyser.desktop.engine_words import SENTENCES, SPOKEN, sound_name, tr_engine
 from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.text_panel import _short
 from phonemeanalyser.desktop.talk.words.voice_model import installed
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import ToneKind
 from phonemeengine.calibration.sentences import LANGUAGES
+from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.calibration.takes.quality import Fault, check_take
 from phonemeengine.conversion.work import CONVERSIONS
 from phonemeengine.dsp.sonagram import FrequencyAxis
-from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, unit_of
+from phonemeengine.errors import EngineError
+from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Variable, unit_of
+from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
+from phonemeengine.labels.files import read_labels
 from phonemeengine.labels.utterance import LabelUnit
-from phonemeengine.mouth.expression.streams import expression_presets
+from phonemeengine.mouth.expression.streams import expression_presets, load_expressions
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.files.io import load_morph_mesh, load_morph_targets
+from phonemeengine.mouth.osc import OscAddress
 from phonemeengine.mouth.table import load_table, shipped_tables
+from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import controls_of
 from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, preset_entries
 from phonemeengine.recognition.spec import recogniser_names, recogniser_of
 from phonemeengine.settings import STAGES
+from phonemeengine.text.lexicon import load_lexicon
+from tests.conftest import ROOT
 from tests.desktop.hands import shown
 from tests.desktop.studio import DESK, Studio
 from tests.desktop.texts import texts_of
@@ -46,34 +58,48 @@ from tests.fakes.microphones import HandDrivenMicrophone
 from tests.sounds import silence, vowel
 from tools.translations.ts_file import read_translations
 
+ENGINE = ROOT / "engine" / "phonemeengine"
+NO_TIERS = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n0\n1\n<exists>\n0\n'
+"""A TextGrid without tiers."""
 GERMAN = read_translations(TRANSLATIONS / "phonemeanalyser_de.ts")
 SAME = {
+    "Amplitude",
     "Analyse",
+    "Attack",
     "Auto",
     "Detail",
     "Esc",
     "Export",
+    "Format",
+    "Gain",
     "Live",
     "Median",
     "Mel",
-    "Movestates",
+    "Minimum",
+    "Mix",
+    "Mono",
     "Name",
     "Neutral",
     "Pause",
+    "PhonemeData",
     "Preset",
+    "Presets",
     "Rate",
+    "Release",
     "Return",
+    "Start",
+    "Status",
     "Takes",
+    "Text - Learned[*] - PhonemeAnalyser",
     "Text",
     "Variable",
     "Variable:",
-    "auto",
     "linear",
-    "live",
     "max",
     "mel",
     "min",
-    "mono",
+    "offline",
+    "dBFS",
 }
 """Words that are the same in both languages."""
 NAMES = re.compile(
@@ -134,10 +160,10 @@ def texts_in(desktop: Desktop, sound: Path, qtbot: QtBot) -> set[str]:
 
 def names_of_others() -> set[str]:
     """Return the names that are the same in all languages, since they stand in files."""
-    named = {*BUILT_IN_NAMES, *recogniser_names(), *(p.label for p in Phoneme), *shipped_tables()}
+    named = {*BUILT_IN_NAMES, *recogniser_names(), *shipped_tables()}
     for path in FACTORY_PRESETS:
         preset = load_preset(path)
-        named |= {path.stem, preset.name}
+        named |= {path.stem, preset.name, f"{preset.name} ▾", f"A: {preset.name}"}
         for group in controls_of(preset, recogniser_of(preset.recogniser, preset.config)):
             named |= {group.title} if group.title in BUILT_IN_NAMES else set()
             named |= {name for control in group.controls for name in (control.name, control.label)}
@@ -283,8 +309,129 @@ def test_what_the_engine_says_with_numbers_is_translated_around_them(spoken: Cal
     (sentence,) = faults.values()
     assert tr_engine(sentence) == sentence
     spoken("de")
-    assert tr_engine(sentence).startswith("Es war nichts zu hören (die lauteste Stelle liegt bei -")
-    assert tr_engine("twin, 0.51 s each way") == "Zwilling, 0.51 s in beide Richtungen"
+    assert tr_engine(sentence).startswith("Es wurde kein Laut aufgenommen: Die lauteste Stelle liegt bei -")
+    assert tr_engine("offline, ±0.51 s of context") == "Offline, ±0.51 s Kontext"
+
+
+def test_phonemes_are_called_as_people_write_them_and_files_keep_their_labels(spoken: Callable[[str], None]) -> None:
+    vowels = ["m", "p", "i", "a", "e", "u", "o"]
+    assert [sound_name(p) for p in Phoneme] == ["silence", "unidentified", "s", "sh", *vowels]
+    assert [tr_engine(label) for label in ("sz, sch…", "sch 2", "sz_s1")] == ["s, sh…", "sh 2", "sz_s1"]
+    assert tr_engine("Limit for m_s1; 2 conditions: < sz, sch…; > a") == "Limit for m_s1; 2 conditions: < s, sh…; > a"
+    spoken("de")
+    assert [sound_name(p) for p in Phoneme] == ["Stille", "unbekannt", "s", "sch", *vowels]
+    assert tr_engine("energy 230–440 Hz / 440–700 Hz") == "Energie 230–440 Hz / 440–700 Hz"
+    assert tr_engine("energy 230–440 Hz / all, raw") == "Energie 230–440 Hz / alles, roh"
+    assert tr_engine("probability of sch") == "Wahrscheinlichkeit von sch"
+    assert (sound_name("schwa"), sound_name("jawOpen")) == ("Schwa", "jawOpen")
+    assert [p.label for p in Phoneme][:4] == ["silence", "unidentified", "sz", "sch"]
+
+
+def test_every_sentence_that_is_translated_is_one_of_the_engines() -> None:
+    said = "\n".join(literal for path in ENGINE.rglob("*.py") for literal in literals_in(path.read_text("utf-8")))
+    said += "\n".join(entry.summary for entry in preset_entries(FACTORY_PRESETS))
+    alike = [sentence for sentence in SENTENCES if not re.search("(rises|falls) from", sentence)]
+    assert len(alike) > 50
+    assert [sentence for sentence in alike if share_found(sentence, said) < 0.6] == []
+
+
+def share_found(sentence: str, said: str) -> float:
+    """Give the share of a sentence's letters that stand in what is said: some are put together from parts."""
+    parts = [part for words in re.split(r"\{\w+\}|[;:,(]", sentence) if len(part := words.strip()) > 6]
+    return sum(len(part) for part in parts if part in said) / sum(map(len, parts)) if parts else 1.0
+
+
+def literals_in(code: str) -> Iterator[str]:
+    """Yield the texts of code, with a gap where a value is put in."""
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.JoinedStr):
+            yield "".join(str(v.value) if isinstance(v, ast.Constant) else "\0" for v in node.values)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str):
+            yield node.value
+
+
+def test_every_error_is_told_in_german_whatever_stands_in_its_places(spoken: Callable[[str], None]) -> None:
+    spoken("de")
+    for sentence in ERRORS:
+        places = sorted(set(re.findall(r"\{\w+\}", sentence)))
+        filled, told = sentence, GERMAN[sentence, ""]
+        for number, place in enumerate(places, 100):
+            filled, told = filled.replace(place, str(number)), told.replace(place, str(number))
+        assert tr_engine(filled) == told
+
+
+BAD_FILES: tuple[tuple[Callable[[Path], object], str, bytes, str], ...] = (
+    (SoundReader, "empty.wav", b"", "empty.wav: Die Datei ist leer"),
+    (
+        SoundReader,
+        "film.m4a",
+        b"\0\0\0\x18ftypM4A text",
+        "film.m4a: Keine lesbare Audiodatei (lässt sich nicht",
+    ),
+    (load_preset, "own.toml", b"x", "own.toml: Keine TOML-Datei ('=' nach dem Schlüssel erwartet am Ende der Datei)"),
+    (load_preset, "old.toml", b"format = 'x'", "old.toml: Erwartet wird ein Preset, beginnend mit format"),
+    (load_preset, "old.txt", b"1 2 3", "old.txt: Eine PhonemeData-Datei enthält 21 Zahlen, gefunden 3; nach Zeile 1"),
+    (load_morph_mesh, "face.glb", b"glTF\2\0\0\0", "face.glb: Sie endet mitten in den Kopfdaten"),
+    (load_morph_mesh, "face.gltf", b"{", "face.gltf: Kein glTF: Das JSON ist nicht lesbar"),
+    (load_morph_mesh, "face.obj", b"v a b c", "face.obj: Zeile 1 enthält 'v a b c', keine Zahl eines Netzes"),
+    (load_morph_targets, "face.3dma", b"text", "face.3dma: Eine .3dma-Datei beginnt mit einer Zeile '3dma01'"),
+    (
+        read_labels,
+        "none.TextGrid",
+        NO_TIERS.encode(),
+        "none.TextGrid: Keine Intervallspur mit Beschriftungen, gefunden",
+    ),
+    (read_labels, "cut.TextGrid", NO_TIERS[:53].encode(), "cut.TextGrid, Zeile 4: das Ende muss eine Zahl sein"),
+    (read_labels, "table.csv", b"a,b\n1,2", "table.csv: Die Spalte start_s fehlt; nötig sind start_s, end_s, phone"),
+    (load_lexicon, "own.csv", b"word,ipa\nhello,QQ\n", "own.csv, Zeile 2: 'hello' ist nicht in IPA geschrieben"),
+    (
+        load_averaged_spectrum,
+        "own.curve",
+        b"text",
+        "own.curve: Eine Kurve beginnt mit der Zeile '# phonemeanalyser",
+    ),
+    (load_table, "mouth.toml", b"format = 'x'", "mouth.toml: Erwartet wird eine Mundtabelle, beginnend mit format"),
+    (PerformanceTable.open, "face.faces", b"text", "face.faces: Keine Tabelle von Gesichtsaufnahmen oder beschädigt"),
+    (load_expressions, "smiles.toml", b"format = 'x'", "smiles.toml: Erwartet wird eine Datei mit Ausdrücken"),
+    (TakeProject, "taken", b"a file", "taken: Dieser Ordner lässt sich nicht anlegen"),
+)
+
+
+@pytest.mark.parametrize(("load", "name", "content", "told"), BAD_FILES, ids=[name for _, name, _, _ in BAD_FILES])
+def test_what_is_wrong_with_a_file_is_told_in_german(
+    spoken: Callable[[str], None],
+    tmp_path: Path,
+    load: Callable[[Path], object],
+    name: str,
+    content: bytes,
+    told: str,
+) -> None:
+    (tmp_path / name).write_bytes(content)
+    with pytest.raises(EngineError) as refused:
+        load(tmp_path / name)
+    spoken("de")
+    assert tr_engine(str(refused.value)).startswith(told)
+
+
+def test_names_in_an_error_stay_and_what_it_proposes_is_told_in_german(
+    spoken: Callable[[str], None], tmp_path: Path
+) -> None:
+    refusals = []
+    for act in (
+        lambda: load_table("arkitt"),
+        lambda: read_labels(tmp_path / "labels.doc"),
+        lambda: Variable("Own Name", 1, 2),
+        lambda: OscAddress.of("phone"),
+    ):
+        with pytest.raises(EngineError) as refused:
+            act()
+        refusals.append(str(refused.value))
+    spoken("de")
+    told = [tr_engine(refusal) for refusal in refusals]
+    assert told[0].endswith("; ist arkit gemeint?")
+    assert "'phone'" in told[3]
+    assert [sentence for sentence, refusal in zip(told, refusals, strict=True) if sentence == refusal] == []
+    assert tr_engine("A label needs a name; write the sound, or delete the label.").startswith("Eine Beschriftung")
 
 
 def test_every_fault_of_a_take_is_told_in_german(spoken: Callable[[str], None]) -> None:
@@ -319,7 +466,7 @@ def test_all_words_of_the_engines_tables_are_translated() -> None:
         *expression_presets(),
         *(words for stage in STAGES.values() for words in (stage.label, stage.hint)),
         *(words for stage in STAGES.values() for of in stage.parameters for words in (of.label, of.part) if words),
-        *(preset_entries(FACTORY_PRESETS)[k].summary for k in range(len(FACTORY_PRESETS))),
+        *(re.sub(r"\d+ %", "{percent} %", entry.summary) for entry in preset_entries(FACTORY_PRESETS)),
         *(load_table(name).name for name in shipped_tables() if "mouth shapes" in load_table(name).name),
         *({source.value for source in Spectrum} - {"mel"}),
         *({unit_of(name) for name in BUILT_IN_NAMES} - {"Hz"}),

@@ -1,5 +1,6 @@
 """A preset shipped from the window: the same folder as on the command line, and sentences for what goes wrong."""
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -8,8 +9,11 @@ from PySide6.QtTest import QTest
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.ship_dialog import ShipDialog
-from phonemeengine import save_preset
+from phonemeengine import ModelKind, Phoneme, Preset, save_preset
+from phonemeengine.encoder.live import build_live_encoder
 from tests.desktop.hands import LEFT, FileAnswers, shown
+from tests.fakes.encoder_weights import encoder_weights
+from tests.models import tone_model
 
 
 @pytest.fixture
@@ -33,18 +37,19 @@ def contents(folder: Path) -> dict[str, bytes]:
 def start(dialog, window, qtbot) -> str:
     """Ship, and give what the banner says of it at last."""
     QTest.mouseClick(dialog.start, LEFT)
-    qtbot.waitUntil(lambda: not window.dialogs._shipping.busy)
+    qtbot.waitUntil(lambda: not window.dialogs.presets._shipping.busy)
     return window.banner.label.text()
 
 
 def choose(dialog, name: str) -> None:
-    (row,) = (k for k in range(dialog.preset.count()) if dialog.preset.itemText(k).endswith(f": {name}"))
-    dialog.preset.setCurrentIndex(row)
+    QTest.mouseClick(dialog.preset, LEFT)
+    QTest.keyClicks(dialog.preset.list.search, name)
+    QTest.keyClick(dialog.preset.list.search, Qt.Key.Key_Return)
 
 
 def test_a_preset_of_the_list_is_shipped_as_the_command_line_does(dialog, window, qtbot, tmp_path):
     choose(dialog, "Templates")
-    assert "Shipped 10 files into" in start(dialog, window, qtbot)
+    assert "10 files written to" in start(dialog, window, qtbot)
     assert main(["ship", "templates", "-o", str(tmp_path / "typed")]) == 0
     assert contents(tmp_path / "window") == contents(tmp_path / "typed")
     assert window.banner.action.text() == "Open Folder"
@@ -53,7 +58,7 @@ def test_a_preset_of_the_list_is_shipped_as_the_command_line_does(dialog, window
 def test_the_preset_in_hand_is_shipped_with_its_changes_and_the_chosen_tables(desktop, window, qtbot, tmp_path):
     desktop.preset.tune("sz_s1", 3.5)
     window.files.show = FileAnswers(tmp_path / "chosen")
-    window.dialogs.show_ship()
+    window.dialogs.presets.show_ship()
     dialog = next(d for d in window.findChildren(ShipDialog) if d.isVisible())
     QTest.mouseClick(dialog.choose, LEFT)
     for row in range(dialog.tables.count()):
@@ -72,11 +77,11 @@ def test_what_goes_wrong_is_a_banner_and_changed_files_stay_unless_they_are_give
     (tmp_path / "window" / "Makefile").write_text("all:\n")
     said = start(dialog, window, qtbot)
     assert "Makefile: another file is there, or it was changed; choose another folder" in said
-    window.dialogs.show_ship()
+    window.dialogs.presets.show_ship()
     again = next(d for d in window.findChildren(ShipDialog) if d.isVisible())
     assert again.folder.text() == str(tmp_path / "window")
     again.overwrite.setChecked(True)
-    assert "Shipped 10 files" in start(again, window, qtbot)
+    assert "10 files written to" in start(again, window, qtbot)
 
 
 def test_without_a_folder_nothing_can_be_shipped(dialog):
@@ -85,3 +90,18 @@ def test_without_a_folder_nothing_can_be_shipped(dialog):
     dialog.folder.setText("here")
     assert dialog.start.isEnabled()
     dialog.reject()
+
+
+def test_where_the_preset_listens_with_the_real_time_model_the_small_one_is_said_to_serve(
+    desktop, dialog, window, tmp_path
+):
+    assert not dialog.note.isVisible()
+    encoder = build_live_encoder(encoder_weights(n_layers=1, n_channels=64))
+    preset = Preset(name="both", recogniser="learned", model=tone_model({700.0: Phoneme.A}), live_encoder=encoder)
+    save_preset(preset, tmp_path / "both.toml")
+    dialog.preset.choose(tmp_path / "both.toml")
+    assert dialog.note.isVisible()
+    assert dialog.note.text().startswith("Programs without Python recognise with the preset's small network; ")
+    save_preset(replace(preset, live_model=ModelKind.REAL_TIME), tmp_path / "small.toml")
+    dialog.preset.choose(tmp_path / "small.toml")
+    assert not dialog.note.isVisible()

@@ -65,7 +65,7 @@ def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     session.view.show(TimeSpan(0.7, 0.8))  # finer than what is measured of the sonagram
     window.analysis.file.view.show_over("formants", on=True)
     session.view.select(TimeSpan(1.5, 1.9))
-    for act in (window.selection.measure, window.selection.average):
+    for act in (window.selection.measure, window.dialogs.curves.add_selection):
         act()
     desktop.preset.set_setting("minimum_hold", 0.05)
     session.seek(1.5)
@@ -95,7 +95,7 @@ def test_a_chip_says_that_another_program_changed_the_file_and_opens_it_again(de
     assert desktop.session.source.duration == 9.0
     assert chips.words() == ""
     sound.unlink()
-    qtbot.waitUntil(lambda: chips.words() == "gone from disk")
+    qtbot.waitUntil(lambda: chips.words() == "missing on disk")
     assert desktop.session.source.duration == 9.0
 
 
@@ -147,7 +147,12 @@ def test_a_selection_of_nothing_is_one_sentence(desktop, qtbot, sound, start: fl
     window.selection.error.connect(told.append)
     window.selection.info.connect(told.append)
     session.view.select(TimeSpan(start, end))
-    for act in (window.selection.measure, window.selection.average, window.selection.play, window.selection.zoom):
+    for act in (
+        window.selection.measure,
+        window.dialogs.curves.add_selection,
+        window.selection.play,
+        window.selection.zoom,
+    ):
         act()
     window.selection_dialogs.copy_frames()
     qtbot.waitUntil(lambda: not window.selection._work.busy)
@@ -163,7 +168,7 @@ def exporting(desktop, qtbot, tmp_path: Path) -> ExportDialog:
         shutil.copy(DEMO, tmp_path / name)
     window.dialogs.show_export([tmp_path])
     (dialog,) = (d for d in window.findChildren(ExportDialog) if d.isVisible())
-    dialog.kind.setCurrentIndex(dialog.kind.findData("frames-csv"))
+    dialog.choices.kind.setCurrentIndex(dialog.choices.kind.findData("frames-csv"))
     return dialog
 
 
@@ -203,6 +208,6 @@ def test_a_batch_that_is_cancelled_keeps_what_is_complete(exporting, qtbot, tmp_
     assert states[0] is ExportState.DONE
     qtbot.waitUntil(lambda: not queue.busy)
     assert ExportState.WORKING not in {job.state for job in queue.jobs}
-    assert "at work" not in exporting.told.text()
+    assert "running" not in exporting.told.text()
     whole = {job.target.name for job in queue.jobs if job.state is ExportState.DONE}
     qtbot.waitUntil(lambda: {path.name for path in tmp_path.glob("*.csv*")} == whole)

@@ -133,9 +133,8 @@ def test_a_dropped_preset_is_loaded(desktop, window, tmp_path):
 def test_a_dropped_curve_lies_beside_the_averaged_spectrum(desktop, qtbot, tmp_path):
     window = followed(desktop, qtbot, seconds=1.0)
     desktop.session.averages.save(tmp_path / "voice.csv")
-    desktop.session.averages.remove(0)
     assert drop(window, tmp_path / "voice.csv")
-    assert [curve.name for curve in desktop.session.averages.curves] == ["voice"]
+    assert [curve.name for curve in desktop.session.curves.curves] == ["voice"]
 
 
 def test_several_dropped_files_are_all_taken(desktop, window):
@@ -159,7 +158,7 @@ def test_a_link_to_the_web_is_refused_with_a_sentence(desktop, window):
     event = QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, mime, Qt.MouseButton.LeftButton, NO_KEYS)
     window.dropEvent(event)
     assert desktop.session.path == CARDS
-    assert window.banner.label.text().startswith("https://example.org/sound.wav: only files on this computer")
+    assert window.banner.label.text().startswith("https://example.org/sound.wav cannot be opened, since only files")
 
 
 # -- recent files -------------------------------------------------------------------------------------

@@ -2,16 +2,19 @@
 
 import re
 
+import numpy as np
 import pytest
+import soundfile
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QComboBox, QListView
+from PySide6.QtWidgets import QApplication, QComboBox, QDialog, QListView
 
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.calibrate.calibrating import Calibrator
-from tests.desktop.hands import DEMO, LEFT, answer, click, press, shown, type_number
+from tests.desktop.hands import CARDS, DEMO, LEFT, answer, click, press, shown, type_number
 
 pops_up = pytest.mark.qt_log_ignore("does not support", extend=True)  # lists without a display
 
@@ -62,7 +65,7 @@ def test_a_list_a_number_and_a_text_keep_what_is_typed_into_them(desktop, qtbot)
     assert QApplication.focusWidget() is window.analysis.file.view
     scroll = window.analysis.scroll_view
     window.analysis.over_time.setCurrentWidget(scroll)
-    for control in (scroll.variable, scroll.low, window.transport.source):
+    for control in (scroll.colours, scroll.low, window.transport.source):
         control.setFocus()
         assert QApplication.focusWidget() is control
         QTest.keyClicks(control, "lbrn")
@@ -80,7 +83,7 @@ def test_record_asks_before_it_leaves_the_file_in_hand(desktop, qtbot):
     window, session = shown(desktop, qtbot), desktop.session
     asked = answer("Cancel")
     press(window, Qt.Key.Key_R)
-    assert asked == ["Leave cards.flac, and record the microphone?"]
+    assert asked == ["Switch from cards.flac to the microphone and record?"]
     assert session.source.kind is SourceKind.FILE
     answer("Record")
     window.menus.actions["Record"].trigger()  # without a window manager, the window has the keyboard no more
@@ -119,9 +122,26 @@ def test_space_plays_after_a_choice_with_the_mouse_and_after_one_was_hidden(desk
     desktop.session.set_source(SourceKind.TONE)  # which has no channels to choose from
     assert window.transport.channel.isHidden()
     assert QApplication.focusWidget() is window.analysis
-    desktop.session.pause()
     press(window, Qt.Key.Key_Space)
     assert desktop.session.source.playing
+
+
+def test_space_plays_after_a_file_without_the_channel_that_had_the_focus_was_opened(desktop, qtbot, tmp_path):
+    many = tmp_path / "many.wav"
+    soundfile.write(many, np.zeros((SAMPLE_RATE, 8), np.float32), SAMPLE_RATE)
+    window = shown(desktop, qtbot, many)
+    window.transport.channel.setFocus()
+    dialog = QDialog(window)
+    dialog.open()
+    qtbot.waitUntil(dialog.isActiveWindow)
+    desktop.session.open(CARDS)  # which has one channel
+    dialog.reject()
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    qtbot.waitUntil(lambda: QApplication.focusWidget() is window.analysis.file.view)
+    press(window, Qt.Key.Key_Space)
+    assert desktop.session.source.playing
+    assert not window.preset_box.list.isVisible()
 
 
 def test_a_button_reached_with_tab_keeps_space_and_one_that_was_clicked_does_not_get_the_focus(desktop, qtbot):
@@ -150,7 +170,7 @@ def test_the_list_of_keys_is_whole_on_every_page_and_says_where_letters_act(desk
 def test_a_key_that_is_held_switches_once(desktop, qtbot):
     window = shown(desktop, qtbot)
     assert not window.menus.actions["Loop"].autoRepeat()
-    assert not window.menus.actions["Play or Pause"].autoRepeat()
+    assert not window.menus.actions["Play/Pause"].autoRepeat()
     assert window.menus.actions["Forward 1 s"].autoRepeat()
 
 

@@ -3,17 +3,20 @@
 import shutil
 
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication, QMessageBox
 
-from phonemeanalyser.desktop.analyse.lanes.label_dialogs import TiersDialog
+from phonemeanalyser.desktop.analyse.lanes.label_dialogs import FormatDialog, TiersDialog
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.session.label_tiers import ChosenLabel
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.widgets.lanes import Lane
 from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
-from tests.desktop.hands import CARDS, FileAnswers, back_in, press, shown
+from tests.desktop.hands import CARDS, FileAnswers, press, shown
 
 TIERS = (
     Tier("phones", (RawLabel(0.5, 1.0, "o", ""), RawLabel(1.0, 1.5, "s", ""))),
@@ -35,6 +38,12 @@ def window(desktop, qtbot, tmp_path):
 def place(view, tier, seconds):
     row = view._layout.label_rows()[tier]
     return QPoint(round(view._layout.x_of(seconds)), round(row.center().y()))
+
+
+def send(view, kind, at, modifier):
+    held = Qt.MouseButton.LeftButton
+    place = QPointF(at)
+    QApplication.sendEvent(view, QMouseEvent(kind, place, view.mapToGlobal(place), held, held, modifier))
 
 
 def test_lanes_are_painted_under_the_recognised_phonemes(window):
@@ -68,18 +77,18 @@ def test_a_click_chooses_and_selects_and_a_drag_moves_the_boundary(desktop, wind
     desktop.preset.undo_stack.redo()
 
 
-def test_labels_are_renamed_inserted_and_deleted(desktop, window, hand, qtbot):
-    def type_u(dialog) -> None:
-        dialog.setTextValue("u")
-        dialog.accept()
-
+def test_labels_are_renamed_inserted_and_deleted_in_their_place(desktop, window, qtbot):
     view, labels = window.analysis.file.view, desktop.session.labels
-    hand.act = type_u
     QTest.mouseDClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 0.7))
+    assert view.editor.text() == "o"
+    QTest.keyClicks(view.editor, "u")
+    QTest.keyClick(view.editor, Qt.Key.Key_Return)
     assert labels.tiers[0].raw_labels[0].name == "u"
-    back_in(window, qtbot)
+    assert not view.editor.isVisible()
     desktop.session.view.select(TimeSpan(1.6, 1.8))
     press(window, Qt.Key.Key_I, Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClicks(view.editor, "u")
+    QTest.keyClick(view.editor, Qt.Key.Key_Return)
     assert labels.tiers[0].raw_labels[2].name == "u"
     QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 0.7))
     window.menus.actions["Delete Label"].trigger()
@@ -89,19 +98,65 @@ def test_labels_are_renamed_inserted_and_deleted(desktop, window, hand, qtbot):
     assert not labels.has_unsaved_changes
 
 
+def test_letters_name_the_chosen_label_tab_goes_on_and_enter_splits(desktop, window, qtbot):
+    view, labels = window.analysis.file.view, desktop.session.labels
+    view.setFocus()
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 0.7))
+    press(window, Qt.Key.Key_N)  # which is a shortcut where no label is chosen
+    assert view.editor.text() == "n"
+    QTest.keyClick(view.editor, Qt.Key.Key_Tab)
+    assert view.editor.text() == "s"
+    QTest.keyClick(view.editor, Qt.Key.Key_Escape)
+    assert [raw.name for raw in labels.tiers[0].raw_labels] == ["n", "s"]
+    QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place(view, 0, 1.2))
+    assert desktop.session.source.position == pytest.approx(1.2, abs=0.01)
+    QTest.keyClick(view, Qt.Key.Key_Return)
+    assert [raw.name for raw in labels.tiers[0].raw_labels] == ["n", "s", "s"]
+    assert labels.chosen == ChosenLabel(0, 2)
+    press(window, Qt.Key.Key_J, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+    assert [raw.name for raw in labels.tiers[0].raw_labels] == ["n", "s"]
+    press(window, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    assert labels.chosen == ChosenLabel(1, 0)
+    press(window, Qt.Key.Key_Escape)
+    assert labels.chosen is None
+
+
+def test_a_dragged_boundary_snaps_to_other_tiers_and_with_ctrl_it_does_not(desktop, window):
+    view, labels = window.analysis.file.view, desktop.session.labels
+    words = Tier("words", (RawLabel(0.5, 1.25, "o", ""),))
+    labels.put(labels.state._replace(tiers=(TIERS[0], words)))
+    start, near = place(view, 0, 1.0), place(view, 0, 1.25) - QPoint(4, 0)
+    for ctrl, expected in (
+        (Qt.KeyboardModifier.NoModifier, 1.25),
+        (Qt.KeyboardModifier.ControlModifier, view._layout.time_at(near.x())),
+    ):
+        send(view, QEvent.Type.MouseButtonPress, start, ctrl)
+        send(view, QEvent.Type.MouseMove, near, ctrl)
+        send(view, QEvent.Type.MouseButtonRelease, near, ctrl)
+        assert labels.tiers[0].raw_labels[0].end == pytest.approx(expected, abs=1e-6)
+        desktop.preset.undo_stack.undo()
+
+
+def test_what_has_a_label_is_refused_before_a_name_is_typed(desktop, window):
+    desktop.session.view.select(TimeSpan(0.6, 0.9))
+    window.menus.actions["Insert Label"].trigger()
+    assert "is labelled from" in window.banner.label.text()
+    assert not window.analysis.file.view.editor.isVisible()
+
+
 def test_errors_are_gone_through_by_key(desktop, window):
     errors = desktop.session.labels.errors(desktop.session.whole.tracks)
     assert errors
     press(window, Qt.Key.Key_N)
     assert desktop.session.view.selection == TimeSpan(errors[0].start, errors[0].end)
     assert desktop.session.source.position == pytest.approx(errors[0].seen_at, abs=1e-3)
-    assert f"{errors[0].recognised.label} was recognised" in window.banner.label.text()
+    assert f"recognised as {sound_name(errors[0].recognised)}" in window.banner.label.text()
     newest = desktop.session.results.history.newest  # the frame that the decision is about
     assert newest.times[-1] > errors[0].start
     assert newest.phonemes[-1] == errors[0].recognised
     for _ in errors:
         press(window, Qt.Key.Key_N)
-    assert "no error after" in window.banner.label.text()
+    assert "No error after" in window.banner.label.text()
     press(window, Qt.Key.Key_N, Qt.KeyboardModifier.ShiftModifier)
     expected = errors[-2] if len(errors) > 1 else errors[-1]
     assert desktop.session.view.selection.start == expected.start
@@ -111,16 +166,36 @@ def test_tiers_are_chosen_by_name(desktop, window):
     dialog = TiersDialog(desktop.session.labels, window)
     assert [dialog.list.item(k).text() for k in range(2)] == ["phones (2 labels)", "words (1 labels)"]
     dialog.list.item(0).setCheckState(Qt.CheckState.Unchecked)
-    dialog.says.setCurrentText("none")
+    dialog.says.setCurrentText("None")
     assert (dialog.shown(), dialog.said()) == ([1], None)
     dialog.deleteLater()
+
+
+def test_the_format_is_chosen_and_says_what_it_loses(desktop, window):
+    dialog = FormatDialog(desktop.session.labels, window)
+    assert (dialog.format.currentData(), dialog.loses.text()) == (".TextGrid", "Keeps everything.")
+    dialog.format.setCurrentIndex(2)
+    assert (dialog.format.currentData(), dialog.loses.text()) == (".txt", "Saves a copy without words.")
+    dialog.deleteLater()
+
+
+def test_no_tier_is_shown_twice_and_doubt_is_hatched_and_explained(desktop, window):
+    view, labels = window.analysis.file.view, desktop.session.labels
+    spoken = [Lane(name) for name in ("Words", "Syllables", "Phones", "Units")]
+    view.show_spoken(spoken)
+    assert [lane.name for lane in view._layout.spoken_shown()] == ["Units"]
+    labels.put(labels.state._replace(tiers=(Tier("phones", (RawLabel(0.5, 1.0, "aɪ", ""),)),), shown=(0,)))
+    assert [lane.name for lane in view._layout.spoken_shown()] == ["Words", "Syllables", "Units"]
+    ((_, lane),) = view._layout.label_lanes()
+    assert lane.doubtful == {0}
+    assert "diphthong" in lane.tips[0]
 
 
 def test_unsaved_labels_are_asked_about_before_they_go(desktop, window, hand):
     labels = desktop.session.labels
     labels.delete(ChosenLabel(0, 0))
     assert not desktop.session.open(CARDS)
-    assert "Save the labels of cards.flac" in hand.texts[0]
+    assert "Save the changes to the labels of cards.flac" in hand.texts[0]
     hand.press(QMessageBox.StandardButton.Discard)
     assert desktop.session.open(CARDS)
     assert labels.path == CARDS.with_suffix(".csv")
@@ -134,8 +209,7 @@ def test_labels_are_loaded_from_elsewhere(desktop, window, tmp_path):
     assert desktop.session.labels.path == path
 
 
-@pytest.mark.parametrize("name", ["Rename Label…", "Delete Label", "Insert Label…"])
+@pytest.mark.parametrize("name", ["Rename Label", "Delete Label", "Merge with Next Label", "End Label at Cursor"])
 def test_nothing_chosen_is_one_sentence(desktop, window, name):
     window.menus.actions[name].trigger()
-    words = window.banner.label.text()
-    assert words.startswith(("No label is chosen", "Nothing is selected"))
+    assert window.banner.label.text().startswith("No label is selected")

@@ -1,19 +1,24 @@
 """Light and dark, the list of keys, and what comes back at the next start."""
 
+import re
 from collections import Counter
+from html import unescape
+from itertools import groupby
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAction, QImage
-from PySide6.QtWidgets import QApplication, QComboBox, QDockWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QDockWidget, QLabel, QMenu, QWidget
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
+from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import Channel
 from tests.desktop.hands import click, followed, menu, press, settle, shown, type_number
 
@@ -49,7 +54,7 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_F)
     n, path = desktop.session.history.n, desktop.session.path
-    next(a for a in menu(window, "&View").actions() if a.text() == "Theme: dark").trigger()
+    next(a for a in menu(window, "&View").actions() if a.text() == "Theme: Dark").trigger()
     assert desktop.window is not window
     assert desktop.window.isVisible()
     assert not window.isVisible()
@@ -65,10 +70,10 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
 
 def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
     followed(desktop, qtbot, seconds=1.0)
-    desktop.session.averages.save(tmp_path / "voice.csv")
+    desktop.session.curves.add([desktop.session.averages.save(tmp_path / "voice.csv")])
     desktop.set_theme("dark")
     assert len(desktop.window.analysis.averaged.item.curves) == 2
-    assert [label.text() for label in desktop.window.analysis.averaged._names] == ["voice Δ 0.0 dB"]
+    assert [label.text for _, label in desktop.window.analysis.averaged.legend.items] == ["voice Δ 0.0 dB"]
 
 
 def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
@@ -96,7 +101,7 @@ def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbo
     for name in ("dark", "light", "system"):
         desktop.set_theme(name)
         themes = [a for a in menu(desktop.window, "&View").actions() if a.text().startswith("Theme: ")]
-        assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name}"]
+        assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name.title()}"]
         assert settings.value("theme") == name
 
 
@@ -139,16 +144,16 @@ def test_no_two_actions_share_a_key(desktop, qtbot, page):
 
 def test_each_sound_has_one_name_on_all_pages(desktop, qtbot):
     window = shown(desktop, qtbot, None)
-    names = {phoneme.label for phoneme in Phoneme}
+    names = set(map(sound_name, Phoneme))
     boxes = (*window.calibration.findChildren(QComboBox), *window.talk.findChildren(QComboBox))
     of_sounds = [box for box in boxes if isinstance(box.itemData(0), Phoneme)]
     shown_names = {box.itemText(k) for box in of_sounds for k in range(box.count())} - {"all others"}
-    assert {"sz", "sch"} < shown_names <= names
+    assert {"s", "sh"} < shown_names <= names
     mapping = MappingDialog({"zh": 3}, window)
     qtbot.addWidget(mapping)
     assert {mapping.boxes["zh"].itemText(k) for k in range(len(Phoneme))} == names
     for phoneme, record in window.calibration.takes.record.buttons.items():
-        assert record.accessibleName() == f"record a take of {phoneme.label}"
+        assert record.accessibleName() == f"Record a take of {sound_name(phoneme)}"
 
 
 def test_what_opens_and_loads_is_called_the_same_in_the_menu_and_on_the_page_of_the_head(desktop, qtbot):
@@ -157,14 +162,55 @@ def test_what_opens_and_loads_is_called_the_same_in_the_menu_and_on_the_page_of_
         assert place.text() in window.menus.actions
 
 
+def test_no_menu_has_more_than_seven_entries_without_a_line(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    for page in range(3):
+        window.show_page(page)
+    by_actions = Qt.ContextMenuPolicy.ActionsContextMenu
+    lists = [(m.title() or type(m.parent()).__name__, m.actions()) for m in window.findChildren(QMenu)]
+    lists += [
+        (type(w).__name__, w.actions()) for w in window.findChildren(QWidget) if w.contextMenuPolicy() == by_actions
+    ]
+    assert len(lists) > 20
+    assert [name for name, actions in lists if max(groups_of(actions), default=0) > 7] == []
+    play = [action.text() for action in menu(window, "&Play").actions()]
+    assert play[-4:] == ["Louder", "Quieter", "Slower", "Faster"]
+
+
+def groups_of(actions: list[QAction]) -> list[int]:
+    """Give how many entries stand between two lines of a menu."""
+    kinds = groupby(actions, lambda action: action.isSeparator())
+    return [len(list(group)) for separator, group in kinds if not separator]
+
+
+def test_every_number_has_a_tip(desktop, qtbot):
+    window = shown(desktop, qtbot)
+    for page in range(3):
+        window.show_page(page)
+        window.redraw.refresh_all()
+    labels = [each for each in window.findChildren(QLabel) if re.search(r"\d", re.sub(r"<[^>]*>", "", each.text()))]
+    numbers = [*labels, *window.findChildren(QAbstractSpinBox)]
+    assert len(numbers) > 30
+    assert [(each.accessibleName(), type(each.parent()).__name__) for each in numbers if not has_tip(each)] == []
+
+
+def has_tip(widget: QWidget | None) -> bool:
+    """Say whether a widget, or what it lies in, has a tool tip."""
+    while widget is not None and not widget.isWindow():
+        if widget.toolTip():
+            return True
+        widget = widget.parentWidget()
+    return False
+
+
 def test_everything_frequent_has_a_key(desktop, qtbot):
     keys = keys_of(shown(desktop, qtbot, None))
     for name in (
-        "Open Sound…",
+        "Open Audio File…",
         "Save Preset",
         "Undo",
         "Redo",
-        "Play or Pause",
+        "Play/Pause",
         "Stop",
         "Loop",
         "Clear",
@@ -176,8 +222,9 @@ def test_everything_frequent_has_a_key(desktop, qtbot):
 def test_about_says_what_it_is(desktop, qtbot, hand):
     shown(desktop, qtbot, None).menus.actions["About PhonemeAnalyser"].trigger()
     assert "MIT" in hand.texts[0]
-    assert "which flatters: 50 ms ahead macro F1 0.757" in hand.texts[0]
-    assert "left out of a training, but not of the choice of its settings" in hand.texts[0]
+    notes = load_preset(DEFAULT_PRESET).notes.split()
+    assert "left out of a training, but not of the choice of its settings" in " ".join(notes)
+    assert " ".join(notes) in unescape(hand.texts[0])
 
 
 # -- the next start -----------------------------------------------------------------------------------
@@ -203,13 +250,13 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window = shown(desktop, qtbot)
     window.resize(1500, 900)
     settle()
-    window.analysis.setSizes([300, 100, 300])
+    window.analysis.rows.setSizes([300, 100, 300])
     window.analysis.spectra.setSizes([300, 600])
     window.findChild(QDockWidget, "Filters").close()
     window.transport.volume.setValue(-20)
     click(window.transport.loop)
     desktop.session.set_channel(Channel.LEFT)
-    window.analysis.scroll_view.variable.setCurrentText("m_s1")
+    window.analysis.courses.choose("m_s1")
     window.analysis.scroll_view.colours.setCurrentText("magma")
     window.analysis.scroll_view.low.setValue(-80)
     window.analysis.scroll_view.high.setValue(-10)
@@ -221,13 +268,13 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     ):
         click(switch)
     settle()
-    sizes = window.analysis.sizes(), window.analysis.spectra.sizes()
+    sizes = window.analysis.rows.sizes(), window.analysis.spectra.sizes()
     again = start_again()
     new = again.window
     new.show()
     new.resize(1500, 900)  # Qt holds a restored window within the screen, and the offscreen one is small
     settle()
-    assert new.analysis.sizes() == pytest.approx(sizes[0], abs=25)
+    assert new.analysis.rows.sizes() == pytest.approx(sizes[0], abs=25)
     assert new.analysis.spectra.sizes() == pytest.approx(sizes[1], abs=25)
     assert not new.findChild(QDockWidget, "Filters").isVisible()
     assert new.findChild(QDockWidget, "Thresholds").isVisible()
@@ -235,8 +282,8 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert again.session.playback.loop
     assert new.transport.loop.isChecked()
     assert again.session.channel is Channel.LEFT
-    assert new.transport.channel.currentText() == "left"
-    assert new.analysis.scroll_view.variable.currentText() == "m_s1"
+    assert new.transport.channel.currentText() == "Left"
+    assert new.analysis.courses.chosen == "m_s1"
     assert new.analysis.scroll_view.colours.currentText() == "magma"
     assert (new.analysis.scroll_view.low.value(), new.analysis.scroll_view.high.value()) == (-80, -10)
     assert new.analysis.spectrum.decibels.isChecked()
@@ -260,9 +307,9 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
 def test_the_preset_in_use_comes_back(desktop, qtbot, start_again, tmp_path):
     window = shown(desktop, qtbot, None)
     desktop.preset.save(tmp_path / "mine.toml")
-    window.dialogs.load_preset(tmp_path / "mine.toml")
+    window.dialogs.presets.load(tmp_path / "mine.toml")
     again = start_again()
-    again.window.dialogs.restore_preset()
+    again.window.dialogs.presets.restore()
     assert again.preset.path == tmp_path / "mine.toml"
     assert not again.window.isWindowModified()
 

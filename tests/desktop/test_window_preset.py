@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QMessageBox
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, parse_phoneme_data, save_preset
 from tests.desktop.hands import FileAnswers, answer, click, press, shown, type_number
 
+pytestmark = pytest.mark.usefixtures("lender")
+
 BUTTON = QMessageBox.StandardButton
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -21,7 +23,7 @@ def window(desktop, qtbot):
 
 def said(hand) -> int:
     """How often it was asked about unsaved changes."""
-    assert set(hand.titles) <= {"Unsaved changes"}
+    assert set(hand.titles) <= {"Unsaved Changes"}
     assert all(text.endswith("?") for text in hand.texts)
     return len(hand.texts)
 
@@ -38,10 +40,10 @@ def change(window) -> None:
 def test_title_and_status_bar_name_sound_and_preset_and_mark_changes(desktop, window):
     assert window.windowTitle() == "cards.flac - Thesis[*] - PhonemeAnalyser"
     assert not window.isWindowModified()
-    assert window.status.left.text().endswith("preset Thesis")
+    assert window.status.left.text().endswith("Preset: Thesis")
     change(window)
     assert window.isWindowModified()
-    assert window.status.left.text().endswith("preset Thesis (changed)")
+    assert window.status.left.text().endswith("Preset: Thesis (changed)")
     press(window, Qt.Key.Key_Z, CONTROL)
     assert not window.isWindowModified()
     press(window, Qt.Key.Key_Z, CONTROL | SHIFT)
@@ -68,7 +70,7 @@ def test_a_factory_preset_is_saved_under_another_name(desktop, window, tmp_path)
 
 def test_a_preset_of_one_s_own_is_saved_without_asking(desktop, window, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
-    window.dialogs.load_preset(tmp_path / "mine.toml")
+    window.dialogs.presets.load(tmp_path / "mine.toml")
     change(window)
     files = will_save_to(window)
     press(window, Qt.Key.Key_S, CONTROL)
@@ -80,7 +82,7 @@ def test_a_preset_of_one_s_own_is_saved_without_asking(desktop, window, tmp_path
 def test_save_as_writes_phonemedata_by_name_or_by_filter(desktop, window, tmp_path):
     change(window)
     will_save_to(window, tmp_path / "old", chosen="PhonemeData (*.phonemedata *.txt)")
-    answer("Save the 21 Numbers Only")  # the notes do not go into it
+    answer("Save 21 Numbers Only")  # the notes do not go into it
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
     assert parse_phoneme_data((tmp_path / "old.phonemedata").read_text()).sz_s1 == 3.5
 
@@ -129,7 +131,7 @@ def test_cancel_keeps_the_window_and_the_changes(desktop, window, hand):
 
 def test_discard_closes_and_writes_nothing(desktop, window, hand, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
-    window.dialogs.load_preset(tmp_path / "mine.toml")
+    window.dialogs.presets.load(tmp_path / "mine.toml")
     before = (tmp_path / "mine.toml").read_bytes()
     change(window)
     hand.press(BUTTON.Discard)
@@ -157,11 +159,11 @@ def test_save_without_choosing_a_file_does_not_close(desktop, window, hand):
 def test_loading_another_preset_asks_about_changes_too(desktop, window, hand, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
     change(window)
-    window.dialogs.load_preset(tmp_path / "mine.toml")
+    window.dialogs.presets.load(tmp_path / "mine.toml")
     assert said(hand) == 1
     assert desktop.preset.path == THESIS_PRESET
     hand.press(BUTTON.Discard)
-    window.dialogs.load_preset(tmp_path / "mine.toml")
+    window.dialogs.presets.load(tmp_path / "mine.toml")
     assert desktop.preset.path == tmp_path / "mine.toml"
     assert not window.isWindowModified()
     assert not desktop.preset.undo_stack.canUndo()

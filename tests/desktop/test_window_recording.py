@@ -53,7 +53,7 @@ def test_key_button_and_menu_record(booth: Booth, mic: HandDrivenMicrophone, way
     booth.hear(mic, known(30, 60))
     acts[way]()
     assert not window.transport.record.isChecked()
-    booth.until(lambda: booth.banner.startswith("Recorded 0.6 s into "))
+    booth.until(lambda: booth.banner.startswith("Recorded 0.6 s to "))
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(30, 60))
     assert booth.studio.files == [booth.studio.take.name]
     begun = datetime.strptime(booth.studio.take.stem, "%Y-%m-%d %H-%M-%S")
@@ -63,12 +63,12 @@ def test_key_button_and_menu_record(booth: Booth, mic: HandDrivenMicrophone, way
 def test_the_averaged_spectrum_begins_anew_with_a_recording(booth: Booth, mic: HandDrivenMicrophone):
     averages = booth.desktop.session.averages
     booth.hear(mic, known(0, 30))
-    assert (averages.n_frames, averages.since) == (len(booth.frames), "Play at 0.00 s of microphone")
+    assert (averages.n_frames, averages.since) == (len(booth.frames), "Play at 0.00 s of Microphone")
     n_before = len(booth.frames)
     booth.record()
     booth.hear(mic, known(30, 20))
     assert averages.n_frames == len(booth.frames) - n_before
-    assert averages.since == f"Record at {n_before / 100:.2f} s of microphone"
+    assert averages.since == f"Record at {n_before / 100:.2f} s of Microphone"
 
 
 def test_r_makes_room_for_the_microphone_whatever_was_in_use(open_booth: Open, mic: HandDrivenMicrophone):
@@ -114,14 +114,14 @@ def test_nothing_claims_to_record_while_nothing_comes(booth: Booth, mic: HandDri
     booth.hear(mic, known(0, 50))
     booth.until(lambda: booth.window.transport.time.text().startswith("● "), mic)
     booth.until(lambda: booth.window.transport.time.text().startswith("waiting "))
-    booth.until(lambda: "the recording waits for it" in booth.banner)
-    booth.until(lambda: "nothing comes from Desk · ALSA since" in booth.status)
+    booth.until(lambda: "the recording continues once the signal is back" in booth.banner)
+    booth.until(lambda: "no signal from Desk · ALSA for" in booth.status)
 
 
 def test_the_offer_opens_the_recording(booth: Booth, mic: HandDrivenMicrophone):
     take = recorded(booth, mic)
     action = booth.window.banner.action
-    assert (action.text(), action.isVisible()) == ("Open It", True)
+    assert (action.text(), action.isVisible()) == ("Open", True)
     click(action)
     assert booth.desktop.session.path == take
     assert booth.desktop.session.source.kind is SourceKind.FILE
@@ -133,7 +133,9 @@ def test_the_offer_opens_the_recording(booth: Booth, mic: HandDrivenMicrophone):
 def test_recording_no_sound_says_so(booth: Booth, mic: HandDrivenMicrophone):
     booth.record()
     booth.record()
-    booth.until(lambda: booth.banner == "Nothing was recorded, since no sound came; check the microphone.")
+    booth.until(
+        lambda: booth.banner == "Nothing was recorded, since the microphone sent no signal. Check the microphone."
+    )
     assert booth.studio.files == []
 
 
@@ -175,7 +177,7 @@ def test_a_dropped_file_ends_the_recording_and_its_offer_still_comes(booth: Boot
     copy, left, no_key = Qt.DropAction.CopyAction, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
     booth.window.dropEvent(QDropEvent(QPointF(300, 300), copy, mime, left, no_key))
     assert (booth.desktop.session.path, booth.desktop.session.source.kind) == (DEMO, SourceKind.FILE)
-    booth.until(lambda: booth.banner.startswith("Recorded 0.5 s into "))
+    booth.until(lambda: booth.banner.startswith("Recorded 0.5 s to "))
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 50))
     assert not booth.window.transport.record.isChecked()
     booth.until(mic.closed.is_set)
@@ -186,7 +188,7 @@ def test_to_stop_listening_ends_the_recording(booth: Booth, mic: HandDrivenMicro
     booth.record()
     booth.hear(mic, known(0, 50))
     press(booth.window, key)
-    booth.until(lambda: booth.banner.startswith("Recorded 0.5 s into "))
+    booth.until(lambda: booth.banner.startswith("Recorded 0.5 s to "))
     assert not booth.studio.model.recording
 
 
@@ -197,7 +199,7 @@ def test_another_theme_records_on(booth: Booth, mic: HandDrivenMicrophone):
     assert booth.window.transport.record.isChecked()
     booth.hear(mic, known(30, 30))
     booth.record()
-    booth.until(lambda: booth.banner.startswith("Recorded 0.6 s into "))
+    booth.until(lambda: booth.banner.startswith("Recorded 0.6 s to "))
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 60))
 
 
@@ -242,7 +244,7 @@ def cut_off(open_booth: Open, tmp_path: Path) -> tuple[Booth, Path]:
 
 def test_an_unfinished_recording_is_offered_and_opened(cut_off: tuple[Booth, Path]):
     booth, take = cut_off
-    assert booth.banner.startswith("The program ended while it recorded; 1.0 s of ")
+    assert booth.banner.startswith("The program quit during a recording; 1.0 s from ")
     assert str(take) in booth.banner
     click(booth.window.banner.action)
     assert booth.desktop.session.path == take
@@ -265,7 +267,7 @@ def test_an_offer_outlasts_other_messages(cut_off: tuple[Booth, Path], tmp_path:
     booth.window.dialogs.open_sound(tmp_path / "nothing.wav")
     assert "there is no such file" in booth.banner
     booth.window.dialogs.open_sound(CARDS)
-    assert booth.banner.startswith("The program ended while it recorded")
+    assert booth.banner.startswith("The program quit during a recording")
     click(booth.window.banner.action)
     assert booth.desktop.session.path == take
 
@@ -280,7 +282,9 @@ def test_a_microphone_that_comes_back_at_another_rate_goes_into_a_file_of_its_ow
     booth.studio.openers.waiting.append(second)
     booth.until(lambda: len(booth.studio.files) == 2 and booth.studio.model.recorded_seconds > 0, second)
     booth.record()
-    booth.until(lambda: booth.banner.startswith("The microphone changed its form on the way, so what came before"))
+    booth.until(
+        lambda: booth.banner.startswith("The format of the microphone changed during the recording; the part before")
+    )
     first_file = min(booth.studio.files, key=lambda name: (len(name), name))
     assert booth.banner.endswith(f"{first_file}.")
     click(booth.window.banner.dismiss)

@@ -1,13 +1,14 @@
-"""A second preset in memory: its lane, the key that switches, and how much of what is seen differs."""
+"""A and B: their lanes, the key that switches, what follows it, and how much of what is seen differs."""
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.desktop.session.whole_file import NO_SECOND
+from phonemeanalyser.desktop.session.preset import NO_SECOND, PresetDocument
+from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeengine import difference, load_preset
 from phonemeengine.presets.files import preset_path
-from tests.desktop.hands import CARDS, FileAnswers, click, press, shown
+from tests.desktop.hands import CARDS, answer, click, press, shown
 
 
 @pytest.fixture
@@ -25,52 +26,138 @@ def settled(desktop, qtbot):
 def test_without_a_second_preset_the_key_says_so(desktop, window):
     press(window, Qt.Key.Key_X)
     assert window.banner.label.text() == NO_SECOND
-    assert not window.menus.actions["Hear with the Second"].isChecked()
+    assert desktop.preset.letter == "A"
     assert window.analysis.file.view._layout.second_row() is None
 
 
 def test_two_presets_are_seen_and_switched(desktop, window, qtbot):
     session, second = desktop.session, desktop.session.second
-    window.files.show = FileAnswers(preset_path("learned"))
-    window.menus.actions["Second Preset…"].trigger()
+    window.dialogs.presets.load_other(preset_path("learned"))
     settled(desktop, qtbot)
     first, other = session.whole.tracks, second.whole.tracks
     expected = difference(CARDS, desktop.preset.preset, load_preset("learned"))
     session.view.show_all()
     panel = window.analysis.file
-    assert panel.differs.toolTip() == f"Thesis and Learned differ in {100 * expected.share:.1f} % of what is seen"
+    said = (
+        f"A: Thesis and B: Learned recognise different phonemes in {100 * expected.share:.1f} % of the visible frames"
+    )
+    assert panel.differs.toolTip() == said
     row = panel.view._layout.second_row()
     assert row.top() > panel.view._layout.rows()[1].bottom()
     kept = first.phonemes.copy()
     press(window, Qt.Key.Key_X)
-    assert session.preset.in_force.name == "Learned"
-    assert session.preset.preset.name == "Thesis"
     assert session.whole.tracks is other
     assert not session.whole.busy  # nothing is found twice
-    assert panel.differs.toolTip().startswith("Learned and Thesis differ")
+    assert panel.differs.toolTip() == said  # A stays above B
     press(window, Qt.Key.Key_X)
     assert session.whole.tracks is first
     np.testing.assert_array_equal(first.phonemes, kept)
 
 
-def test_a_change_of_the_first_is_heard_against_what_was_kept(desktop, window, qtbot):
-    second = desktop.session.second
-    window.menus.actions["Keep This One as the Second"].trigger()
+def test_all_that_names_the_preset_follows_the_switch(desktop, window, qtbot):
+    window.dialogs.presets.load_other(preset_path("learned"))
+    press(window, Qt.Key.Key_X)
+    assert desktop.preset.letter == "B"
+    assert desktop.preset.preset.name == desktop.preset.in_force.name == "Learned"
+    assert "Learned" in window.windowTitle()
+    assert "Preset: B: Learned" in window.status.left.text()
+    assert desktop.preset.path == preset_path("learned")
+    sensitivities = set(desktop.preset.controls)
+    press(window, Qt.Key.Key_X)
+    assert "Thesis" in window.windowTitle()
+    assert "Preset: A: Thesis" in window.status.left.text()
+    assert set(desktop.preset.controls) != sensitivities
+
+
+def test_a_change_of_the_one_in_use_is_compared_with_what_was_kept(desktop, window, qtbot):
+    window.menus.actions["Set Current as B"].trigger()
     settled(desktop, qtbot)
-    assert "differ in 0.0 %" in window.analysis.file.differs.toolTip()
+    assert "phonemes in 0.0 %" in window.analysis.file.differs.toolTip()
     click(window.filters.switches["statistics"])
     settled(desktop, qtbot)
-    assert "differ in 0.0 %" not in window.analysis.file.differs.toolTip()
+    assert "phonemes in 0.0 %" not in window.analysis.file.differs.toolTip()
+    changed = desktop.preset.preset
     press(window, Qt.Key.Key_X)
-    window.menus.actions["Forget the Second"].trigger()
+    assert not window.menus.actions["Set Current as B"].isEnabled()
+    window.menus.actions["Clear B"].trigger()
     settled(desktop, qtbot)
-    assert not second.is_in_force
-    assert desktop.preset.in_force == desktop.preset.preset
+    assert desktop.preset.letter == "A"
+    assert desktop.preset.preset == changed
     assert not window.analysis.file.differs.isVisible()
 
 
-def test_another_file_is_heard_with_both(desktop, window, qtbot, tmp_path):
-    window.menus.actions["Keep This One as the Second"].trigger()
+def test_undo_shows_the_preset_that_it_changes(desktop, window):
+    model = desktop.preset
+    model.set_other(PresetDocument.read(preset_path("extended")))
+    model.set_setting("minimum_hold", 0.08)
+    model.switch()
+    model.set_setting("minimum_hold", 0.09)
+    model.switch()
+    model.undo_stack.undo()
+    assert (model.letter, model.preset) == ("B", load_preset("extended"))
+    model.undo_stack.undo()
+    assert (model.letter, model.preset) == ("A", load_preset("thesis"))
+    model.undo_stack.redo()
+    assert (model.letter, model.preset.settings.minimum_hold) == ("A", 0.08)
+
+
+def test_what_was_done_to_a_preset_that_goes_cannot_be_undone(desktop):
+    model = desktop.preset
+    model.set_other(PresetDocument.read(preset_path("extended")))
+    model.switch()
+    model.set_setting("minimum_hold", 0.09)
+    model.switch()
+    model.set_other(PresetDocument.read(preset_path("templates")))
+    assert model.undo_stack.count() == 0
+    assert model.sides["B"].name == "Templates"
+
+
+def test_b_alone_becomes_a_and_its_changes_can_be_undone(desktop):
+    model = desktop.preset
+    model.set_other(PresetDocument.read(preset_path("extended")))
+    model.switch()
+    model.set_setting("minimum_hold", 0.09)
+    model.set_other(None)
+    assert list(model.sides) == ["A"]
+    model.undo_stack.undo()
+    assert (model.letter, model.preset) == ("A", load_preset("extended"))
+
+
+def test_closing_asks_about_changes_of_both(desktop, window):
+    model = desktop.preset
+    model.set_other(PresetDocument.read(preset_path("extended")))
+    model.switch()
+    model.set_setting("minimum_hold", 0.09)
+    model.switch()
+    asked = answer("Cancel")
+    assert not window.dialogs.presets.may_close()
+    assert "Extended rules" in asked[0]
+    assert model.letter == "A"
+    model.clear_second()
+
+
+def test_changes_of_both_outlive_a_crash(desktop, tmp_path):
+    model = desktop.preset
+    model.set_other(PresetDocument.read(preset_path("extended")))
+    model.set_setting("minimum_hold", 0.08)
+    model.switch()
+    model.set_setting("minimum_hold", 0.09)
+    kept = UnsavedChanges(model, tmp_path, desktop._settings)
+    kept.keep()
+    model.clear_second()
+    model.load(preset_path("templates"))
+    assert kept.restore()
+    assert model.preset.settings.minimum_hold == 0.09
+    assert model.other.preset.settings.minimum_hold == 0.08
+    assert model.other.path == preset_path("thesis")
+    kept.forget()
+    assert list(tmp_path.glob("*.toml")) == []
+    kept.close()
+    model.clear_second()
+
+
+def test_another_file_is_recognised_with_both(desktop, window, qtbot, tmp_path):
+    window.menus.actions["Set Current as B"].trigger()
     other = tmp_path / "other.flac"
     other.write_bytes(CARDS.read_bytes())
     desktop.session.open(other)
@@ -81,6 +168,6 @@ def test_another_file_is_heard_with_both(desktop, window, qtbot, tmp_path):
 def test_a_file_that_is_no_preset_is_one_sentence(desktop, window, tmp_path, qtbot):
     bad = tmp_path / "bad.toml"
     bad.write_text("nonsense")
-    desktop.session.second.load(bad)
+    window.dialogs.presets.load_other(bad)
     assert "bad.toml" in window.banner.label.text()
-    assert desktop.session.second.preset is None
+    assert desktop.preset.other is None

@@ -21,7 +21,7 @@ def test_a_measurement_is_shown_and_copied(desktop, qtbot):
     window.menus.actions["Measure Selection"].trigger()
     qtbot.waitUntil(lambda: bool(window.findChildren(MeasurementDialog)))
     dialog = window.findChildren(MeasurementDialog)[0]
-    assert dialog.windowTitle().startswith("0.500 to 1.000 s of ")
+    assert dialog.windowTitle().startswith("Measurements: 0.500 to 1.000 s of ")
     qtbot.mouseClick(dialog.copy, Qt.MouseButton.LeftButton)
     copied = QGuiApplication.clipboard().text().splitlines()
     assert copied[0].split("\t") == ["measure", "unit", "mean", "min", "max"]
@@ -33,9 +33,9 @@ def test_the_selected_sound_is_saved_where_the_user_says(desktop, qtbot, tmp_pat
     window = opened(desktop, qtbot)
     window.files.show = FileAnswers(tmp_path / "part")
     with qtbot.waitSignal(window.selection.info):
-        window.menus.actions["Save Selection as Sound…"].trigger()
+        window.menus.actions["Save Selection as Audio File…"].trigger()
     assert soundfile.info(tmp_path / "part.wav").frames == 22050
-    assert "Saved 0.50 s" in window.banner.label.text()
+    assert "0.50 s of cards.flac saved as" in window.banner.label.text()
 
 
 def test_the_selection_becomes_a_take(desktop, qtbot, tmp_path):
@@ -50,5 +50,5 @@ def test_the_selection_becomes_a_take(desktop, qtbot, tmp_path):
 
 def test_frames_are_copied(desktop, qtbot):
     window = opened(desktop, qtbot)
-    window.menus.actions["Copy Its Frames as a Table"].trigger()
+    window.menus.actions["Copy Frames as Table"].trigger()
     assert len(QGuiApplication.clipboard().text().splitlines()) == 51

@@ -24,7 +24,7 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.audio.tone.settings import Tone, ToneKind
 from phonemeengine.presets.files import FACTORY
-from tests.desktop.hands import click, followed, settle, shown
+from tests.desktop.hands import click, followed, lies_behind, settle, shown
 
 SMALLEST = (1016, 660)
 """What window managers leave of a screen of 1024x700."""
@@ -49,6 +49,8 @@ def room_and_need(widget: QWidget) -> tuple[int, int]:
         part = QStyle.SubControl.SC_ComboBoxEditField
         room = widget.style().subControlRect(QStyle.ComplexControl.CC_ComboBox, option, part, widget).width()
         return room, max(advance(widget.itemText(k)) for k in range(widget.count()))
+    if isinstance(widget, QLabel) and widget.wordWrap():
+        return widget.height(), widget.heightForWidth(widget.width())  # it takes lines, and no certain width
     if isinstance(widget, QAbstractSpinBox):
         return widget.lineEdit().width(), advance(widget.text()) + 3
     if isinstance(widget, QToolButton) and widget.text() == "↺":
@@ -58,7 +60,7 @@ def room_and_need(widget: QWidget) -> tuple[int, int]:
 
 def texts(window) -> list[QWidget]:
     kinds = QLabel | QAbstractButton | QComboBox | QAbstractSpinBox
-    return [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible()]
+    return [w for w in window.findChildren(QWidget) if isinstance(w, kinds) and w.isVisible() and not lies_behind(w)]
 
 
 def clipped(widgets: list[QWidget]) -> dict[str, tuple[int, int]]:
@@ -94,7 +96,8 @@ def test_the_window_fits_on_a_small_screen_even_with_a_banner_and_curves(desktop
     window = followed(desktop, qtbot, seconds=1.0)
     window.dialogs.open_sound(tmp_path / "there is no such file.wav")
     for k in range(3):
-        desktop.session.averages.save(tmp_path / f"speaker {k}.csv")
+        desktop.session.analyse_until(0.3 + k / 10)
+        desktop.session.curves.add([desktop.session.averages.save(tmp_path / f"speaker {k}.csv")])
     click(window.analysis.averaged.measure)
     window.redraw.refresh_all()
     settle()
@@ -165,7 +168,7 @@ def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, requ
     window = shown(request.getfixturevalue("desktop"), qtbot)
     for preset, size, page in product(("learned", "thesis"), (SMALLEST, (1272, 800), (1920, 1080)), range(3)):
         if (size, page) == (SMALLEST, 0):
-            window.dialogs.load_preset(FACTORY / f"{preset}.toml")
+            window.dialogs.presets.load(FACTORY / f"{preset}.toml")
         window.show_page(page)
         window.resize(*size)
         settle()

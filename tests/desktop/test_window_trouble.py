@@ -24,11 +24,11 @@ def test_a_missing_microphone_is_said_in_banner_and_status_line_and_its_coming_t
     booth = open_booth()
     booth.listen()
     booth.until(lambda: booth.banner == "The microphone is not there; plug it in; trying again every 2 s.")
-    booth.until(lambda: "microphone: the microphone is not there" in booth.status)
-    booth.until(lambda: "ms late" not in booth.status)
+    booth.until(lambda: "Microphone: the microphone is not there" in booth.status)
+    booth.until(lambda: "Latency" not in booth.window.status.chips.words())
     booth.studio.openers.waiting.append(mic)
-    booth.until(lambda: booth.banner.startswith("The microphone is there: Desk · ALSA; 0.0 s"), mic)
-    booth.until(lambda: "microphone: Desk · ALSA, 44 100 Hz" in booth.status, mic)
+    booth.until(lambda: booth.banner.startswith("The microphone is back: Desk · ALSA. 0.0 s"), mic)
+    booth.until(lambda: "Microphone: Desk · ALSA, 44 100 Hz" in booth.status, mic)
 
 
 def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_is_counted(
@@ -39,24 +39,24 @@ def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_
     booth.hear(mic, noise(0.3))
     assert "s lost" not in booth.status
     mic.lost = True
-    booth.until(lambda: booth.banner.endswith("; the recording waits for it."))
+    booth.until(lambda: booth.banner.endswith("; the recording continues once the signal is back."))
     booth.until(lambda: booth.window.transport.time.text().startswith("waiting "))
-    booth.until(lambda: booth.window.analysis.phoneme.accessibleName() == "nothing comes")
+    booth.until(lambda: booth.window.analysis.phoneme.accessibleName() == "No signal")
     assert booth.window.analysis.phoneme.trace is None
     assert booth.window.analysis.phoneme.intensity == 0
     assert booth.window.transport.record.isChecked()
     booth.until(lambda: booth.studio.model.listener.lost_seconds > 0.5)
     booth.until(lambda: "s lost" in booth.status)
     booth.studio.openers.waiting.append(back)
-    booth.until(lambda: booth.banner.startswith("The microphone is there"), back)
+    booth.until(lambda: booth.banner.startswith("The microphone is back"), back)
     booth.until(lambda: booth.window.transport.time.text().startswith("● "), back)
-    booth.until(lambda: booth.window.analysis.phoneme.accessibleName() != "nothing comes", back)
+    booth.until(lambda: booth.window.analysis.phoneme.accessibleName() != "No signal", back)
     lost = booth.studio.model.listener.lost_seconds
     assert lost > 0.1
     booth.until(lambda: f"{lost:.2f} s lost" in booth.status, back)
     booth.record()
     booth.until(lambda: booth.banner.startswith("Recorded "), back)
-    assert booth.banner.endswith(f"s into {booth.studio.take}, with 1 gap of {lost:.2f} s marked in it")
+    assert booth.banner.endswith(f"s to {booth.studio.take}, with 1 gap of {lost:.2f} s marked in it")
     assert len(booth.studio.files) == 1
 
 
@@ -69,7 +69,7 @@ def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_cho
     ticks = booth.window.redraw.n_ticks
     booth.until(lambda: booth.banner == "Opening the microphone.")
     booth.until(lambda: booth.window.redraw.n_ticks > ticks + 30)
-    choose(booth.window.transport.source, "file")
+    choose(booth.window.transport.source, "File")
     assert booth.desktop.session.source.kind is SourceKind.FILE
     press(booth.window, Qt.Key.Key_Space)
     booth.until(lambda: booth.desktop.session.history.n > 10)
@@ -107,16 +107,16 @@ def test_the_latency_is_the_sum_of_its_parts(booth: Booth, mic: HandDrivenMicrop
     assert list(parts) == ["capture", "window", "hop", "analysis", "display"]
     assert (parts["window"], parts["hop"]) == (23, 5)
     assert booth.window.status.latency_ms == pytest.approx(sum(parts.values()), abs=2.6)
-    assert f"{booth.window.status.latency_ms:.0f} ms late" in booth.status
+    assert f"Latency {booth.window.status.latency_ms:.0f} ms" in booth.status
 
 
 @pytest.mark.parametrize(
     ("seconds", "words", "colour"),
     [
-        (0.045, "nobody notices", "good"),
+        (0.045, "not noticeable", "good"),
         (0.0451, "noticeable", "faint"),
         (0.09, "noticeable", "faint"),
-        (0.0901, "too late", "bad"),
+        (0.0901, "too high", "bad"),
     ],
 )
 def test_a_latency_is_judged_at_45_and_90_ms(booth: Booth, seconds: float, words: str, colour: str):
@@ -126,18 +126,18 @@ def test_a_latency_is_judged_at_45_and_90_ms(booth: Booth, seconds: float, words
 
 def test_a_slow_card_is_too_late_and_the_reason_is_a_tool_tip(booth: Booth, mic: HandDrivenMicrophone):
     mic.delay = 0.1
-    booth.until(lambda: "ms late, too late" in booth.status, mic)
+    booth.until(lambda: "ms (too high)" in booth.status, mic)
     late = booth.window.status.chips.late
     assert booth.window.theme.bad in late.styleSheet()
     assert "ITU-R BT.1359" in late.toolTip()
 
 
 def test_no_latency_is_claimed_while_nothing_comes(booth: Booth, mic: HandDrivenMicrophone):
-    booth.until(lambda: "ms late" in booth.status, mic)
-    booth.until(lambda: "ms late" not in booth.status)
+    booth.until(lambda: "Latency" in booth.status, mic)
+    booth.until(lambda: "Latency" not in booth.window.status.chips.words())
     assert booth.window.status.latency_ms is None
-    assert booth.window.status.chips.late.toolTip().endswith("it is being measured")
-    choose(booth.window.transport.source, "file")
+    assert booth.window.status.chips.late.toolTip().endswith("being measured")
+    choose(booth.window.transport.source, "File")
     booth.until(lambda: "late" not in booth.status)
     assert "lost" not in booth.status
 
@@ -146,8 +146,10 @@ def test_no_latency_is_claimed_while_nothing_comes(booth: Booth, mic: HandDriven
 def test_without_a_device_a_measurement_by_clicks_says_so_in_one_sentence(open_booth: Open):
     booth = open_booth()
     press(booth.window, Qt.Key.Key_M, CONTROL)
-    assert booth.banner.startswith("Listening for clicks from the loudspeaker")
-    booth.until(lambda: booth.banner.startswith("The latency was not measured: there is no microphone; plug one in"))
+    assert booth.banner.startswith("Measuring latency: playing")
+    booth.until(
+        lambda: booth.banner.startswith("The latency could not be measured: no microphone was found; connect one")
+    )
     assert booth.banner.count(". ") == 0
 
 
@@ -157,6 +159,6 @@ def test_a_measurement_by_clicks_is_told_and_counts_from_then_on(open_booth: Ope
     booth.studio.measure = lambda _choice: MEASURED
     booth.listen()
     booth.until(lambda: "capture 20" in booth.status, mic)
-    booth.window.menus.actions["Measure the Latency by Clicks"].trigger()
-    booth.until(lambda: booth.banner.startswith("A click comes back after 120 ms"))
+    booth.window.menus.actions["Measure Latency with Clicks"].trigger()
+    booth.until(lambda: booth.banner.startswith("Round-trip latency 120 ms"))
     booth.until(lambda: "capture 31" in booth.status, back)

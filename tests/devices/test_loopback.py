@@ -30,4 +30,4 @@ def test_clicks_from_the_loudspeaker_are_heard_and_timed() -> None:
 def test_a_microphone_that_hears_no_clicks_is_told_in_one_sentence() -> None:
     with VirtualSound() as sound:
         found = measured(sound)
-    assert found == "only 0 of 8 clicks were heard; turn the loudspeaker up, or move the microphone"
+    assert found == "only 0 of 8 clicks were recorded; turn the loudspeaker up, or move the microphone"

@@ -17,8 +17,8 @@ from phonemeanalyser.cli.window import DEMO
 from phonemeengine.analyser import analyse_blocks
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.settings import HOP, SAMPLE_RATE
 from tests.conftest import CORPUS
 from tests.devices.programs import PATIENCE, SETTLED, Program, counted_in, listener

@@ -22,7 +22,7 @@ from tests.devices.programs import (
 )
 from tests.fakes.virtual_sound import VirtualSound
 
-N_KILLS = 20
+N_KILLS = 8
 LONGEST = 6.0
 """Seconds of sound within which the processes are killed."""
 LONG = 120.0

@@ -42,12 +42,12 @@ def window(card: VirtualSound, takes: Path, monkeypatch: pytest.MonkeyPatch) -> 
 
 
 def test_the_window_says_what_it_hears_and_how_late_it_is(window: Program, card: VirtualSound, takes: Path) -> None:
-    line = wait_for(window, lambda line: bool(line["devices"]) and "ms late" in line["right"])
-    assert line["left"].strip().startswith("microphone: ")
+    line = wait_for(window, lambda line: bool(line["devices"]) and "Latency" in line["right"])
+    assert line["left"].strip().startswith("Microphone: ")
     assert "44 100 Hz" in line["left"]
     lost = line["lost"]
     assert lost < 0.005 or f"{lost:.2f} s lost" in line["right"]
-    assert line["banner"] == "" or line["banner"].startswith("The microphone is there: ")
+    assert line["banner"] == "" or line["banner"].startswith("The microphone is back: ")
     play(card, window, *takes.glob("*.wav"), 1)
     assert window.end() == 0, window.errors
     assert window.log[-1]["banner"].startswith("Recorded ")
@@ -60,13 +60,15 @@ def test_a_server_that_dies_is_said_and_recording_goes_on_by_itself(
     before = play(card, window, take, 1)
     card.kill()
     killed = time.monotonic()
-    trouble = wait_for(window, lambda line: line["banner"].endswith("; the recording waits for it."))
+    trouble = wait_for(
+        window, lambda line: line["banner"].endswith("; the recording continues once the signal is back.")
+    )
     assert trouble["label"].startswith("waiting ")
     assert trouble["late_ms"] is None
     let_pass(AWAY)
     card.restart()
     restarted = time.monotonic()
-    well = wait_for(window, lambda line: line["label"].startswith("● ") and "is there" in line["banner"])
+    well = wait_for(window, lambda line: line["label"].startswith("● ") and "is back" in line["banner"])
     after = play(card, window, take, 2)
     assert window.end() == 0, window.errors
     lines = said(window, killed, lambda line: line["time"] < well["time"])

@@ -13,13 +13,17 @@ from phonemeengine.analyser import analyse_blocks
 from phonemeengine.errors import CurveError
 from phonemeengine.inspection.averaged_spectrum import (
     AveragedSpectrum,
+    SoundPart,
     SpectrumAverage,
+    check_comparable,
     distance_of,
+    format_distances,
+    format_spectra,
     load_averaged_spectrum,
     save_averaged_spectrum,
 )
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filter, WindowFunction
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Channel, Decimation, Filter, WindowFunction
 from tests.disks import refused
 from tests.sounds import Sound, noise, tone, vowel
 
@@ -145,6 +149,61 @@ def test_a_known_difference_in_shape_is_its_distance() -> None:
     assert distance_of(flat, stepped) == pytest.approx(10)
 
 
+def test_the_spread_is_the_standard_deviation_of_the_levels() -> None:
+    average = SpectrumAverage()
+    average.add(spectra([0.1, 0.5, 0], [0.001, 0.5, 0]))  # -20 and -60 dB, twice -6 dB, twice less than the least
+    curve = average.curve("two", "")
+    assert curve.spread is not None
+    assert curve.spread == pytest.approx([20, 0, 0], abs=1e-3)
+
+
+def test_the_level_is_that_of_the_samples_whatever_the_filters_do() -> None:
+    average = SpectrumAverage()
+    for analysis in analyse_blocks([tone(1000, 1.0, 0.5)], Preset()):
+        middle = analysis.part(slice(10, 90))
+        average.add(middle.linear_spectra, middle.frames.windows)
+    assert average.curve("tone", "").level == pytest.approx(20 * np.log10(0.5 / np.sqrt(2)), abs=0.05)
+
+
+def test_what_went_through_other_filters_is_not_compared() -> None:
+    coarse, fine = curve_of(SPEECH, COARSE, "coarse"), curve_of(SPEECH, FINE, "fine")
+    check_comparable(coarse, replace(coarse, name="again"))
+    with pytest.raises(CurveError) as refusal:
+        check_comparable(coarse, fine)
+    assert str(refusal.value) == (
+        "coarse and fine went through different filters (quantise 4 anti_aliased against quantise off); measure them "
+        "again with the same ones"
+    )
+    more = replace(coarse, name="more", front_end=f"{coarse.front_end}, normalise")
+    with pytest.raises(CurveError, match=r"filters \(no normalise against normalise\)"):
+        check_comparable(coarse, more)
+    with pytest.raises(CurveError, match="have different frequencies"):
+        check_comparable(coarse, replace(coarse, frequencies=coarse.frequencies * 2))
+
+
+def test_differences_are_a_table_with_gaps_where_filters_differ() -> None:
+    flat = AveragedSpectrum("flat", np.arange(4.0), np.full(4, 0.1), 1, "bare")
+    stepped = replace(flat, name="stepped", amplitudes=np.array([0.1, 0.1, 0.01, 0.01]))
+    other = replace(flat, name="other", front_end="normalise")
+    assert format_distances([flat, stepped, other]).splitlines() == [
+        "difference_db,flat,stepped,other",
+        "flat,0,10,",
+        "stepped,10,0,",
+        "other,,,0",
+    ]
+
+
+def test_levels_are_a_table_on_the_axis_of_the_finest_curve() -> None:
+    long = AveragedSpectrum("a", np.arange(3.0), np.array([1, 0.1, 0]), 1, "", spread=np.array([1.0, 2, 3]))
+    short = AveragedSpectrum("a", np.arange(2.0), np.ones(2), 1, "")
+    assert format_spectra([long, short]).splitlines() == [
+        "frequency_hz,a (1) level_db,a (1) spread_db,a (2) level_db,a (2) spread_db",
+        "0,0,1,0,",
+        "1,-20,2,0,",
+        "2,-100,3,,",
+    ]
+
+
 def test_curves_without_a_common_frequency_have_no_distance() -> None:
     low = AveragedSpectrum("", np.array([0.0, 10]), np.ones(2), 1, "")
     high = AveragedSpectrum("", np.array([20.0, 30, 40]), np.ones(3), 1, "")
@@ -174,7 +233,7 @@ def test_a_saved_curve_describes_itself(tmp_path: Path) -> None:
         "# front end: quantise 4 anti_aliased",
         "# bins: 256",
         "# frames: 130",
-        "frequency_hz,amplitude",
+        "frequency_hz,amplitude,spread_db",
     ]
     assert len(lines) == 6 + 256
 
@@ -194,6 +253,35 @@ def test_a_file_from_an_editor_on_windows_is_read(tmp_path: Path) -> None:
     save_averaged_spectrum(curve_of(SPEECH, COARSE), path)
     path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes().replace(b"\n", b"\r\n"))
     assert load_averaged_spectrum(path).n_frames == 130
+
+
+def test_all_that_belongs_to_a_curve_comes_back(tmp_path: Path) -> None:
+    parts = (
+        SoundPart(Path("two  blanks.wav"), Channel.LEFT, ((0.5, 1.25), (2.0, 2.5))),
+        SoundPart(Path("b.wav"), Channel.MIX, ((0.0, 1.0),)),
+    )
+    curve = replace(curve_of(SPEECH, COARSE), parts=parts, colour="#3fb950", hidden=True, level=-23.5)
+    save_averaged_spectrum(curve, tmp_path / "a.csv")
+    back = load_averaged_spectrum(tmp_path / "a.csv")
+    assert (back.parts, back.colour, back.hidden, back.level) == (parts, "#3fb950", True, -23.5)
+    assert back.is_same(curve)
+    assert curve.spread is not None
+    assert back.spread == pytest.approx(curve.spread, rel=1e-8)
+
+
+def test_a_curve_of_an_older_release_has_no_spread_and_no_sound(tmp_path: Path) -> None:
+    (tmp_path / "old.csv").write_text(GOOD)
+    old = load_averaged_spectrum(tmp_path / "old.csv")
+    assert (old.spread, old.parts, old.hidden) == (None, (), False)
+    assert np.isnan(old.level)
+
+
+@pytest.mark.parametrize(
+    "words", ["{", "[]", '["a", "mix", 3]', '["a", "middle", []]', '[3, "mix", []]', "[" * 99999]
+)
+def test_a_sound_that_cannot_be_is_refused(words: str, tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text(GOOD.replace("# name", f"# sound: {words}\n# name", 1))
+    assert "'sound' in the header must be" in refusal_of(tmp_path / "a.csv")
 
 
 GOOD = """# phonemeanalyser curve 1
@@ -221,10 +309,10 @@ CHANGES = {
     "a bin too few": ("20,0.5\n", "", "announces 3 bins .* found 2"),
     "a bin too many": ("20,0.5\n", "20,0.5\n30,1\n", "announces 3 bins .* found 4"),
     "other columns": ("frequency_hz", "hertz", "columns must be frequency_hz,amplitude, found 'hertz,amplitude'"),
-    "a word": ("10,2", "10,loud", "row 2 must hold two numbers, found '10,loud'"),
-    "a third number": ("10,2", "10,2,3", "row 2 must hold two numbers, found '10,2,3'"),
-    "one number": ("10,2", "10", "row 2 must hold two numbers, found '10'"),
-    "an empty row": ("10,2", "", "row 2 must hold two numbers, found ''"),
+    "a word": ("10,2", "10,loud", "row 2 must hold 2 numbers, found '10,loud'"),
+    "a third number": ("10,2", "10,2,3", "row 2 must hold 2 numbers, found '10,2,3'"),
+    "one number": ("10,2", "10", "row 2 must hold 2 numbers, found '10'"),
+    "an empty row": ("10,2", "", "row 2 must hold 2 numbers, found ''"),
     "not a number": ("10,2", "10,nan", "row 2 must hold finite numbers"),
     "infinity": ("10,2", "inf,2", "row 2 must hold finite numbers"),
     "less than nothing": ("10,2", "10,-2", "row 2 must hold finite numbers of 0 or more"),

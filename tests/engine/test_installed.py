@@ -42,9 +42,9 @@ USER = """
 from phonemeengine import Analyser, Listener, calibrate, load_preset, read_recordings, recognise_window, score
 
 preset = load_preset("learned")
-with Listener(preset) as ear:
-    reveal_type(ear)
-    reveal_type(ear.poll().phoneme)
+with Listener(preset) as listener:
+    reveal_type(listener)
+    reveal_type(listener.poll().phoneme)
 reveal_type(Analyser(preset).push)
 reveal_type(recognise_window([0.0] * 2048, preset).intensity)
 reveal_type(calibrate(preset, read_recordings("takes")).preset)

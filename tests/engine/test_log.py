@@ -48,10 +48,10 @@ def test_a_microphone_is_logged_as_it_comes_and_goes_and_once_while_it_is_away(h
     away = f"WARNING {REFUSAL}; trying again every 2 s"
     assert [line for line in log() if "listening has ended" not in line][:5] == [
         "INFO moved by hand is open: 44100 Hz, 1 channels",
-        "INFO moved by hand is let go: moved by hand has gone; trying again every 2 s",
+        "INFO moved by hand is let go: moved by hand was disconnected; trying again every 2 s",
         away,
         "INFO the other is open: 48000 Hz, 2 channels",
-        "INFO the other is let go: nothing comes from the other; trying again every 2 s",
+        "INFO the other is let go: no signal from the other; trying again every 2 s",
     ]
     assert re.fullmatch(r"INFO listening has ended; \d+\.\d\d s lost, 0 frames dropped", log()[-1])
 
@@ -84,7 +84,7 @@ def test_a_player_logs_its_card_and_that_it_goes(tmp_path: Path, log: Log) -> No
     player.close()
     assert log() == [
         "INFO playing on moved by hand",
-        "WARNING moved by hand: on with no sound card: silent, on the clock",
+        "WARNING moved by hand: on with No audio device (silent playback)",
     ]
 
 

@@ -9,12 +9,12 @@ import soundfile
 
 from phonemeengine import AudioError, EngineError, Phoneme, SoundReader, load_preset, measure
 from phonemeengine.inspection.measurement import (
-    average_spectrum,
     format_measurement,
     frames_between,
     measure_stretch,
     save_stretch,
 )
+from phonemeengine.inspection.speaker_spectra import average_spectrum
 from phonemeengine.inspection.whole_sound import tracks_of
 from phonemeengine.settings import SAMPLE_RATE
 

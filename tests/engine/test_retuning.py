@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from phonemeengine import Ear, SoundReader, load_preset
+from phonemeengine import ModelKind, SoundReader, load_preset
 from phonemeengine.inspection.whole_sound import RetunedSound, SoundTracks, analyse_whole, tracks_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.preset import Preset
@@ -45,15 +45,17 @@ def test_it_says_what_the_analysis_says(name: str, what: str) -> None:
         return
     for part in ("recognised", "phonemes"):
         np.testing.assert_array_equal(getattr(tracks, part), getattr(expected, part), err_msg=part)
-    for part in ("intensities", "confidences", "values"):
+    np.testing.assert_allclose(tracks.confidences(), expected.confidences(), rtol=1e-3, atol=1e-4)
+    np.testing.assert_array_equal(tracks.confidences(slice(40, 70)), tracks.confidences()[40:70])
+    for part in ("intensities", "values"):
         np.testing.assert_allclose(getattr(tracks, part), getattr(expected, part), rtol=1e-3, atol=1e-4, err_msg=part)
     assert sound.retune(preset)
     np.testing.assert_array_equal(tracks.phonemes, analysed(preset).phonemes)
 
 
-def test_another_front_end_recogniser_or_ear_needs_the_sound() -> None:
+def test_another_front_end_recogniser_or_model_needs_the_sound() -> None:
     preset = load_preset("thesis")
     sound = RetunedSound(analysed(preset), preset)
     assert not sound.retune(replace(preset, settings=preset.settings.with_filter(Filter.MEL, on=True)))
     assert not sound.retune(load_preset("learned"))
-    assert not sound.retune(replace(preset, file_ear=Ear.TWIN))
+    assert not sound.retune(replace(preset, file_model=ModelKind.OFFLINE))

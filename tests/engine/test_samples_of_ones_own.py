@@ -10,7 +10,7 @@ from phonemeengine.audio.devices import InputChoice
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.errors import AudioError, RecogniserError
 from phonemeengine.live.listener import Listener
-from phonemeengine.presets.ears import for_live_use, with_small_network
+from phonemeengine.presets.model_choice import for_live_use, with_small_network
 from phonemeengine.settings import SAMPLE_RATE
 from tests.reading import DEMO, english_read
 
@@ -130,4 +130,4 @@ def test_values_of_many_numbers_are_shown_in_a_line() -> None:
 def test_a_listener_without_sounddevice_says_so_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "sounddevice", None)
     with Listener(LEARNED, InputChoice()) as listener:
-        assert "the package sounddevice is missing; pip install sounddevice" in listener.status.words
+        assert "the package sounddevice is missing; install it with pip install sounddevice" in listener.status.words

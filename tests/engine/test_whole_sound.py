@@ -14,7 +14,7 @@ from phonemeengine.execution import Cancelled
 from phonemeengine.inspection.whole_sound import FrameRange, FrameState, SoundTracks, analyse_whole, tracks_of
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import SAMPLE_RATE, Ear
+from phonemeengine.settings import SAMPLE_RATE, ModelKind
 from tests.conftest import ROOT
 from tests.fakes.whisper_model import encoder_head
 
@@ -50,8 +50,9 @@ def test_all_of_it_is_what_the_file_gives(long: Path, name: str):
     expected = whole(long, preset)
     assert (tracks.states == FrameState.KNOWN).all()
     assert tracks.names == expected.features.names
-    for name_of in ("recognised", "phonemes", "intensities", "confidences"):
+    for name_of in ("recognised", "phonemes", "intensities"):
         np.testing.assert_array_equal(getattr(tracks, name_of), getattr(expected, name_of))
+    np.testing.assert_array_equal(tracks.confidences(), expected.confidences)
     np.testing.assert_array_equal(tracks.values, expected.features.values)
     assert tracks.peaks.n_samples == SECONDS * SAMPLE_RATE + 123
     assert tracks.peaks.between(0, tracks.peaks.n_samples, 32).low.argmin() in (15, 16)
@@ -134,9 +135,9 @@ def test_more_in_view_than_a_minute_is_found_in_its_turn(long: Path):
     assert not known[-1][1300:].any()
 
 
-def test_with_whisper_a_faster_ear_is_heard_first(long: Path, whisper: Path):
+def test_with_whisper_a_faster_model_comes_first(long: Path, whisper: Path):
     tracks, shares = empty(long), []
-    preset = replace(load_preset("learned"), encoder_head=encoder_head(), file_ear=Ear.WHISPER)
+    preset = replace(load_preset("learned"), encoder_head=encoder_head(), file_model=ModelKind.WHISPER)
     analyse_whole(
         lambda: SoundReader(long),
         preset,

@@ -99,7 +99,7 @@ def test_without_portaudio_the_microphone_s_program_says_one_sentence(tmp_path: 
     (tmp_path / "sounddevice.py").write_text(BROKEN)
     path = os.pathsep.join([str(tmp_path), os.environ.get("PYTHONPATH", "")])
     said = run("poll_microphone.py", code=1, PYTHONPATH=path)
-    assert said == ["sound cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"]
+    assert said == ["audio cannot be played or recorded, since PortAudio is missing or broken; install libportaudio2"]
 
 
 @pytest.mark.parametrize("program", ["push_samples.py", "drive_face.py", "pygame_mouth.py"])

@@ -52,6 +52,11 @@ class HandDrivenMicrophone:
         for k in range(0, len(block), n):
             self._given.put(block[k : k + n])
 
+    @property
+    def n_waiting(self) -> int:
+        """How many blocks it was given and has not heard yet."""
+        return self._given.qsize()
+
     def read(self, timeout: float) -> NDArray[np.float32]:
         """Give the next block."""
         if self.fault is not None:

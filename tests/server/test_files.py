@@ -97,7 +97,7 @@ def test_a_file_is_what_the_command_line_writes_with_the_same_options(
         ({"format": "gltf", "fps": "many"}, "fps must be a number"),
         ({"format": "gltf", "fps": "1e9"}, "frame rate of gltf"),
         ({"format": "rhubarb-tsv", "fps": "24"}, "counts no frames"),
-        ({"format": "gltf", "language": "de"}, "--language goes with --text or --script: say what"),
+        ({"format": "gltf", "language": "de"}, "--language goes with --text or --script: give the text"),
         ({"format": "gltf", "text": "hello", "language": "--help"}, "--help"),
         ({"format": "gltf", "text": b"\xff\xfe"}, "the field text is no text in UTF-8"),
         ({"format": "gltf", "text": "word " * 30_000}, "the field text may have 100000 characters"),

@@ -71,7 +71,7 @@ CASES: dict[str, Words] = {
         "pinyin-table": ["pinyin.toml"],
         "longest": ["60"],
         "preset": ["thesis"],
-        "ear": ["live"],
+        "model": ["real-time"],
         "overwrite": ["true"],
     },
     "mesh": {"format": ["gltf"], "mesh": ["face.glb"]},
@@ -145,7 +145,7 @@ def asked_of(words: Words) -> ConversionOptions:
 
 
 def preset_of(asked: ConversionOptions) -> Preset:
-    return for_files(load_preset(asked.preset), asked.ear)
+    return for_files(load_preset(asked.preset), asked.model)
 
 
 def by_program(asked: ConversionOptions, kind: str, job: Job) -> None:

@@ -32,7 +32,7 @@ from phonemeengine.speech.pinyin.track import pinyin_track
 from tests.conftest import ROOT
 
 DOCS = ROOT / "docs"
-PAGES = [*sorted(DOCS.glob("*.md")), *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"))]
+PAGES = [*sorted(DOCS.rglob("*.md")), *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md"))]
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 FENCE = re.compile(r"^ *```.*?^ *```", re.MULTILINE | re.DOTALL)
 NAME = re.compile(r"`([A-Z][a-z]\w*)\.(\w+)`")
@@ -60,7 +60,7 @@ def pairs(pattern: re.Pattern[str]) -> list[tuple[Path, Any]]:
 
 
 def shown(value: object) -> str:
-    return value.name if isinstance(value, Path) else str(value)
+    return value.relative_to(ROOT).as_posix() if isinstance(value, Path) else str(value)
 
 
 @pytest.mark.parametrize(("page", "link"), [p for p in pairs(LINK) if "://" not in p[1]], ids=shown)
@@ -74,7 +74,9 @@ def test_every_link_leads_somewhere(page: Path, link: str) -> None:
 
 def test_every_page_stands_in_the_list_of_pages() -> None:
     listed = re.findall(r": (\S+\.md)$", (ROOT / "mkdocs.yml").read_text(encoding="utf-8"), re.MULTILINE)
-    assert sorted(listed) == sorted([*(page.name for page in DOCS.glob("*.md")), "CONTRIBUTING.md", "CHANGELOG.md"])
+    assert sorted(listed) == sorted(
+        [*(page.relative_to(DOCS).as_posix() for page in DOCS.rglob("*.md")), "CONTRIBUTING.md", "CHANGELOG.md"]
+    )
 
 
 def test_a_newcomer_reads_no_more_than_150_lines() -> None:
@@ -121,6 +123,8 @@ def _members(node: ast.ClassDef) -> Iterator[str]:
             yield part.attr
         elif isinstance(part, ast.AnnAssign) and isinstance(part.target, ast.Name):
             yield part.target.id
+        elif isinstance(part, ast.Assign) and part in node.body:  # such as the members of an enumeration
+            yield from (target.id for target in part.targets if isinstance(target, ast.Name))
 
 
 def sections(page: str) -> dict[str, str]:
@@ -148,7 +152,7 @@ def factory_documents() -> list[dict[str, object]]:
 def test_every_key_of_a_preset_stands_in_the_docs(document: dict[str, object]) -> None:
     assert document.keys() <= rows("The whole file").keys()
     for key, value in document.items():
-        several = isinstance(value, dict) and key == "confidence"  # one for each ear
+        several = isinstance(value, dict) and key == "confidence"  # one for each model
         tables = value if isinstance(value, list) else list(value.values()) if several else [value]
         for table in tables:
             if isinstance(table, dict) and key not in ("successors", "sensitivities"):

@@ -7,6 +7,8 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import analyse_blocks
+from phonemeengine.calibration.fits.rule_finding import candidates
+from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS
 from phonemeengine.calibration.scores.corpus import Label, LabelledUtterance, frame_labels_of, read_corpus
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.features.variables import check_user_variables
@@ -17,8 +19,7 @@ from phonemeengine.presets.preset import Preset
 from tests.corpora import put, speech, write_manifest
 from tools.fit import rules as fit_rules
 from tools.fit import templates as fit_templates
-from tools.fit.rule_features import candidates, voice_of
-from tools.fit.rule_search import MOST_CONDITIONS
+from tools.fit.rule_features import voice_of
 
 TIMES = (0.0, 0.2, 0.5, 0.7, 1.0, 1.3, 1.5)
 SAID = (Phoneme.SILENCE, Phoneme.A, Phoneme.SZ, Phoneme.I, Phoneme.U, Phoneme.SILENCE)

@@ -10,6 +10,7 @@ from PySide6.QtCore import QTranslator
 
 from phonemeanalyser.desktop.language import CONTEXT, LANGUAGES, TRANSLATIONS, WRITTEN_IN
 from tools.translations.__main__ import compile_translations
+from tools.translations.errors import ENGINE, LIST, RENDERING, WITHOUT_WINDOW, errors_in, refused_in
 from tools.translations.sources import WINDOW, sources_in, texts_of
 from tools.translations.ts_file import read_translations, write_translations
 
@@ -169,6 +170,31 @@ def test_texts_are_found_by_the_calls_that_translate_them() -> None:
         ("four", "a comment"),
         ("1", ""),
         ("n", ""),
+    }
+
+
+def test_the_errors_that_the_window_translates_are_those_of_the_engine() -> None:
+    assert LIST.read_text("utf-8").splitlines() == [*errors_in()], "run make translations"
+    assert len(errors_in()) > 500
+    left_out = [RENDERING.parent / name for name in WITHOUT_WINDOW if name.startswith("rendering/")]
+    left_out += [ENGINE / name for name in WITHOUT_WINDOW if not name.startswith("rendering/")]
+    assert [path for path in left_out if not path.is_file()] == []
+
+
+def test_an_error_is_found_with_the_words_that_are_put_into_it() -> None:
+    code = (
+        "fault = 'too short' if x else f'too long by {seconds:.1f} s'\n"
+        "raise AudioError(f'{self._name}: it is {fault}, {reason_of(error)}; cut {fault}' + remedy(y))\n"
+        "_log.error('not an error of the engine')\n"
+        "raise self._error(f'{path.name}: {error}')\n"
+        "raise refusal(key, 'a list of words', value)\n"
+    )
+    assert {*refused_in(code)} == {
+        "too short",
+        "too long by {seconds} s",
+        "{name}: it is {fault}, {error}; cut {fault_2}{y}",
+        "{name}: {error}",
+        "a list of words",
     }
 
 

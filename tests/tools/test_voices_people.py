@@ -11,14 +11,19 @@ import numpy as np
 import pytest
 import soundfile
 
+from phonemeengine.calibration.background_sounds import desk, music
 from phonemeengine.calibration.scores.corpus import read_corpus
+from phonemeengine.phonemes import Phoneme
 from tools.voices import drascula, gcin, nexuiz, queen, recordings, sky
 from tools.voices.aligner import aligned, best_track, sharpened
 from tools.voices.build import build
+from tools.voices.classes import PLAIN, table_of
 from tools.voices.labels import Segment
 from tools.voices.mandarin_phones import MANDARIN, phones_of
+from tools.voices.no_speech import ABOUT, LEVELS, Make, noise, recording_of, tones
 from tools.voices.packages import RECORDINGS, missing, unpack
 from tools.voices.rnc import unpacked
+from tools.voices.writing import UtteranceWriter, replace_speaker
 
 RATE = 16000
 
@@ -253,3 +258,15 @@ def test_a_cache_without_the_recordings_lacks_them(tmp_path: Path) -> None:
         assert missing(tmp_path)
         put(tmp_path / name, b"")
     assert missing(tmp_path) == []
+
+
+@pytest.mark.parametrize("make", [music, desk, tones, noise])
+def test_a_sound_without_speech_has_one_label_and_a_level(make: Make, tmp_path: Path) -> None:
+    utterance = recording_of(make, np.random.default_rng(2))
+    level = 10 * np.log10(np.mean(utterance.sound**2))
+    assert LEVELS[0] - 0.1 <= level <= LEVELS[1] + 0.1
+    writer = UtteranceWriter(tmp_path, ABOUT, table_of(*PLAIN))
+    writer.write(utterance)
+    replace_speaker(tmp_path, ABOUT, writer.rows)
+    (found,) = read_corpus(tmp_path)
+    assert [(label.start, label.end, label.phoneme) for label in found.labels] == [(0.0, 8.0, Phoneme.SILENCE)]

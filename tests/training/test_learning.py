@@ -8,7 +8,7 @@ import pytest
 import torch
 
 from phonemeengine.calibration.adaptation import adapt
-from phonemeengine.calibration.fine_tuning import Optimiser
+from phonemeengine.calibration.fine_tuning import VISEME_SHARE, Optimiser
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import N_HEARD, NOT_SAID, TrainingExample, example_of
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
@@ -27,7 +27,7 @@ from phonemetraining.examples import Examples, RecordingExample, examples_of, ke
 from phonemetraining.groups import Groups, folds_of
 from phonemetraining.networks import SmallNetwork, TrainableEncoder, with_running_floor
 from phonemetraining.spectra import SMALL_BANDS, WHISPER_BANDS, disturbed, warped
-from phonemetraining.training import targets_of, train_encoder, train_small
+from phonemetraining.training import SMOOTHING, cross_entropy, targets_of, train_encoder, train_small
 from tests.corpora import put
 from tests.models import tone_model
 from tests.sounds import noise, tone, vowel
@@ -111,7 +111,7 @@ def model(voices, examples):
 
 @pytest.fixture(scope="module")
 def anchored(model, examples):
-    return replace(model[0], anchors=examples.anchors(32, 150, 1))
+    return replace(model[0], anchors=examples.anchors("log_powers", 32, 150, 1))
 
 
 @pytest.mark.parametrize("centred", [False, True])
@@ -213,7 +213,8 @@ def test_its_weights_are_those_that_the_engine_runs(causal):
         scaled = with_running_floor(logarithms, torch.full((1, 1), -2.0))
         for n_ahead in (0, 1):
             expected = causal(causal.states(scaled, n_ahead))[0].numpy()
-            found = encoder.encode([EncoderStream(encoder, n_ahead)], [logarithms[0].numpy()])[0]
+            states = encoder.encode([EncoderStream(encoder, n_ahead)], [logarithms[0].numpy()])[0]
+            found = encoder.head.logits(states)
             np.testing.assert_allclose(found[:-4], expected[: len(found) - 4], atol=1e-3)
 
 
@@ -262,6 +263,24 @@ def test_a_label_and_a_teacher_count_alike_and_each_alone_where_the_other_is_sil
     assert alone == pytest.approx(teacher)
     assert weight == pytest.approx(2)  # what the teacher hears is a rare sound
     assert targets(1, 0.0, nothing)[1] == 0
+
+
+def test_who_takes_all_classes_to_be_alike_is_wrong_by_the_logarithm_of_their_number():
+    batch = {
+        "phonemes": torch.tensor([[Phoneme.A, Phoneme.I]], dtype=torch.uint8),
+        "visemes": torch.tensor([[Viseme.AA, NOT_SAID]], dtype=torch.uint8),  # what counts is told of the first alone
+        "certainties": torch.tensor([[1.0, 0.5]]),
+        "heard": torch.zeros(1, 2, N_HEARD),
+    }
+    importance = [torch.ones(len(classes)) for classes in (Phoneme, Viseme)]
+    error = cross_entropy(torch.zeros(1, 2, 1, N_HEARD), batch, importance)
+    assert float(error) == pytest.approx(np.log(len(Phoneme)) + VISEME_SHARE * np.log(len(Viseme)))
+    late = torch.zeros(1, 2, 2, N_HEARD)
+    late[0, 1, 1, Phoneme.A] = 50  # the second head says at the second frame what the first one was
+    late[0, 1, 1, len(Phoneme) + Viseme.AA] = 50
+    assert float(cross_entropy(late, batch, importance, (0.0, 1.0))) == pytest.approx(
+        50 * SMOOTHING * (1 / 1.5 * (1 - 1 / len(Phoneme)) + VISEME_SHARE * (1 - 1 / len(Viseme))), rel=1e-4
+    )
 
 
 # -- examples ----------------------------------------------------------------------------------------------
@@ -410,7 +429,7 @@ def test_the_visemes_of_a_voice_are_learned_with_its_phonemes(anchored):
 
 @pytest.mark.parametrize("examples", [[], [said([Phoneme.A], 120, 1.0)]])
 def test_too_little_to_adapt_to_is_refused_with_what_to_give(examples):
-    with pytest.raises(CorpusError, match=r"are too little to adapt to; give 2 s or more of several phonemes"):
+    with pytest.raises(CorpusError, match=r"are not enough to adapt to; record 2 s or more of several phonemes"):
         adapt(tone_model({700.0: Phoneme.A}), examples)
 
 

@@ -38,7 +38,7 @@ MEDIAN, MEAN, WITHIN, FAR = 0.015, 0.02, 0.05, 0.05
 PAUSE = 0.03
 """Seconds of silence that are a pause."""
 MISSED = 0.03
-"""Of the lines that are said as they are written, those of which a word is told to be left out."""
+"""Of the lines that are said as they are written, those of which a word is left out on purpose."""
 REFUSED = 0.02
 A_SECOND = 100
 """Frames of a line whose text is judged."""
@@ -53,7 +53,7 @@ MOST_MB = 100
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """A line of the corpus: what was heard, and what is said."""
+    """A line of the corpus: its evidence, and what is said."""
 
     utterance: LabelledUtterance
     heard: Evidence
@@ -110,9 +110,9 @@ def _aligned(line: Line, words: Sequence[ScriptWord]) -> tuple[Aligner, Utteranc
 
 
 def _errors(line: Line) -> tuple[Float64Array, Float64Array]:
-    """Return how late the boundaries of words are found, s, where the synthesizer said what the voice would.
+    """Return by how much the boundaries of words are found late, s, where the synthesizer said what the voice would.
 
-    Those of words that end before a pause are told by themselves, too.
+    Those of words that end before a pause are listed by themselves, too.
     """
     found = [(phone, w) for w, word in enumerate(_aligned(line, line.words)[1].words) for phone in word.phones]
     labels = [label for label in line.utterance.labels if label.phoneme is not Phoneme.SILENCE]

@@ -66,7 +66,7 @@ Found = dict[str, list[bool | float]]
 
 
 def figures() -> list[Figure]:
-    """Measure on the speakers that are held back."""
+    """Measure on the held-out speakers."""
     found = measured(HELD_BACK)
     rows: tuple[tuple[str, str, float], ...] = (
         ("full vowels that are widest in their first 60 %", "widest", WIDEST_EARLY),

@@ -1,4 +1,4 @@
-"""The ear in C: one frame by network and by rules, memory, and a hundred ears on one core."""
+"""The runtime in C: one frame by network and by rules, memory, and a hundred recognisers on one core."""
 
 import ctypes
 import time
@@ -8,7 +8,7 @@ from pathlib import Path
 import scipy.fft
 
 from phonemeengine import Analyser, load_preset
-from phonemeengine.presets.ears import with_small_network
+from phonemeengine.presets.model_choice import with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, HOP
 from phonemeengine.shipping.targets import format_ear
@@ -22,7 +22,7 @@ PYTHON_S_TIME, TRANSFORMS = 0.25, 1.2
 """Of Python's time, and bare transforms of 512 values, that a frame may take."""
 MOST_BYTES = 200_000
 N_EARS, EARS_FRAMES, SHARE = 100, 100, 0.30
-"""Ears on one core, frames that each hears, and the share of real time that they may take."""
+"""Recognisers on one core, frames that each recognises, and the share of real time that they may take."""
 
 
 def figures() -> list[Figure]:
@@ -41,7 +41,7 @@ def figures() -> list[Figure]:
 
 
 def listening(library: EarLibrary, ears: Sequence[CEar], sound: Sound, n: int = N_FRAMES) -> Callable[[], None]:
-    """Give what has ears hear the first blocks of a sound."""
+    """Give all recognisers the first blocks of a sound."""
     handles = (ctypes.c_void_p * len(ears))(*(ear.handle for ear in ears))
     samples = sound.ctypes.data_as(ctypes.c_void_p)
 

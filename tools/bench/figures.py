@@ -48,7 +48,7 @@ class Figure:
     absolute: Absolute | None = None
 
     def here(self, slowness: Mapping[Absolute, float]) -> "Figure":
-        """Give it with the limit of a machine that takes so many times as long as the one the limits were set for."""
+        """Give it with its limit scaled by how much slower this machine is than the one the limits were set for."""
         if self.absolute is None or self.limit is None:
             return self
         return replace(self, limit=self.limit * slowness[self.absolute])

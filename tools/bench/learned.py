@@ -1,4 +1,4 @@
-"""The learned recogniser: one frame at a time, whole files by each ear, adapting to a voice."""
+"""The learned recogniser: one frame at a time, whole files by each model, adapting to a voice."""
 
 import json
 import os
@@ -8,17 +8,26 @@ import numpy as np
 import scipy.fft
 
 from phonemeengine.analyser import BLOCK, analyse_blocks
+from phonemeengine.calibration.adaptation import adapt_live_head
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
+from phonemeengine.calibration.training_examples import example_of, sound_of, whisper_mels_of
 from phonemeengine.encoder.model_folder import has_whisper
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.files import read_labels
-from phonemeengine.presets.ears import ear_in_words, for_files, has_ear, recogniser_for
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.model_choice import (
+    for_files,
+    has_model,
+    model_in_words,
+    recogniser_for,
+    states_in,
+    with_real_time_model,
+)
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.spec import Recogniser
-from phonemeengine.settings import HOP, WINDOW, Ear
+from phonemeengine.settings import HOP, WINDOW, ModelKind
 from tools.bench import PINS
 from tools.bench.dragging import CARDS
 from tools.bench.figures import Absolute, Figure, answer_of, interleaved, ratio_of, shown, speech
@@ -31,9 +40,10 @@ STATE_LIMIT, STATE_AIM = 356, 200
 """The same for 20 ms in real time with the encoder: 8 % of a core where a transform takes 4.5 us, and less."""
 MODEL_MB = 2
 REAL_TIME, ENCODER_REAL_TIME = 300, 20
-"""How many times as fast as it sounds a file is heard, by the network on one core, and with Whisper on two."""
+"""How many times as fast as it plays a file is recognised, by the network on one core, and with Whisper on two."""
 MINUTES, ENCODER_MINUTES = 5, 2
-ADAPTED_WITHIN = 5.0
+ADAPTED_WITHIN, HEAD_WITHIN = 5.0, 2.0
+"""Seconds for a calibration, and for the states and the head of the real-time model in it."""
 COPIES = 3
 """Of 3.4 s of labelled speech: as much as the takes of a guided calibration, which is judged by one sentence."""
 
@@ -41,10 +51,10 @@ COPIES = 3
 def figures() -> list[Figure]:
     """Measure all of them."""
     preset = load_preset(DEFAULT_PRESET)
-    known = [_one_frame(preset), *_real_time(preset), *_model_sizes(preset), _whole_file(preset, Ear.LIVE)]
-    if preset.file_model is not None:
-        known.append(_whole_file(preset, Ear.TWIN))
-    return [*known, *_with_whisper(preset), _adapting(preset)]
+    known = [_one_frame(preset), *_real_time(preset), *_model_sizes(preset), _whole_file(preset, ModelKind.REAL_TIME)]
+    if preset.offline_model is not None:
+        known.append(_whole_file(preset, ModelKind.OFFLINE))
+    return [*known, *_with_whisper(preset), _adapting(preset), *_adapting_head(preset)]
 
 
 def _one_frame(preset: Preset) -> Figure:
@@ -54,10 +64,10 @@ def _one_frame(preset: Preset) -> Figure:
 
 
 def _real_time(preset: Preset) -> list[Figure]:
-    if preset.live_encoder is None or not has_ear(preset, Ear.ENCODER):
+    if preset.live_encoder is None or not has_model(preset, ModelKind.ENCODER):
         print("  left out: the real-time model, which is not there")
         return []
-    recogniser = recogniser_for(for_files(preset, Ear.ENCODER))
+    recogniser = recogniser_for(for_files(preset, ModelKind.ENCODER))
     return [_step("encoder and network in real time, 20 ms", recogniser, 2, (STATE_LIMIT, STATE_AIM))]
 
 
@@ -83,23 +93,23 @@ def _step(name: str, recogniser: Recogniser, n: int, limits: tuple[float, float]
 
 def _model_sizes(preset: Preset) -> list[Figure]:
     names = {"its model": DEFAULT_PRESET.with_suffix(".npz")}
-    if preset.file_model is not None:
+    if preset.offline_model is not None:
         names["its model for files"] = DEFAULT_PRESET.with_suffix(".files.npz")
     sizes = {name: path.stat().st_size / 1e6 for name, path in names.items()}
     return [Figure(name, f"{size:.2f} MB", f"{MODEL_MB} MB", size / MODEL_MB, 1.0) for name, size in sizes.items()]
 
 
-def _whole_file(preset: Preset, ear: Ear) -> Figure:
-    sound, heard_with = speech(60 * MINUTES), for_files(preset, ear)
+def _whole_file(preset: Preset, kind: ModelKind) -> Figure:
+    sound, used = speech(60 * MINUTES), for_files(preset, kind)
 
     def analyse() -> None:
-        for _ in analyse_blocks(np.split(sound, range(BLOCK * HOP, len(sound), BLOCK * HOP)), heard_with):
+        for _ in analyse_blocks(np.split(sound, range(BLOCK * HOP, len(sound), BLOCK * HOP)), used):
             pass
 
     (seconds,) = interleaved(3, analyse)
     limit = 60 * MINUTES / REAL_TIME
     ratio = float(np.median(seconds)) / limit
-    name = f"{ear_in_words(heard_with)}, {MINUTES} min of sound"
+    name = f"{model_in_words(used)}, {MINUTES} min of sound"
     return Figure(name, shown(seconds), f"1/{REAL_TIME} of it", ratio, 1.0, absolute=Absolute.TIME)
 
 
@@ -116,9 +126,9 @@ def _with_whisper(preset: Preset) -> list[Figure]:
 
 
 def main() -> None:
-    """Hear a sound with Whisper, on all cores, and print how long that took as JSON."""
+    """Recognise a sound with Whisper, on all cores, and print how long that took as JSON."""
     os.environ.pop(PINS[0])
-    preset = for_files(load_preset(DEFAULT_PRESET), Ear.WHISPER)
+    preset = for_files(load_preset(DEFAULT_PRESET), ModelKind.WHISPER)
     sound = speech(60 * ENCODER_MINUTES)
 
     def analyse() -> None:
@@ -130,12 +140,29 @@ def main() -> None:
 
 
 def _adapting(preset: Preset) -> Figure:
-    said = LabelledUtterance(CARDS, read_labels(CARDS.with_suffix(".csv")), "cards", "takes")
+    said = _said()
     began = time.perf_counter()
     calibrate(preset, [said] * COPIES, held_back=[said])
     seconds = [time.perf_counter() - began]
     ratio = seconds[0] / ADAPTED_WITHIN
     return Figure("calibrating to 10 s of takes", shown(seconds), "5 s", ratio, 1.0, absolute=Absolute.TIME)
+
+
+def _adapting_head(preset: Preset) -> list[Figure]:
+    live = with_real_time_model(preset)
+    if live.model_kind is not ModelKind.ENCODER:
+        return []
+    sound, labels = sound_of(_said()), _said().labels
+    began = time.perf_counter()
+    states = [states_in(live, whisper_mels_of(sound)) for _ in range(COPIES)]
+    adapt_live_head(live, [example_of(sound, labels)] * COPIES, states)
+    seconds = [time.perf_counter() - began]
+    ratio = seconds[0] / HEAD_WITHIN
+    return [Figure("the real-time model's part of it", shown(seconds), "2 s", ratio, 1.0, absolute=Absolute.TIME)]
+
+
+def _said() -> LabelledUtterance:
+    return LabelledUtterance(CARDS, read_labels(CARDS.with_suffix(".csv")), "cards", "takes")
 
 
 if __name__ == "__main__":

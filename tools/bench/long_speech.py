@@ -1,4 +1,4 @@
-"""Ten minutes of speech on a virtual sound card: how far the mouth's time strays from what is heard."""
+"""Ten minutes of speech on a virtual sound card: how far the mouth's time strays from what is playing."""
 
 import json
 import shutil
@@ -49,7 +49,7 @@ def figures() -> list[Figure]:
 
 
 def main() -> None:
-    """Let a voice speak, record what is heard, and print the medians of both ends as JSON."""
+    """Let a voice speak, record what plays, and print the medians of both ends as JSON."""
     speech, recording, seen = _Speech(), _Recording(), []
     recording.start()
     player = Player(SpooledSpeech(speech.kept(Voice("en-us").speak(_text()))), load_preset(DEFAULT_PRESET))

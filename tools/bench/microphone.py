@@ -1,9 +1,9 @@
 """From sound at a microphone to the phoneme in `phonemeanalyser listen`, and what listening costs.
 
 A process plays sounds that begin out of silence into a virtual microphone, and stamps each when it is handed to the
-sound server. First a bare `parec` hears them, then `listen --format json` whose lines are stamped when the reader of
-the pipe has them, then `parec` again. The reference, the server's own round trip, is the median of what `parec` takes
-with blocks of 10 ms. What `listen` takes is held against that, onset by onset.
+sound server. First a bare `parec` records them, then `listen --format json` whose lines are stamped when the reader
+of the pipe has them, then `parec` again. The reference, the server's own round trip, is the median of what `parec`
+takes with blocks of 10 ms. What `listen` takes is held against that, onset by onset.
 
 The two never listen at once: a server hands out blocks as short as the most impatient of its clients asks for, so a
 `parec` beside it would make `listen` faster than it is. How much sound `listen` asks for at a time is its own choice
@@ -52,7 +52,7 @@ class Heard:
     ----------
     reference : seconds from each onset's handing over to its arrival at `parec`.
     trips : the same to the line of `listen`; None where it was not recognised.
-    share : what `listen` takes of a core while it hears speech.
+    share : what `listen` takes of a core while there is speech.
     lost : what `listen` said of lost samples; mostly nothing.
     """
 

@@ -11,15 +11,20 @@ from pathlib import Path
 from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.session.label_tiers import LabelState
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.inspection.whole_sound import FrameState
-from phonemeengine.presets.files import THESIS_PRESET
+from phonemeengine.labels.files import read_raw_labels
+from phonemeengine.labels.phoneme_map import PhonemeMap
+from phonemeengine.labels.textgrid import Tier
+from phonemeengine.presets.files import THESIS_PRESET, preset_path
 from tools.bench.desktop import live_for, shown_desktop, written_speech
-from tools.bench.figures import Absolute, Figure, answer_of
+from tools.bench.figures import DEMO, Absolute, Figure, answer_of
 from tools.bench.memory import Highest, resident_megabytes
 
 TEN_MINUTES, HOUR = 600.0, 3600.0
-FIRST, WHOLE, SHARE, LANE, MOST_MB = 0.3, 4.0, 0.3, 0.05, 150
+FIRST, WHOLE, SHARE, LANE, COURSE, MOST_MB = 0.3, 4.0, 0.3, 0.05, 0.03, 150
 PICTURES = 60
 """A second."""
 PATIENCE = 600.0
@@ -33,6 +38,9 @@ def figures() -> list[Figure]:
         ("10 minutes opened while they play, first picture", found["first"], FIRST),
         ("10 minutes, all known", found["whole"], WHOLE),
         ("an hour, threshold of the thesis dragged, lane redrawn", found["lane"], LANE),
+        ("an hour, the same, courses of its rule redrawn", found["course"], COURSE),
+        ("an hour of labelled file, the same, score redrawn", found["score"], LANE),
+        ("an hour of labelled file, extended rules dragged, score redrawn", found["score_extended"], LANE),
     )
     above = found["highest"] - found["empty"]
     return [
@@ -66,16 +74,21 @@ def main() -> None:
         _until(lambda: not desktop.session.busy)
         desktop.session.view.show_all()
         _until(lambda: not desktop.session.busy)
-        lane = _tuned(desktop)
+        lane, course = _tuned(desktop), _drawn(desktop)
         share, pictures = _scrolled(desktop)
+        most = highest.megabytes
+        score, score_extended = (_scored(desktop, preset) for preset in (THESIS_PRESET, preset_path("extended")))
         found = {
             "first": first,
             "whole": whole,
             "lane": lane,
+            "course": course,
+            "score": score,
+            "score_extended": score_extended,
             "share": share,
             "pictures": pictures,
             "empty": empty,
-            "highest": highest.megabytes,
+            "highest": most,
         }
         desktop.close()
     print(json.dumps(found))
@@ -110,6 +123,46 @@ def _tuned(desktop: Desktop) -> float:
         preset.edit(replace(preset.preset, thresholds=thresholds), "bench")
         assert not desktop.session.whole.busy, "the hour is analysed anew"
         view.repaint()
+        seconds.append(time.perf_counter() - began)
+    return sorted(seconds)[len(seconds) // 2]
+
+
+def _drawn(desktop: Desktop) -> float:
+    """Drag a threshold with the whole hour in view; the median of the seconds until its courses are drawn anew."""
+    analysis, view = desktop.window.analysis, desktop.window.analysis.file.view
+    analysis.courses.touch("silence_energy")
+    view.repaint()
+    seconds = []
+    for k in range(9):
+        began = time.perf_counter()
+        analysis.courses.lines.move("silence_energy", 0.2 + 0.05 * k)
+        rows = [*view.course_rows().values()]
+        view.repaint(rows[0].united(rows[-1]).toAlignedRect())
+        seconds.append(time.perf_counter() - began)
+    analysis.courses.lines.end_move()
+    return sorted(seconds)[len(seconds) // 2]
+
+
+def _scored(desktop: Desktop, preset: Path) -> float:
+    """Drag a control over the hour, which is labelled; the median of the seconds until the score is drawn anew."""
+    model, session = desktop.preset, desktop.session
+    model.load(preset)
+    with SoundReader(DEMO) as reader:
+        length = reader.duration
+    raw = read_raw_labels(DEMO.with_suffix(".csv"), PhonemeMap(), duration=length)
+    again = (
+        replace(r, start=r.start + k * length, end=r.end + k * length) for k in range(int(HOUR / length)) for r in raw
+    )
+    session.labels.put(LabelState((Tier("phones", tuple(again)),), (0,), 0))
+    _until(lambda: not session.busy and not session.score.busy)
+    controls = [control for control in model.controls.values() if control.variable]
+    control = max(controls, key=lambda control: len(control.places))
+    strip, seconds = desktop.window.analysis.score, []
+    for k in range(9):
+        began = time.perf_counter()
+        model.tune(control.name, control.read(model.preset) * (1.02 + 0.001 * k))
+        _until(lambda: not session.score.busy)
+        strip.repaint()
         seconds.append(time.perf_counter() - began)
     return sorted(seconds)[len(seconds) // 2]
 

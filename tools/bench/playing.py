@@ -23,7 +23,7 @@ SOONER, LATER = 1, 30
 LIMIT, GROWTH = 0.28, 1.10
 """Most share of one core, and what is still no growth: two measurements differ by some percent."""
 UNDECIDED = 3
-"""Frames between what the clock says and what has been shown: a block is shown when its last frame is heard."""
+"""Frames between what the clock says and what has been shown: a block is shown when its last frame plays."""
 
 
 @dataclass(frozen=True)

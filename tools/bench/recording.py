@@ -1,4 +1,4 @@
-"""The whole window at 60 frames a second while it records a microphone that hears speech."""
+"""The whole window at 60 frames a second while it records speech from a microphone."""
 
 import json
 import shutil

@@ -1,8 +1,8 @@
-"""Many live streams at once against a server of their own, and how late each frame of each is.
+"""Many live streams at once against a server of their own, and the latency of each frame.
 
-The server is a process on one core. A client plays a recording into every stream as a microphone would, a block every
-20 ms, each stream at its own time, and stamps what goes out and what comes back. A frame is late by what passes from
-the sending of its last sample to the arrival of its phoneme.
+The server is a process on two cores. A client plays a recording into every stream as a microphone would, a block
+every 20 ms, each stream at its own time, and stamps what goes out and what comes back. A frame is late by what passes
+from the sending of its last sample to the arrival of its phoneme.
 """
 
 import argparse
@@ -38,7 +38,7 @@ class Load:
 
     Attributes
     ----------
-    late : how late frames were, seconds, sorted.
+    late : latencies of frames, seconds, sorted.
     n_missing : frames that were not answered at all.
     share : of a core, which the server took.
     megabytes : of memory that the server held, each second.
@@ -69,7 +69,7 @@ class Load:
 
 
 class StreamServer:
-    """A server in a process of its own, on one core."""
+    """A server in a process of its own, on two cores."""
 
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         self._process = process
@@ -92,10 +92,10 @@ class StreamServer:
 @contextmanager
 def stream_server(preset: str) -> Iterator[StreamServer]:
     """Serve meanwhile."""
-    core = max(os.sched_getaffinity(0))
+    cores = ",".join(map(str, sorted(os.sched_getaffinity(0))[-2:]))
     words = [sys.executable, "-m", "phonemeanalyser", "serve", "--port", "0", "--preset", preset]
     process = subprocess.Popen(
-        ["taskset", "-c", str(core), *words],
+        ["taskset", "-c", cores, *words],
         env=child_environment() | {"OPENBLAS_NUM_THREADS": "1"},
         cwd=ROOT,
         stdout=subprocess.PIPE,
@@ -111,7 +111,7 @@ def stream_server(preset: str) -> Iterator[StreamServer]:
 def loaded(
     n_streams: int, seconds: float, preset: str = "learned", rate: int = 24_000, *, disturbed: bool = False
 ) -> Load:
-    """Have so many streams run for so long; disturbed, beside clients that lie, flood, stall and vanish."""
+    """Run a number of streams for a time; disturbed, beside clients that lie, flood, stall and vanish."""
     sound = resample_whole(speech(30.0), SAMPLE_RATE, rate)
     data = np.rint(np.clip(sound, -1, 1) * 32_767).astype("<i2").tobytes()
     with stream_server(preset) as server:
@@ -148,7 +148,7 @@ async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: floa
 
 
 async def _beat(lags: list[float]) -> None:
-    """Note how late the client itself is woken at the most."""
+    """Note the longest delay with which the client itself wakes."""
     while True:
         due = time.monotonic() + BLOCK
         await asyncio.sleep(BLOCK)
@@ -159,7 +159,7 @@ async def _beat(lags: list[float]) -> None:
 async def _stream(
     session: aiohttp.ClientSession, address: str, data: bytes, phase: float, seconds: float, rate: int
 ) -> tuple[np.ndarray, int]:
-    """Play into one stream; give how late its frames were, and how many were not answered."""
+    """Play into one stream; return the latencies of its frames, and how many were not answered."""
     n_blocks, size = round(seconds / BLOCK), round(rate * BLOCK) * 2
     sent, late = np.zeros(n_blocks), []
     async with session.ws_connect(f"{address}/stream", compress=0) as socket:

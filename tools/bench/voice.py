@@ -1,4 +1,4 @@
-"""How soon a text is heard in a running program, and the memory that a text of one megabyte without a mark takes."""
+"""How soon a text plays in a running program, and the memory that a text of one megabyte without a mark takes."""
 
 import json
 import shutil
@@ -63,7 +63,7 @@ def main() -> None:
 
 
 def _first_sound(preset: Preset) -> float:
-    """Return how long it took from a text until its first sample was heard."""
+    """Return how long it took from a text until its first sample played."""
     began = time.monotonic()
     player = Player(SpooledSpeech(VOICE.speak(TEXT)), preset)
     player.play()

@@ -1,4 +1,4 @@
-"""The ear as WebAssembly, in Node, beside the same C compiled for this machine."""
+"""The runtime as WebAssembly, in Node, beside the same C compiled for this machine."""
 
 import statistics
 import subprocess
@@ -23,14 +23,14 @@ MOST_SECONDS, MOST_BYTES = 1e-3, 1_500_000
 
 
 class WasmEar:
-    """An ear in Node that hears a sound again and again."""
+    """A recogniser in Node that analyses a sound again and again."""
 
     def __init__(self, process: "subprocess.Popen[str]") -> None:
         self._process = process
         self.times: list[float] = []
 
     def listen(self) -> None:
-        """Hear all of it, and keep how long that took, by Node's clock."""
+        """Analyse all of it, and keep how long that took, by Node's clock."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         print("again", file=self._process.stdin, flush=True)

@@ -94,7 +94,7 @@ def imported_by(text: str) -> set[str]:
 
 
 def with_relative_imports(text: str, depth: int) -> str:
-    """Return a module's text, so many folders below the add-on's, with relative imports of what is taken along."""
+    """Return a module's text, for some folders below the add-on's, with relative imports of what is taken along."""
     lines = text.splitlines(keepends=True)
     for node in _imports_in(text):
         package = (node.module or "" if isinstance(node, ast.ImportFrom) else node.names[0].name).split(".")[0]

@@ -7,7 +7,7 @@ SIZE = 512
 
 
 def write_icon(out: Path) -> None:
-    """Write the icon as a PNG of `SIZE` pixels each way."""
+    """Write the icon as a PNG of `SIZE` x `SIZE` pixels."""
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     from PySide6.QtGui import QGuiApplication, QIcon
 

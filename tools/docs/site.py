@@ -11,7 +11,7 @@ PAGES = ("CHANGELOG.md", "CONTRIBUTING.md")
 
 def on_files(files: Files, config: Any) -> Files:
     """Add what lies outside of `docs`."""
-    pictures = [f"screenshots/{path.name}" for path in sorted((ROOT / "screenshots").glob("*.png"))]
+    pictures = [f"screenshots/{path.name}" for path in sorted((ROOT / "screenshots").iterdir())]
     for name in (*PAGES, *pictures):
         files.append(File.generated(config, name, abs_src_path=str(ROOT / name)))
     return files
@@ -22,5 +22,5 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     if page.file.src_uri in PAGES:
         return markdown.replace("](docs/", "](")
     for name in (*PAGES, "screenshots/"):
-        markdown = markdown.replace(f"](../{name}", f"]({name}")
+        markdown = markdown.replace(f"../{name}", name)
     return markdown

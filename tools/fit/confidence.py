@@ -1,4 +1,4 @@
-"""Fits how sure the answers of presets are to labelled speech, and writes it into them."""
+"""Fits the confidence of presets to labelled speech, and writes it into them."""
 
 import argparse
 import sys
@@ -26,10 +26,10 @@ def main() -> int:
         utterances = read_corpus(args.corpus)[:: args.every]
         for path in args.presets:
             preset = load_preset(path)
-            others = {ear: curve for ear, curve in preset.confidences.items() if ear is not preset.ear}
-            bare = replace(preset, confidences={**others, preset.ear: UNFITTED})
+            others = {kind: curve for kind, curve in preset.confidences.items() if kind is not preset.model_kind}
+            bare = replace(preset, confidences={**others, preset.model_kind: UNFITTED})
             curve = confidence_of([predict(u, bare) for u in tqdm(utterances, desc=path.name, unit="recording")])
-            save_preset(replace(preset, confidences={**others, preset.ear: curve}), path)
+            save_preset(replace(preset, confidences={**others, preset.model_kind: curve}), path)
             print(f"{path}: {', '.join(f'{share:.2f}' for share in curve.shares)}")
     except EngineError as error:
         print(error, file=sys.stderr)

@@ -2,37 +2,18 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.analyser import Analyser
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
+from phonemeengine.calibration.fits.rule_finding import FRONT_END, frame_weights
 from phonemeengine.calibration.scores.added_noise import AddedNoise, NoiseAdder, NoiseKind
 from phonemeengine.calibration.scores.corpus import FrameLabels, LabelledUtterance, frame_labels_of, read_corpus
-from phonemeengine.dsp.mel import frequency_of, mel_of
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import AnalysisSettings, Filter, WindowFunction
-
-N_BANDS = 24
-LOWEST, HIGHEST = 60.0, 8000.0
-"""Above, many recordings hold nothing; below, there is hum."""
-WIDTHS = (1, 2, 4, 8)
-"""How many bands of the mel scale a variable reaches over."""
-DIVIDED = {"r": 2, "w": 4}
-"""Widths of the variables that are divided by one another, by the letter with which their names begin."""
-
-FRONT_END = AnalysisSettings(
-    filters=frozenset({Filter.WINDOW_FUNCTION, Filter.HIGH_PASS, Filter.LOW_PASS, Filter.NORMALISE}),
-    window_function=WindowFunction.HAMMING,
-    high_pass_start=LOWEST,
-    high_pass_end=LOWEST,
-    low_pass_start=HIGHEST,
-    low_pass_end=HIGHEST,
-)
 
 GAINS = (-6.0, 6.0)
 FLOORS = (-75.0, -60.0)
@@ -44,9 +25,6 @@ COPIES = (1.0, 1.0, 0.5)
 """How much each copy of a recording counts: as it is, with another level and a noise floor, in noise."""
 IMPORTANCE = (("human", 3.0), ("festival", 2.0), ("espeak", 0.4))
 """How much a speaker counts, by the beginning of the corpus's name; 1 where it begins otherwise."""
-
-BESIDE_BOUNDARY = 0.3
-"""How much a frame counts beside one with another label."""
 
 BLOCK = 1 << 16
 STRIDE = 5
@@ -81,29 +59,7 @@ class RuleFeatures:
     @property
     def certainty(self) -> Float64Array:
         """How much each frame that was kept counts: less beside a boundary, whose place is seldom sure."""
-        changes = np.flatnonzero(np.diff(self.labels.phonemes))
-        certainty = np.ones(len(self.labels.phonemes))
-        certainty[changes] = certainty[changes + 1] = BESIDE_BOUNDARY
-        return certainty[:: self.stride]
-
-
-def candidates() -> tuple[Variable, ...]:
-    """Return the variables to choose from: bands of several widths, and bands divided by one another."""
-    marks = np.linspace(mel_of(LOWEST), mel_of(HIGHEST), N_BANDS + 1)
-    edges = [10.0 * round(float(frequency_of(mark)) / 10) for mark in marks]
-    bands = {
-        (first, width): Variable(
-            f"b{edges[first]:.0f}_{edges[first + width]:.0f}", edges[first], edges[first + width]
-        )
-        for width in WIDTHS
-        for first in range(0, N_BANDS + 1 - width, max(1, width // 2))
-    }
-    divided = [
-        Variable(f"{letter}{low.low:.0f}_{high.low:.0f}", low.low, low.high, per=high.name)
-        for letter, width in DIVIDED.items()
-        for low, high in combinations([bands[k, width] for k in range(0, N_BANDS + 1 - width, 2)], 2)
-    ]
-    return (*bands.values(), *divided)
+        return frame_weights(self.labels)[:: self.stride]
 
 
 def voice_of(utterance: LabelledUtterance) -> str:

@@ -18,10 +18,12 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import BoolArray, Float64Array, UInt8Array
 from phonemeengine.calibration.fits.fitting import cross_validate, groups_of
+from phonemeengine.calibration.fits.rule_finding import FRONT_END, HYSTERESES, UNASKED, candidates
+from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
 from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import BAND_VARIABLES, Variable
+from phonemeengine.features.variables import Variable
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
@@ -30,24 +32,18 @@ from phonemeengine.recognition.smoothing import SUCCESSORS, PhonemeSmoother
 from phonemeengine.recognition.spec import OWN_RULES
 from tools.fit.rule_features import (
     COPIES,
-    FRONT_END,
     SNRS,
     RuleFeatures,
     augmented_rule_features_of,
-    candidates,
     importance_of,
     rule_features_of,
     voice_of,
 )
-from tools.fit.rule_search import MOST_CONDITIONS, RuleSearch
 
+MOST_CHANGES = 1.45
+"""The least hysteresis is chosen by which the phonemes change at most this many times as often as the labels."""
 STEM, NAME = "extended", "Extended rules"
 MOST_RULES = 80
-UNASKED = {"f0", *(v.name for v in BAND_VARIABLES)} - {"energy_n"}
-"""What no rule asks for: `f0` costs more than all else, and the bands of the thesis are among others."""
-HYSTERESES = tuple(k / 20 for k in range(11))
-MOST_CHANGES = 1.45
-"""The least hysteresis is chosen by which the phonemes change no more than so many times as often as the labels."""
 
 Rules = tuple[Rule, ...]
 
@@ -88,7 +84,7 @@ class RuleFitter:
         self._names = [name for name in self._examples.features.names if name not in UNASKED]
 
     def fit(self) -> Preset:
-        """Grow the rules from everyone, and say how well rules do that have not heard a speaker."""
+        """Grow the rules from everyone, and measure how well rules do on speakers that they did not learn from."""
         voices = [voice_of(m.utterance) for m in self._corpus]
         unseen = cross_validate(
             voices, groups_of(voices, len(voices)), lambda chosen: self._rules_without(voices, chosen)
@@ -156,6 +152,7 @@ class RuleFitter:
             changes=MOST_CHANGES,
             low=SNRS[0],
             high=SNRS[1],
+            mouth=100 * scores.viseme_accuracy,
             unseen=_in_words(scores),
             kinds="; ".join(f"{kind} {self._scores(unseen, 0, hysteresis, kind).macro_f1:.3f}" for kind in kinds),
             faint=_in_words(self._scores(unseen, 1, hysteresis)),
@@ -165,7 +162,7 @@ class RuleFitter:
 
 
 NOTES = """\
-Rules of your own over frequency bands: every comparison shows its margin, and every limit can be dragged.
+Rules over frequency bands whose limits can all be dragged: mouth shapes {mouth:.0f} % on left-out speakers.
 {n_rules} rules over {n_variables} variables, fitted by fit_rules to {n_voices} voices, human
 and synthetic. The first rule whose comparisons all hold names the phoneme; no rule has more than {conditions}
 comparisons.

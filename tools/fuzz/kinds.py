@@ -203,13 +203,13 @@ def _through(path: Path, read: Callable[[Path], object]) -> Read:
 
 
 def _heard(content: bytes) -> object:
-    """Hear a stream of Ogg Opus, as it comes."""
+    """Analyse a stream of Ogg Opus, as it comes."""
     sound = IncomingSound(StreamFormat(Encoding.OPUS))
     return [sum(map(len, sound.pieces(content))), sound.finish()]
 
 
 def _heard_file(path: Path) -> object:
-    """Hear a sound file, its end first."""
+    """Analyse a sound file, its end first."""
     with SoundReader(path) as reader:
         reader.seek(reader.n_samples - 1000)
         n_last = len(reader.read_mono())

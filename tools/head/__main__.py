@@ -50,7 +50,7 @@ ROUNDNESS = 0.75
 SKULL = 8.35
 """Above this height is the skull, which is made rounder."""
 BULGE, STEEPEST, N_ROUNDED = 0.003, 0.9, 2
-"""Edges are cut, so many times, where the arc over them rises so far; where it turns more (radians), it is a fold."""
+"""Edges are cut this many times where the arc over them rises so far; where it turns more (radians), it is a fold."""
 HAIR, HIGHEST = (0.03, 0.10), 9.3
 """How thick the hair is at its edge and at the top, and how high that is."""
 N_AROUND = 32

@@ -113,7 +113,7 @@ def _brows(points: Floats) -> Floats:
 
 
 def _blush(points: Floats) -> Floats:
-    """Tell where blood shines through: cheeks, the tip of the nose, ears."""
+    """Tell where blood shines through: cheeks, the tip of the nose, earlobes."""
     return np.maximum.reduce([_near(points, *place) for place in BLUSHING])
 
 

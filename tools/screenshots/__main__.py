@@ -6,6 +6,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+import numpy as np
 import soundfile
 
 from tests.fakes.virtual_sound import VirtualSound
@@ -25,6 +26,8 @@ LIVE = {
     "microphone-dark.png": ("1280", "800", "dark"),
 }
 """The window while it records the demo from a virtual microphone."""
+N_TIMES = 5
+"""Of the demo at the microphone, since a busy computer takes long to show the window."""
 CALIBRATE = {
     "calibrate-light.png": ("1280", "800", "light"),
     "calibrate-large-dark.png": ("1920", "1080", "dark"),
@@ -38,6 +41,8 @@ TALK = {
 """The page of the head, while it says the demo."""
 COMPARE = {"compare-light.png": ("1280", "800", "light", "1.02", "en")}
 """Two heads that say a text in step, a recorded face and the rules."""
+MOVING = "window.gif"
+"""The window while it plays the demo, on two pages."""
 HEAD = {"head": {"head-visemes.png": "light"}, "contact_sheet": {"contact-sheet.png": "light"}}
 """The head that says a, e, i, o, u and m; and a sentence of the demo, sound by sound, beside its labels."""
 
@@ -56,13 +61,18 @@ def main() -> None:
             place = str(_place(name))
             command = [sys.executable, "-m", f"tools.screenshots.{module}", place, theme, width, height, at, language]
             subprocess.run(command, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    moving = [sys.executable, "-m", "tools.screenshots.moving", str(_place(MOVING))]
+    subprocess.run(moving, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
+    tutorials = [sys.executable, "-m", "tools.screenshots.tutorials", str(ROOT / "screenshots")]
+    subprocess.run(tutorials, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
     for module, pictures in HEAD.items():
         for name, theme in pictures.items():
             command = [sys.executable, "-m", f"tools.screenshots.{module}", str(_place(name)), theme]
             subprocess.run(command, check=True, cwd=ROOT)
     with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
         wav = Path(folder) / "demo.wav"
-        soundfile.write(wav, *soundfile.read(DEMO))
+        samples, rate = soundfile.read(DEMO)
+        soundfile.write(wav, np.tile(samples, N_TIMES), rate)
         for name, (width, height, theme) in LIVE.items():
             voice = sound.play_into_microphone(wav)
             command = [sys.executable, "-m", "tools.screenshots.live", str(_place(name)), theme, width, height, "6.0"]

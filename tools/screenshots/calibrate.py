@@ -1,21 +1,16 @@
 """Takes a picture of the page of the calibration: run by screenshots.py."""
 
 import sys
-import tempfile
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QSettings
 
-from phonemeanalyser.desktop.app import Desktop, make_application
 from phonemeanalyser.desktop.calibrate.model import CalibrationModel
-from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import FACTORY
 from phonemeengine.settings import SAMPLE_RATE
 from tests.sounds import noise, silence, vowel
 from tools.bench.desktop import live_for
+from tools.screenshots.desktops import CALIBRATE, shown_desktop
 
 CARDS = Path(__file__).parents[2] / "tests" / "data" / "cards.flac"
 FORMANTS = {
@@ -29,23 +24,14 @@ FORMANTS = {
 
 def main(out: Path, theme: str, width: int, height: int) -> None:
     """Take made-up sounds, load real labelled speech, and save what the page shows of both."""
-    with tempfile.TemporaryDirectory() as folder:
-        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
-        settings.setValue("theme", theme)
-        settings.setValue("language", "en")
-        microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
-        desktop = Desktop(
-            make_application(), settings, microphone=microphone, preset=PresetModel(FACTORY / "extended.toml")
-        )
-        desktop.window.resize(width, height)
-        desktop.window.show()
+    with shown_desktop((width, height), theme, preset="extended") as (desktop, folder):
         desktop.session.open(CARDS)
         calibration = desktop.calibration
         calibration.takes.speaker = "Mara"
-        calibration.takes.open(Path(folder) / "My Takes")
+        calibration.takes.open(folder / "My Takes")
         _record_takes(calibration)
         calibration.recordings.load([CARDS])
-        desktop.window.show_page(1)
+        desktop.window.show_page(CALIBRATE)
         _settle(calibration)
         page = desktop.window.calibration
         calibration.workbench.choose("m_a1")
@@ -55,7 +41,6 @@ def main(out: Path, theme: str, width: int, height: int) -> None:
         desktop.window.banner.show_error("")
         live_for(0.2)
         desktop.window.grab().save(str(out), "PNG")
-        desktop.close()
 
 
 def _record_takes(calibration: CalibrationModel) -> None:
@@ -79,6 +64,8 @@ def _record_takes(calibration: CalibrationModel) -> None:
 def _settle(calibration: CalibrationModel) -> None:
     live_for(0.3)
     while calibration.takes.busy or calibration.recordings.busy or calibration.workbench.measuring.busy:
+        live_for(0.1)
+    while calibration.workbench.features is not None and calibration.workbench.shown is None:
         live_for(0.1)
     live_for(0.3)
 

@@ -1,34 +1,22 @@
 """Takes a picture of two heads that say the same in step: run by screenshots.py."""
 
 import sys
-import tempfile
 from pathlib import Path
 
-from PySide6.QtCore import QSettings
-
-from phonemeanalyser.desktop.app import Desktop, make_application
-from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeengine import Voice, build_table, make_corpus, speak
-from phonemeengine.audio.output import ClockOutput
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.making import sentences
 from tools.bench.desktop import live_for
+from tools.screenshots.desktops import TALK, shown_desktop
 
-TALK, MINUTES = 2, 4
+MINUTES = 4
 LANGUAGE, TEXT = "en-us", "Please bring my blue bowl to the old farmer. Yes, the sheep are happy."
 
 
 def main(out: Path, theme: str, width: int, height: int, at: float, language: str) -> None:
     """Have a recorded face say a text up to a time, beside the rules, and save what the page shows then."""
-    with tempfile.TemporaryDirectory() as folder:
-        table = _table_in(Path(folder))
-        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
-        settings.setValue("theme", theme)
-        settings.setValue("language", language)
-        microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
-        desktop = Desktop(make_application(), settings, lambda _n: ClockOutput(), microphone)
-        desktop.window.resize(width, height)
-        desktop.window.show()
+    with shown_desktop((width, height), theme, language) as (desktop, folder):
+        table = _table_in(folder)
         desktop.window.show_page(TALK)
         texts, drivers = desktop.talking.text, desktop.talking.text.drivers
         desktop.talking.set_blinks(False)
@@ -48,7 +36,6 @@ def main(out: Path, theme: str, width: int, height: int, at: float, language: st
         desktop.window.banner.show_error("")
         desktop.talking.set_blinks(True)
         desktop.window.grab().save(str(out), "PNG")
-        desktop.close()
 
 
 def _table_in(folder: Path) -> Path:

@@ -29,6 +29,7 @@ def main(out: Path, theme: str, width: int, height: int, seconds: float) -> None
         desktop.session.set_source(SourceKind.MICROPHONE)
         desktop.session.toggle_recording()
         _wait_until_recorded(desktop.session, seconds)
+        desktop.window.banner.show_error("")
         desktop.window.grab().save(str(out), "PNG")
         desktop.close()
 

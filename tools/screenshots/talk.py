@@ -1,30 +1,15 @@
 """Takes a picture of the page of the head: run by screenshots.py."""
 
 import sys
-import tempfile
 from pathlib import Path
 
-from PySide6.QtCore import QSettings
-
-from phonemeanalyser.desktop.app import Desktop, make_application
-from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeengine.audio.output import ClockOutput
 from tools.bench.desktop import live_for
-
-DEMO = Path(__file__).resolve().parents[2] / "phonemeanalyser" / "demo" / "demo.flac"
-TALK = 2
+from tools.screenshots.desktops import DEMO, TALK, shown_desktop
 
 
 def main(out: Path, theme: str, width: int, height: int, at: float, language: str) -> None:
     """Have the head say the demo up to a time, and save what the page shows then."""
-    with tempfile.TemporaryDirectory() as folder:
-        settings = QSettings(str(Path(folder) / "settings.ini"), QSettings.Format.IniFormat)
-        settings.setValue("theme", theme)
-        settings.setValue("language", language)
-        microphone = Microphone(journal=Path(folder) / "journal", folder=Path(folder) / "Recordings")
-        desktop = Desktop(make_application(), settings, lambda _n: ClockOutput(), microphone)
-        desktop.window.resize(width, height)
-        desktop.window.show()
+    with shown_desktop((width, height), theme, language) as (desktop, _):
         desktop.session.open(DEMO)
         desktop.window.show_page(TALK)
         desktop.talking.set_blinks(False)
@@ -37,7 +22,6 @@ def main(out: Path, theme: str, width: int, height: int, at: float, language: st
         live_for(1.0)
         desktop.talking.set_blinks(True)
         desktop.window.grab().save(str(out), "PNG")
-        desktop.close()
 
 
 if __name__ == "__main__":

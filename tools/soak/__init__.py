@@ -1,1 +1,1 @@
-"""A microphone that is heard for a long time: nothing may be lost, and nothing may grow."""
+"""A microphone that is used for a long time: nothing may be lost, and nothing may grow."""

@@ -17,7 +17,7 @@ from phonemeengine.live.recorder import Recorder
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 
 TICK = 1 / 60
-"""Seconds between two looks at what has been heard, as a window has it."""
+"""Seconds between two looks at what has arrived, as a window has it."""
 
 
 class Watch:

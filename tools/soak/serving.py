@@ -1,4 +1,4 @@
-"""Has fifty live streams run against a server on one core for a long time, beside clients that behave badly."""
+"""Has fifty live streams run against a server on two cores for a long time, beside clients that behave badly."""
 
 import argparse
 import statistics

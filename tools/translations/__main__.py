@@ -9,12 +9,14 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import LANGUAGES, TRANSLATIONS, WRITTEN_IN
+from tools.translations.errors import LIST, errors_in
 from tools.translations.sources import sources_in
 from tools.translations.ts_file import read_translations, write_translations
 
 
 def main(begun: Iterable[str] = ()) -> int:
     """Do it for every language, and for those that are begun; the exit code is 1 where a text is untranslated."""
+    LIST.write_text("".join(f"{text}\n" for text in errors_in()), "utf-8")
     sources, lacking = sources_in(), 0
     for language in dict.fromkeys((*LANGUAGES, *begun)):
         if language == WRITTEN_IN:

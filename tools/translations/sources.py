@@ -1,6 +1,7 @@
-"""Finds the texts of the window that are translated: those that the code gives to `tr` and its kin.
+"""Finds the texts of the window that are translated: those that the code gives to `tr` and its relatives.
 
-To these come the words of the engine's table of parameters, so that a filter is named in one place.
+To these come the words of the engine's table of parameters, so that a filter is named in one place, and the sentences
+with which it refuses something.
 """
 
 import ast
@@ -9,6 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from phonemeengine.settings import STAGES
+from tools.translations.errors import errors_in
 
 ROOT = Path(__file__).resolve().parents[2]
 WINDOW = ROOT / "phonemeanalyser" / "desktop"
@@ -32,13 +34,15 @@ class Source:
 
 
 def sources_in(folder: Path = WINDOW) -> dict[tuple[str, str], Source]:
-    """Return all texts of a folder and of the parameters by text and comment, each where it is found first."""
+    """Return all texts of a folder and of the engine by text and comment, each where it is found first."""
     found: dict[tuple[str, str], Source] = {}
     for path in sorted(folder.rglob("*.py")):
         for text, comment in texts_of(path.read_text("utf-8")):
             found.setdefault((text, comment), Source(text, comment, path.relative_to(ROOT).as_posix()))
     for text in texts_of_parameters():
         found.setdefault((text, ""), Source(text, "", "engine/phonemeengine/settings.py"))
+    for text, path in errors_in().items():
+        found.setdefault((text, ""), Source(text, "", path.relative_to(ROOT).as_posix()))
     return found
 
 

@@ -1,6 +1,6 @@
 """Times of the phones of short recordings of one speaker, whose phones are known: learned from all of them together.
 
-Where somebody speaks, the level tells. Every phone has three states, a normal distribution of mel cepstra each. They
+Speech is found by its level. Every phone has three states, a normal distribution of mel cepstra each. They
 are estimated from equal parts of the speech; then, in turn, the best path through each recording is found, and they
 are estimated anew. At last every boundary moves to the greatest change near it.
 """
@@ -55,7 +55,7 @@ def aligned(sounds: list[np.ndarray], sample_rate: int, chains: list[tuple[str, 
 
 
 def speech_range(sound: np.ndarray, fewest: int) -> tuple[int, int]:
-    """Return the first frame of a recording's speech and the one after its last, at least so many."""
+    """Return the first frame of a recording's speech and the one after its last, at least this many."""
     voice, hiss = (_levels(sound, band) for band in (VOICE, HISS))
     loud = (voice > voice.max() - VOICE_DROP) | (hiss > np.percentile(hiss, 10) + HISS_RISE)
     frames = np.flatnonzero(loud)

@@ -11,7 +11,7 @@ from tools.voices.writing import UtteranceWriter, replace_speaker
 
 
 def build(folder: Path, cache: Path, wanted: list[str], minutes: float) -> None:
-    """Speak so many minutes with each voice whose name, or whose source's name, is wanted; of people, write all."""
+    """Speak some minutes with each voice whose name, or whose source's name, is wanted; of people, write all."""
     for voice in chosen(cache, wanted):
         replace_speaker(folder, voice.speaker, [])
         writer = UtteranceWriter(folder, voice.speaker, voice.table, voice.shift)

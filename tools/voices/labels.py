@@ -1,4 +1,4 @@
-"""Labels: gapless stretches of one phone each, with affricates cut into closure and friction."""
+"""Labels: gapless intervals of one phone each, with affricates cut into closure and friction."""
 
 from typing import NamedTuple
 

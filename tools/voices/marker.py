@@ -1,9 +1,9 @@
-"""The marker voice: a twin of an HTS voice that tells which phone it speaks, in every frame.
+"""The marker voice: a copy of an HTS voice that marks which phone it speaks, in every frame.
 
 RHVoice and Open JTalk give no phone times. A voice file holds trees that say, of a phone in its context, how long it
 lasts and how it sounds. The marker keeps the durations and replaces the sounds: a steady pulse train whose loudness
-and tilt (mel cepstrum 0 and 1) are a code of the phone. So the twin's sound, of the same text, can be read off frame
-by frame, and the boundaries found are those which the synthesizer itself used.
+and tilt (mel cepstrum 0 and 1) are a code of the phone. So the phones of the original's sound, of the same text, can
+be read off frame by frame, and the boundaries found are those which the synthesizer itself used.
 """
 
 import re
@@ -122,7 +122,7 @@ def segments_marked(
     Raises
     ------
     ValueError
-        If a stretch fits no phone.
+        If an interval fits no phone.
     """
     nearest, distance = _nearest(sound, phones, first, geometry)
     settled = _settled(nearest, distance < CLOSE)

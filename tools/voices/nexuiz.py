@@ -29,7 +29,7 @@ def voices(cache: Path) -> list[Voice]:
 
 
 def actor_of(name: str) -> str:
-    """Who calls in a file of the archive; empty where nobody does."""
+    """Who calls in a file of the archive; empty where there is no voice."""
     call = CALL.fullmatch(name)
     return (call[1] or "announcer") if call else ""
 

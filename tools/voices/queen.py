@@ -44,5 +44,5 @@ def is_line(name: str) -> bool:
 
 
 def speaker_of(name: str) -> str:
-    """Who speaks a line: the hero, whom the seventh letter tells, or somebody of the dialogue in the first two."""
+    """Who speaks a line: the hero, by the seventh letter, or another one of the dialogue, by the first two."""
     return "hero" if name.startswith("JOE") or name[6] == "J" else name[:2]

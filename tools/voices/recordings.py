@@ -13,7 +13,7 @@ from tools.voices.writing import Speaker, Utterance
 
 PEOPLE = "human"  # kind of speaker in the manifest
 SHORTEST, LONGEST = 0.3, 30.0  # s
-QUIETEST = 0.01  # root mean square of the loudest 20 ms, full scale 1: below it nobody speaks
+QUIETEST = 0.01  # root mean square of the loudest 20 ms, full scale 1: below it there is no speech
 
 
 class Source(NamedTuple):

@@ -110,7 +110,7 @@ def _utterances(model: Model, cache: Path) -> Iterator[Utterance]:
 
 
 def slowed(segments: list[Segment], factor: float) -> list[Segment]:
-    """The segments, so many times as long."""
+    """The segments, made this many times as long."""
     return [Segment(start * factor, end * factor, phone) for start, end, phone in segments]
 
 

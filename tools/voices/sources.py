@@ -80,7 +80,7 @@ TEXT_PACKAGES = tuple(sorted({p.split("/")[0] for s in SOURCES.values() for p in
 
 
 def blocks(patterns: tuple[str, ...], packages: Path) -> Iterator[str]:
-    """Stretches of raw text from the files of these patterns, in a fixed order."""
+    """Sections of raw text from the files of these patterns, in a fixed order."""
     for pattern in patterns:
         for path in sorted(packages.glob(pattern)):
             if path.is_file():

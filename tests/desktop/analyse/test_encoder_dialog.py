@@ -32,7 +32,7 @@ def said(dialog, qtbot) -> str:
 
 
 def test_without_a_model_it_says_how_to_get_one(dialog, qtbot):
-    assert said(dialog, qtbot) == "There is no model yet: fetch it, or choose the folder of one that you have."
+    assert said(dialog, qtbot) == "No model is installed: download it, or choose the folder of one that you have."
     assert not dialog.buttons[1].isEnabled()  # there is nothing to forget
 
 
@@ -54,7 +54,7 @@ def test_a_chosen_folder_is_used_and_forgotten(dialog, files, qtbot, whisper_fol
     wanted = f"In use: Whisper base, multilingual, by OpenAI, MIT licence; chosen: {whisper_folder}."
     assert said(dialog, qtbot) == wanted
     dialog.buttons[1].click()
-    assert said(dialog, qtbot).startswith("There is no model yet")
+    assert said(dialog, qtbot).startswith("No model is installed")
 
 
 def test_a_folder_without_a_model_is_refused(dialog, files, qtbot, tmp_path):
@@ -73,7 +73,7 @@ def test_fetching_is_told_and_so_is_its_failure(dialog, qtbot, monkeypatch):
     said(dialog, qtbot)
     monkeypatch.setitem(sys.modules, "huggingface_hub", SimpleNamespace(snapshot_download=refuse))
     dialog.buttons[2].click()
-    assert dialog.state.text() == "Fetching the model, 145 MB …"
+    assert dialog.state.text() == "Downloading the model (145 MB)…"
     assert not dialog.buttons[2].isEnabled()
     assert said(dialog, qtbot).startswith("Whisper base cannot be fetched (no network)")
 

@@ -144,8 +144,8 @@ def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel
     qtbot.waitUntil(lambda: bool(sonagram.tiles_for(desktop.session.view.seen, width)))
     qtbot.waitUntil(lambda: panel.view.grab().toImage() != before)
     before = panel.view.grab().toImage()
-    panel.variable.setCurrentText("volume")
-    assert panel.view.variable == "volume"
+    desktop.window.analysis.courses.choose("volume")
+    assert list(panel.view.course_rows()) == ["volume"]
     assert panel.view.grab().toImage() != before
 
 
@@ -194,13 +194,21 @@ def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
     word = Word("hallo", (Syllable(phones),))
     desktop.talking.text.words.put(KnownWords(Utterance((word,), desktop.session.source.duration)))
     lanes = {lane.name: (row, lane) for row, lane in view._layout.spoken_rows()}
-    assert list(lanes) == ["words", "syllables", "phones"]
-    row, lane = lanes["words"]
+    assert list(lanes) == ["Words", "Syllables"]  # the labels have phones
+    row, lane = lanes["Words"]
     assert lane.texts == ["hallo"]
     rows = view._layout.rows()
     assert rows[1].bottom() < row.top() < row.bottom() < rows[2].top()
-    QTest.mouseMove(view, QPointF(view._layout.x_of(1.2), row.center().y()).toPoint())
-    qtbot.waitUntil(lambda: "words: hallo" in view.reading())
+
+    def is_read() -> bool:
+        under = {lane.name: row for row, lane in view._layout.spoken_rows()}["Words"]  # it may move meanwhile
+        QTest.mouseMove(view, QPointF(view._layout.x_of(1.2), under.center().y()).toPoint())
+        return "Words: hallo" in view.reading()
+
+    qtbot.waitUntil(is_read)
+    tier = Tier("words", (RawLabel(0.5, 1.5, "hallo", ""),))
+    desktop.session.labels.put(LabelState((tier,), (0,), 0))
+    assert [lane.name for _, lane in view._layout.spoken_rows()] == ["Phones"]
     window.analysis.file.overlays["words"].setChecked(False)
     assert view._layout.spoken_rows() == []
 

@@ -55,7 +55,7 @@ def test_another_device_is_opened_and_kept_for_the_next_start(desktop, window, q
     window.save_state()
     assert window._settings.value("output") == "Phones · ALSA"
     session.playback.outputs._show([])
-    assert entry(window, "Phones · ALSA (not there)").isChecked()
+    assert entry(window, "Phones · ALSA (not connected)").isChecked()
 
 
 def test_the_next_speed_is_the_nearest_one_on():
@@ -65,7 +65,7 @@ def test_the_next_speed_is_the_nearest_one_on():
 
 def test_frozen_is_a_chip_that_a_click_thaws(window):
     window.set_frozen(True)
-    assert window.status.chips.words() == "frozen"
+    assert window.status.chips.words() == "Frozen"
     QTest.mouseClick(window.status.chips.frozen, LEFT)
     assert not window.redraw.frozen
     assert window.status.chips.words() == ""

@@ -60,7 +60,7 @@ def test_showing_a_tone_says_nothing_and_changes_nothing(shown: Shown, told: lis
     bar.show_tone(tone)
     assert not told
     assert bar.tone == tone
-    assert bar.vowel.currentText() == "own"
+    assert bar.vowel.currentText() == "custom"
     assert not bar.numbers["F3"].isVisible()
 
 
@@ -126,7 +126,7 @@ def test_a_vowel_brings_its_formants(shown: Shown, told: list[Tone], name: str):
 def test_another_formant_makes_the_vowel_an_own_one(shown: Shown, told: list[Tone]):
     bar = shown(Tone(ToneKind.VOWEL))
     type_number(bar.numbers["F2"], "1500")
-    assert bar.vowel.currentText() == "own"
+    assert bar.vowel.currentText() == "custom"
     assert told[-1].formants == (VOWEL_FORMANTS["a"][0], Formant(1500, 70), *VOWEL_FORMANTS["a"][2:])
 
 
@@ -134,7 +134,7 @@ def test_choosing_own_leads_to_the_first_formant_and_changes_no_sound(shown: Sho
     bar = shown(Tone(ToneKind.VOWEL, formants=VOWEL_FORMANTS["u"]))
     bar.vowel.setFocus()
     QTest.keyClick(bar.vowel, Qt.Key.Key_Down)
-    assert bar.vowel.currentText() == "own"
+    assert bar.vowel.currentText() == "custom"
     assert bar.focusWidget() is bar.numbers["F1"]
     assert not told
 

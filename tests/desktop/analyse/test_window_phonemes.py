@@ -35,7 +35,7 @@ def said(window) -> str:
 def save(window, qtbot) -> None:
     """Press the key, and wait until all is written."""
     press(window, Qt.Key.Key_E, CONTROL)
-    qtbot.waitUntil(lambda: "are looked for" not in said(window))
+    qtbot.waitUntil(lambda: "Recognising" not in said(window))
 
 
 @pytest.fixture
@@ -67,7 +67,7 @@ def test_the_key_the_dialog_and_return_save_a_textgrid_beside_the_sound(window, 
     save(window, qtbot)
     assert asked == ["speech.TextGrid"]
     target = sound.with_suffix(".TextGrid")
-    assert said(window).startswith(f"The phonemes of speech.wav are saved in {target}, heard with: ")
+    assert said(window).startswith(f"Phonemes of speech.wav saved as {target}. Model: ")
     assert len(heard(target)) > 2
 
 
@@ -127,13 +127,13 @@ def test_who_names_no_file_changes_nothing(window, qtbot, tmp_path, answer):
 def test_without_a_file_it_says_what_to_do(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     save(window, qtbot)
-    assert said(window) == "There is no sound file in hand; open the one whose phonemes are to be saved."
+    assert said(window) == "No audio file is open. Open the one whose phonemes you want to save."
 
 
 def test_at_another_source_it_says_what_to_do(desktop, window, qtbot):
     desktop.session.set_source(SourceKind.TONE)
     save(window, qtbot)
-    assert said(window).startswith("There is no sound file in hand")
+    assert said(window).startswith("No audio file is open")
 
 
 def test_a_folder_that_is_gone_is_said(window, qtbot, tmp_path, answer):
@@ -169,14 +169,14 @@ def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, w
     answer(sound.with_suffix(".TextGrid"))
     wait_behind(held, desktop, sound)
     press(window, Qt.Key.Key_E, CONTROL)
-    assert said(window) == "The phonemes of speech.wav are looked for, and then saved in speech.TextGrid …"
+    assert said(window) == "Recognising the phonemes of speech.wav and saving them as speech.TextGrid…"
     window.dialogs.open_sound(CARDS)
     press(window, Qt.Key.Key_Space)
     qtbot.waitUntil(lambda: desktop.session.source.position > 0.1)
     assert desktop.session.writer.busy
     desktop.set_theme("dark")
     held.set()
-    qtbot.waitUntil(lambda: "speech.wav are saved" in said(desktop.window))
+    qtbot.waitUntil(lambda: "Phonemes of speech.wav saved" in said(desktop.window))
     assert len(heard(sound.with_suffix(".TextGrid"))) > 2
 
 
@@ -190,4 +190,4 @@ def test_what_was_asked_for_is_written_before_the_program_ends(own_desktop, qtbo
 
 
 def test_the_key_stands_in_the_list_of_keys(window):
-    assert ("Save the Phonemes…", "Ctrl+E") in window.menus.keys()["File"]
+    assert ("Save Phonemes…", "Ctrl+E") in window.menus.keys()["File"]

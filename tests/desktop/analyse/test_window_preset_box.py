@@ -1,15 +1,16 @@
-"""The box of presets, each with a line that says what it is; and what a PhonemeData file cannot hold."""
+"""The list of presets, each with a line that says what it is; and what a PhonemeData file cannot hold."""
 
 from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from phonemeengine.presets import files
-from phonemeengine.presets.files import FACTORY_PRESETS, load_preset, save_preset
+from phonemeengine.presets.files import FACTORY_PRESETS, THESIS_PRESET, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.paths import presets_folder
-from tests.desktop.hands import FileAnswers, answer, press, shown, type_number
+from tests.desktop.hands import FileAnswers, answer, click, press, shown, type_number
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
 
@@ -19,70 +20,114 @@ def window(desktop, qtbot, home):
     return shown(desktop, qtbot)
 
 
-def entries(window) -> dict[str, list[str]]:
-    """The entries of the menu below each heading."""
-    menu = window.preset_box.menu()
-    menu.aboutToShow.emit()
-    found: dict[str, list[str]] = {}
-    for action in menu.actions():
-        if action.isSeparator():
-            heading = action.text()
-            found[heading] = []
-        else:
-            found[heading].append(action.text())
-    return found
+def listed(window) -> list[tuple[str, str, str]]:
+    """Mark, name and summary of the lines that are seen."""
+    return [(line.text(0), line.text(1), line.text(2)) for line in window.preset_box.list.lines()]
 
 
-def choose(window, name: str) -> None:
-    menu = window.preset_box.menu()
-    menu.aboutToShow.emit()
-    (action,) = [a for a in menu.actions() if a.text().partition(":")[0] == name]
-    action.trigger()
+def headings(window) -> dict[str, list[str]]:
+    """The names below each heading."""
+    window.preset_box.open_list()
+    window.preset_box.list.hide()
+    groups = window.preset_box.list._groups
+    return {heading.text(0) if heading else "": [line.text(1) for line in lines] for heading, lines in groups}
 
 
-def test_all_factory_presets_are_one_click_apart_and_say_what_they_are(desktop, window):
-    listed = entries(window)["Factory"]
-    assert len(listed) == len(FACTORY_PRESETS)
+def test_all_factory_presets_are_one_click_apart_and_say_what_they_are_and_how_well_they_do(desktop, window):
+    assert len(headings(window)["Factory"]) == len(FACTORY_PRESETS)
     for path in FACTORY_PRESETS:
         preset = load_preset(path)
-        assert f"{preset.name}:  {preset.summary}" in listed
-        choose(window, preset.name)
+        click(window.preset_box)
+        lines = window.preset_box.list.lines()
+        (line,) = [line for line in lines if line.text(1) == preset.name]
+        assert line.text(2) == preset.summary
+        assert "% on left-out speakers" in preset.summary
+        window.preset_box.list.entries.itemClicked.emit(line, 1)
+        assert not window.preset_box.list.isVisible()
         assert desktop.preset.path == path
-        assert window.preset_box.text() == preset.name
+        assert window.preset_box.text() == f"{preset.name} ▾"
+
+
+def test_keys_open_search_move_and_choose(desktop, window):
+    press(window, Qt.Key.Key_O, CONTROL | SHIFT)
+    picker = window.preset_box.list
+    assert picker.isVisible()
+    assert [line for line in listed(window) if line[0]] == [("✓", "Thesis", desktop.preset.preset.summary)]
+    QTest.keyClicks(picker.search, "thesis hyst")
+    assert [name for _, name, _ in listed(window)] == ["Thesis, calm", "Thesis, anti-aliased", "Open file…"]
+    QTest.keyClick(picker.search, Qt.Key.Key_Down)
+    QTest.keyClick(picker.search, Qt.Key.Key_Return)
+    assert not picker.isVisible()
+    assert desktop.preset.preset.name == "Thesis, anti-aliased"
+    assert not desktop.session.source.playing
+
+
+def test_escape_closes_the_list_and_changes_nothing(desktop, window):
+    desktop.session.play()
+    press(window, Qt.Key.Key_O, CONTROL | SHIFT)
+    QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Escape)
+    assert not window.preset_box.list.isVisible()
+    assert desktop.session.source.playing  # Escape is else for Stop
+    assert desktop.preset.path == THESIS_PRESET
+
+
+def test_any_preset_becomes_b_by_key_button_or_command(desktop, window):
+    picker = window.preset_box.list
+    press(window, Qt.Key.Key_O, CONTROL | SHIFT)
+    QTest.keyClicks(picker.search, "templates")
+    QTest.keyClick(picker.search, Qt.Key.Key_Return, CONTROL)
+    assert [preset.name for preset in desktop.preset.sides.values()] == ["Thesis", "Templates"]
+    window.preset_box.open_list()
+    assert [line[:2] for line in listed(window) if line[0]] == [("B", "Templates"), ("A", "Thesis")]
+    assert picker.as_other.text() == "Set as B"
+    QTest.keyClicks(picker.search, "calm")
+    click(picker.as_other)
+    assert desktop.preset.sides["B"].name == "Thesis, calm"
+    window.menus.actions["Choose Preset B…"].trigger()
+    QTest.keyClicks(picker.search, "extended")
+    QTest.keyClick(picker.search, Qt.Key.Key_Return)
+    assert desktop.preset.sides["B"].name == "Extended rules"
+    desktop.preset.switch()
+    assert window.preset_box.text() == "B: Extended rules ▾"
+    assert picker.as_other.text() == "Set as A"
+
+
+def test_a_file_of_any_folder_is_an_entry(desktop, window, tmp_path):
+    save_preset(Preset(name="Ben"), tmp_path / "ben.toml")
+    window.files.show = FileAnswers(tmp_path / "ben.toml")
+    window.preset_box.open_list()
+    QTest.keyClicks(window.preset_box.list.search, "nothing has these words")
+    assert [name for _, name, _ in listed(window)] == ["Open file…"]
+    QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Return)
+    assert desktop.preset.path == tmp_path / "ben.toml"
 
 
 def test_a_preset_that_is_named_is_remembered_by_its_file(desktop, window, settings):
-    window.dialogs.load_preset(Path("templates"))
+    window.dialogs.presets.load(Path("templates"))
     assert Path(str(settings.value("preset"))) == files.FACTORY / "templates.toml"
 
 
-def test_the_one_in_use_is_ticked(window):
-    choose(window, "Templates")
-    window.preset_box.menu().aboutToShow.emit()
-    assert [a.text().partition(":")[0] for a in window.preset_box.menu().actions() if a.isChecked()] == ["Templates"]
-
-
 def test_one_s_own_presets_and_those_used_lately_are_listed(window, tmp_path):
-    assert entries(window).keys() == {"Factory", ""}
+    assert headings(window).keys() == {"Factory", ""}
     presets_folder().mkdir(parents=True)
     save_preset(Preset(name="Anna", notes="Anna, in the studio.\nMore."), presets_folder() / "anna.toml")
     save_preset(Preset(name="Ben"), tmp_path / "ben.phonemedata")
     (presets_folder() / "broken.toml").write_text("[")
-    window.dialogs.load_preset(tmp_path / "ben.phonemedata")
-    listed = entries(window)
-    assert listed["Mine"] == ["Anna:  Anna, in the studio."]
-    assert listed["Recent"] == ["ben:  The rules of the thesis with the 21 numbers of a PhonemeData file."]
-    assert {"Save Preset As…", "Load Preset…"} < set(listed[""])
+    window.dialogs.presets.load(tmp_path / "ben.phonemedata")
+    found = headings(window)
+    assert (found["User"], found["Recent"]) == (["Anna"], ["ben"])
+    assert ("", "Anna", "Anna, in the studio.") in listed(window)
+    assert ("✓", "ben", "The rules of the thesis with the 21 numbers of a PhonemeData file.") in listed(window)
 
 
 def test_an_own_preset_is_saved_into_the_folder_of_own_presets_and_then_listed(desktop, window, tmp_path):
     window.files.show = files_asked = FileAnswers(as_suggested=True)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
-    assert window.preset_box.text() == "Thesis*"
+    assert window.preset_box.text() == "Thesis* ▾"
     press(window, Qt.Key.Key_S, CONTROL | SHIFT)
     assert files_asked.suggested == [presets_folder() / "thesis-mine.toml"]
-    assert window.preset_box.text() == "thesis-mine"
-    assert entries(window)["Mine"] == [f"thesis-mine:  {desktop.preset.preset.summary}"]
+    assert window.preset_box.text() == "thesis-mine ▾"
+    assert headings(window)["User"] == ["thesis-mine"]
 
 
 # -- what a PhonemeData file cannot hold ----------------------------------------------------------------------
@@ -93,7 +138,7 @@ def old(desktop, window, tmp_path) -> Path:
     """A PhonemeData file in hand, with something that it cannot hold."""
     path = tmp_path / "old.phonemedata"
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
-    window.dialogs.load_preset(path)
+    window.dialogs.presets.load(path)
     desktop.preset.set_setting("hysteresis", 0.5)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     return path
@@ -102,7 +147,7 @@ def old(desktop, window, tmp_path) -> Path:
 def test_numbers_alone_are_saved_without_a_question(desktop, window, tmp_path, hand):
     path = tmp_path / "old.phonemedata"
     path.write_bytes((files.FACTORY / "thesis.phonemedata").read_bytes())
-    window.dialogs.load_preset(path)
+    window.dialogs.presets.load(path)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
     press(window, Qt.Key.Key_S, CONTROL)
     assert hand.titles == []
@@ -114,7 +159,7 @@ def test_cancel_writes_nothing_and_keeps_all(desktop, window, old):
     before = old.read_bytes()
     told = answer("Cancel")
     press(window, Qt.Key.Key_S, CONTROL)
-    assert "old.phonemedata cannot hold hold and hysteresis of this preset" in told[0]
+    assert "old.phonemedata cannot store hold and hysteresis of this preset" in told[0]
     assert old.read_bytes() == before
     assert desktop.preset.preset.settings.hysteresis == 0.5
     assert window.isWindowModified()
@@ -132,7 +177,7 @@ def test_all_of_it_is_saved_as_toml(desktop, window, old):
 
 
 def test_the_numbers_are_saved_with_a_yes_and_the_rest_stays_marked(desktop, window, old):
-    answer("Save the 21 Numbers Only")
+    answer("Save 21 Numbers Only")
     press(window, Qt.Key.Key_S, CONTROL)
     assert load_preset(old).thresholds.sz_s1 == 3.5
     assert desktop.preset.preset.settings.hysteresis == 0.5

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QContextMenuEvent, QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+from PySide6.QtWidgets import QApplication, QGraphicsPolygonItem, QLabel
 
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.inspection.averaged_spectrum import load_averaged_spectrum
@@ -63,18 +63,24 @@ def test_a_tone_is_a_peak_of_its_amplitude_at_its_frequency(view):
     assert y.max() == pytest.approx(0.5, abs=0.03)
 
 
-def test_empty_plots_say_how_to_fill_them(desktop, window):
+def test_empty_plots_say_how_to_fill_them(desktop, window, tmp_path):
     def said() -> list[list[str]]:
         plots = (window.analysis.spectrum, window.analysis.averaged, window.analysis.waveform)
         return [
-            [w.text() for w in plot.findChildren(QLabel) if "play, or click" in w.text() and w.isVisible()]
+            [w.text() for w in plot.findChildren(QLabel) if "No data yet: press Play" in w.text() and w.isVisible()]
             for plot in plots
         ]
 
     assert said() == [[], [], []]
+    choose_save(window, tmp_path / "curve.csv")
+    desktop.session.curves.remove([0])
     desktop.session.clear()
     window.analysis.refresh_fast()
     window.analysis.refresh_slow()
+    assert [len(words) for words in said()] == [1, 1, 1]
+    choose_load(window, tmp_path / "curve.csv")
+    assert [len(words) for words in said()] == [1, 0, 1]  # a curve fills the averaged spectrum at once
+    desktop.session.curves.remove([0])
     assert [len(words) for words in said()] == [1, 1, 1]
 
 
@@ -92,12 +98,12 @@ def test_coarse_draws_the_highest_of_eight_bins_as_a_step(view):
 
 def test_db_draws_the_logarithm_on_an_axis_that_says_so(view):
     _, linear = curve(view)
-    assert view.item.getAxis("left").labelText == "amplitude"
+    assert view.item.getAxis("left").labelText == "Amplitude"
     click(view.decibels)
     _, decibels = curve(view)
     assert decibels.max() == pytest.approx(20 * np.log10(linear.max()), abs=0.01)
     assert decibels.min() >= -100.01
-    assert view.item.getAxis("left").labelText == "level (dB)"
+    assert view.item.getAxis("left").labelText == "Level (dB)"
     assert view.item.viewRange()[1][0] == pytest.approx(-100, abs=1)
     assert 6 <= top(view) <= 12  # room above the loudest line
 
@@ -207,7 +213,13 @@ def test_a_right_click_opens_the_menu(window, name):
     event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
     QApplication.sendEvent(viewport, event)
     assert view.menu.isVisible()
-    assert [a.text() for a in view.menu.actions()] == ["Reset Zoom", "Copy Values", "Copy Picture", "Save Picture…"]
+    assert [a.text() for a in view.menu.actions()] == [
+        "Reset Zoom",
+        "",
+        "Copy Values",
+        "Copy Picture",
+        "Save Picture…",
+    ]
     view.menu.close()
 
 
@@ -304,7 +316,7 @@ def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path):
 
 def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
     view = window.analysis.averaged
-    assert view._since.text() == "mean of 0.8 s since Opening"
+    assert view._since.text() == "Mean of 0.8 s since Opening"
     assert "80 frames since Opening at 0.00 s of sound.wav; quantise 4 plain" in view.heading.toolTip()
     press(window, Qt.Key.Key_C)
     assert view._since.text() == ""
@@ -317,19 +329,19 @@ def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
 def choose_save(window, path):
     window.files.show = FileAnswers(path)
     next(
-        a for a in button(window.analysis.averaged, "curves").menu().actions() if a.text() == "Save Curve…"
+        a for a in button(window.analysis.averaged, "Curves").menu().actions() if a.text() == "Save Curve…"
     ).trigger()
 
 
 def choose_load(window, *paths):
     window.files.show = FileAnswers(*paths)
     next(
-        a for a in button(window.analysis.averaged, "curves").menu().actions() if a.text() == "Load Curve…"
+        a for a in button(window.analysis.averaged, "Curves").menu().actions() if a.text() == "Load Curve…"
     ).trigger()
 
 
 def entries(window) -> list[str]:
-    return [label.text() for label in window.analysis.averaged._names]
+    return [label.text for _, label in window.analysis.averaged.legend.items]
 
 
 def test_a_curve_whose_ending_nobody_typed_replaces_nothing(window, tmp_path):
@@ -349,26 +361,68 @@ def test_a_saved_curve_lies_on_the_average_at_no_distance(desktop, window, tmp_p
     assert np.allclose(curve(window.analysis.averaged, 0)[1], curve(window.analysis.averaged, 1)[1])
 
 
-def test_curves_are_compared_coloured_and_removed_one_by_one(desktop, window, qtbot, tmp_path):
+def test_curves_are_compared_coloured_and_loaded_once(desktop, window, qtbot, tmp_path):
     choose_save(window, tmp_path / "tone")
     window.dialogs.open_sound(wav(tmp_path, noise(SECONDS, 0.1), "noise.wav"))
     desktop.session.analyse_until(0.8)
     choose_save(window, tmp_path / "hiss.csv")
     choose_load(window, tmp_path / "tone.csv", tmp_path / "hiss.csv")
+    assert window.banner.label.text() == "This average is in the table already, as hiss"
     window.redraw.refresh_all()
     names = [text.split(" Δ ")[0] for text in entries(window)]
     distances = [float(text.split(" Δ ")[1].removesuffix(" dB")) for text in entries(window)]
-    assert names == ["tone", "hiss", "tone", "hiss"]
-    assert distances[1] == distances[3] == 0
-    assert distances[0] == distances[2] > 5
-    assert len(window.analysis.averaged.item.curves) == 5
+    assert names == ["tone", "hiss"]
+    assert distances[1] == 0
+    assert distances[0] > 5
+    assert len(window.analysis.averaged.item.curves) == 3
     pens = [c.opts["pen"].color().name() for c in window.analysis.averaged.item.curves[1:]]
-    assert len(set(pens)) == 4
-    crosses = [b for b in window.analysis.averaged.findChildren(QToolButton) if b.toolTip() == "Remove tone"]
-    click(crosses[-1])
+    assert pens == [curve.colour for curve in desktop.session.curves.curves]
+    assert len(set(pens)) == 2
+    desktop.session.curves.remove([0])
+    assert len(window.analysis.averaged.item.curves) == 2
+
+
+def test_a_curve_through_other_filters_has_no_difference_in_the_legend(desktop, window, tmp_path):
+    choose_save(window, tmp_path / "tone")
+    desktop.preset.set_setting("quantise", 1)
+    desktop.session.averages.begin("Clear", "sound")
+    desktop.session.analyse_until(0.3)
     window.redraw.refresh_all()
-    assert len(window.analysis.averaged.item.curves) == 4
-    assert len(desktop.session.averages.curves) == 3
+    assert entries(window) == ["tone"]
+
+
+def test_coarse_acts_on_all_curves(window, tmp_path):
+    choose_save(window, tmp_path / "tone")
+    click(window.analysis.averaged.coarse)
+    (x, y), (mean_x, mean_y) = (curve(window.analysis.averaged, k) for k in (1, 0))
+    assert len(x) == 2 * 256 / 8
+    assert np.array_equal(x, mean_x)
+    assert np.allclose(y, mean_y)
+
+
+def test_the_spread_is_a_band_that_can_be_left_out(window, tmp_path):
+    def bands() -> list[QGraphicsPolygonItem]:
+        return [i for i in window.analysis.averaged.item.items if isinstance(i, QGraphicsPolygonItem)]
+
+    choose_save(window, tmp_path / "tone")
+    click(window.analysis.averaged.decibels)
+    (band,) = bands()
+    saved = load_averaged_spectrum(tmp_path / "tone.csv")
+    heights = [point.y() for point in band.polygon()]
+    assert heights[46] - heights[-1 - 46] == pytest.approx(2 * saved.spread[46], abs=1e-4)
+    window.analysis.averaged.spread.trigger()
+    assert bands() == []
+    window.analysis.averaged.spread.trigger()
+
+
+def test_a_curve_is_read_where_it_is_nearest(window, desktop, tmp_path, qtbot):
+    choose_save(window, tmp_path / "tone")
+    desktop.session.clear()
+    window.redraw.refresh_all()
+    view = window.analysis.averaged
+    view.item.setXRange(ON_BIN - 100, ON_BIN + 100, padding=0)
+    hover(view.graphics, view.item, ON_BIN, 0.4)
+    qtbot.waitUntil(lambda: re.fullmatch(r"tone   99\d Hz   0\.\d+   .* dB", view._cursor_label.text()) is not None)
 
 
 def test_a_file_that_is_no_curve_is_said(window, tmp_path):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialog, QDialogButtonBox
+from PySide6.QtWidgets import QDialog, QPushButton
 
 from phonemeanalyser.desktop.analyse.recognition.variable_dialog import VariableDialog
 from phonemeengine.features.variables import Kind, Spectrum, Variable
@@ -19,7 +19,7 @@ pytestmark = pytest.mark.usefixtures("lender")
 
 @dataclass(frozen=True)
 class Seen:
-    """What the dialog offered, whether it stayed after OK, what it said, and the name in it."""
+    """What the dialog offered, whether it stayed after Add, what it said, and the name in it."""
 
     range: tuple[float, float]
     stays: bool
@@ -33,7 +33,7 @@ def window(desktop, qtbot):
 
 
 def will_answer(hand, name, *, kind="sum", accepted=True):
-    """Fill in the dialog for a new variable, and choose OK, and Cancel if it stays; gives what was seen of it."""
+    """Fill in the dialog for a new variable, and choose Add, and Cancel if it stays; gives what was seen of it."""
     seen = []
 
     def answer(dialog: VariableDialog) -> None:
@@ -41,7 +41,7 @@ def will_answer(hand, name, *, kind="sum", accepted=True):
         dialog.name.setText(name)
         dialog.kind.setCurrentText(kind)
         if accepted:
-            dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Ok).click()
+            next(button for button in dialog.findChildren(QPushButton) if button.text() == "Add").click()
         stays = dialog.isVisible()
         seen.append(Seen(offered, stays, dialog.trouble.text() * dialog.trouble.isVisible(), dialog.name.text()))
         if stays:
@@ -74,8 +74,8 @@ def pull(view, start: float, end: float) -> None:
 
 
 def chosen(window) -> list[str]:
-    box = window.analysis.scroll_view.variable
-    return [box.itemText(k) for k in range(box.count())]
+    box = window.analysis.variable.variable
+    return [box.itemData(k) for k in range(box.count())]
 
 
 def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, window, qtbot, hand):
@@ -84,7 +84,7 @@ def test_a_marked_range_becomes_a_variable_that_is_chosen_and_measured(desktop, 
     width = 5513 / window.analysis.averaged.item.vb.width()
     assert offered[0].range == pytest.approx((2500, 4000), abs=3 * width + BIN_WIDTH)
     assert chosen(window)[-1] == "my_hiss"
-    assert window.analysis.scroll_view.variable.currentText() == "my_hiss"
+    assert window.analysis.courses.chosen == "my_hiss"
     assert not window.analysis.averaged.region.isVisible()
     assert window.isWindowModified()
     click(window.transport.play)
@@ -173,7 +173,7 @@ def test_escape_drops_the_range_and_the_sound_goes_on(desktop, window, hand):
     press(window, Qt.Key.Key_Escape)
     assert not window.analysis.averaged.region.isVisible()
     assert not window.analysis.averaged.measure.isChecked()
-    assert window.analysis.averaged.measure.text() == "variable"
+    assert window.analysis.averaged.measure.text() == "Variable"
     assert seen == []
     assert desktop.session.source.playing
     press(window, Qt.Key.Key_Escape)
@@ -196,16 +196,16 @@ def test_a_region_dragged_over_the_edge_is_still_a_range(desktop, window, hand):
 def test_a_variable_is_removed_through_the_menu_and_comes_back_by_undo(desktop, window, hand, qtbot):
     desktop.preset.add_variable(Variable("my_hiss", 3000, 5000))
     desktop.preset.add_variable(Variable("my_hum", 50, 200))
-    window.analysis.scroll_view.variable.setCurrentText("my_hiss")
+    window.analysis.courses.choose("my_hiss")
     hand.act = QDialog.accept
     window.menus.actions["Remove Variable…"].trigger()
     back_in(window, qtbot)
     assert "my_hiss" not in chosen(window)
-    assert window.analysis.scroll_view.variable.currentText() == "energy"
+    assert window.analysis.courses.chosen == "energy"
     press(window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert chosen(window)[-2:] == ["my_hiss", "my_hum"]
 
 
 def test_without_variables_of_one_s_own_there_is_nothing_to_remove(window):
     window.menus.actions["Remove Variable…"].trigger()
-    assert window.banner.label.text().startswith("There are no variables of your own yet")
+    assert window.banner.label.text().startswith("There are no custom variables yet")

@@ -31,6 +31,8 @@ FORMANTS = {
 }
 ROOM = 0.0006
 """The noise of the room, RMS amplitude."""
+LEFT = 3
+"""Blocks that the microphone still has to hear when it is given more of the room."""
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
@@ -79,8 +81,9 @@ class Calibrator:
         """Wait, with the window alive; the microphone hears the room meanwhile, unless it is to hear nothing."""
 
         def look() -> bool:
-            if not silently and self.model.guide.phase is not Phase.LEARNING:
-                self.booth.give(self.mic, in_room(silence(0.02)))
+            hears = self.model.guide.phase is not Phase.LEARNING and self.mic.n_waiting < LEFT
+            if hears and not silently:
+                self.booth.give(self.mic, in_room(silence(0.05)))
             return bool(true())
 
         self.booth.qtbot.waitUntil(look)
@@ -89,7 +92,7 @@ class Calibrator:
         """Wait until nothing is done in the background."""
         model = self.model
         bench = (model.workbench.measuring, model.workbench.looking)
-        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.comparison.measuring)
+        rooms = (model.takes, model.recordings, *bench, model.fit.searching, model.comparison)
         timers = model.workbench.findChildren(QTimer)  # it answers a little later
         self.until(lambda: not any(room.busy for room in rooms) and not any(timer.isActive() for timer in timers))
 

@@ -41,7 +41,7 @@ def test_a_label_file_lies_beside_every_take_and_their_number_is_said(calibrator
     calibrator.keep(Phoneme.I)
     choose(calibrator, number)
     folder = calibrator.model.takes.folder / "takes"
-    assert calibrator.booth.banner == f"2 label files for {program} lie beside the takes in {folder}."
+    assert calibrator.booth.banner == f"2 label files for {program} written to {folder}."
     for take in calibrator.takes:
         path = calibrator.model.takes.path_of(take).with_suffix(suffix)
         assert [x.phoneme for x in read_labels(path)] == [x.phoneme for x in take.to_labels()]
@@ -66,7 +66,7 @@ def test_a_relabelled_take_has_its_textgrid_under_its_new_name(calibrator):
 @pops_up
 def test_without_a_take_it_says_what_to_do(calibrator):
     choose(calibrator, 2)
-    assert calibrator.booth.banner == "There are no takes yet whose labels could be written; record one first."
+    assert calibrator.booth.banner == "There are no takes to write labels for. Record one first."
 
 
 @pops_up
@@ -76,7 +76,9 @@ def test_what_somebody_put_there_is_kept_and_said(calibrator):
     path = calibrator.model.takes.path_of(take).with_suffix(".TextGrid")
     path.write_text("mine")
     choose(calibrator, 2)
-    assert calibrator.booth.banner.endswith("What else was there is kept, such as a-1 (2).TextGrid.")
+    assert calibrator.booth.banner.endswith(
+        "Files that were changed were kept under another name, such as a-1 (2).TextGrid."
+    )
     assert path.with_name("a-1 (2).TextGrid").read_text() == "mine"
 
 

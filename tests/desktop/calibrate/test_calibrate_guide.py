@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS, P
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
 from phonemeengine.calibration.held_back import loss_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
+from phonemeengine.calibration.scores.gains import Gain, Gains
 from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES
 from phonemeengine.calibration.takes.spoken import onset_in
 from phonemeengine.phonemes import Phoneme
@@ -87,22 +88,24 @@ def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_
     assert [take.phoneme for take in by_sounds.takes] == [step.phoneme for step in STEPS]
     assert guide.outcome is not None
     assert guide.outcome.after.macro_f1 > guide.outcome.before.macro_f1
-    for is_clear, title in ((True, "It knows your voice better now"), (False, "No clear change")):
-        guide.outcome = replace(guide.outcome, is_clear=is_clear)
+    clear, unclear = (Gain(0.05, low, 0.1) for low in (0.01, -0.01))
+    for gain, title in ((clear, "Your voice is now recognised better"), (unclear, "No clear change")):
+        is_clear = gain is clear
+        guide.outcome = replace(guide.outcome, gained=Gains(gain, gain))
         guide.changed.emit()
         assert title in by_sounds.page.guide.title.text()
-        assert ("may be chance" in by_sounds.page.guide.hint.text()) is not is_clear
+        assert ("may be due to chance" in by_sounds.page.guide.hint.text()) is not is_clear
     figures = by_sounds.page.guide.figures
     assert figures.item(0, 1).text() == f"{guide.outcome.after.macro_f1:.1%}"
-    assert "Measured on quarters of what was said, each held back in turn" in by_sounds.page.guide.hint.text()
-    assert "of the room is called silence" in by_sounds.page.guide.hint.text()
+    assert "each quarter of your recordings" in by_sounds.page.guide.hint.text()
+    assert "Background noise recognised as silence: " in by_sounds.page.guide.hint.text()
     assert by_sounds.page.guide.head.isHidden()  # nothing was read that it could say
     assert preset.preset == before
     assert "The new preset is not saved yet" in by_sounds.page.guide.hint.text()
     click(by_sounds.page.guide.accept)
     assert preset.preset.thresholds == guide.outcome.preset.thresholds != before.thresholds
     assert not guide.running
-    assert by_sounds.booth.banner == "The calibrated preset is in use, and not saved yet."
+    assert by_sounds.booth.banner == "The calibrated preset is in use but not saved yet."
     assert by_sounds.booth.window.banner.action.text() == "Save As…"
     press(by_sounds.booth.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert preset.preset == before
@@ -120,14 +123,14 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_
         return calibrate(preset, takes, **given)
 
     guide.learn = learn
-    assert "Read this as you speak" in view.title.text()
+    assert "Read aloud in your normal voice" in view.title.text()
     assert SENTENCES[0].text in view.hint.text()
     read_aloud(guided, noise(6.0, 0.1), 1)
     assert "this sentence; read" in guide.advice
     read_aloud(guided, english_read()[0], 1)
     assert guide.advice == ""
     guided.until(lambda: guide.index == 2, silently=False)
-    assert "to tell what was gained" in view.title.text()
+    assert "Now read this test sentence" in view.title.text()
     assert SENTENCES[1].text in view.hint.text()
     guide.skip()
     guided.until(lambda: guide.phase is Phase.DONE, silently=False)
@@ -135,7 +138,7 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_
     assert outcome is not None
     assert spoken is not None
     assert outcome.cross_validated
-    assert "Measured on quarters of what was said" in view.hint.text()
+    assert "each quarter of your recordings" in view.hint.text()
     assert outcome.after.macro_f1 >= outcome.before.macro_f1
     assert loss_of(outcome.before, outcome.after) == ""
     folder = guided.model.takes.folder
@@ -152,7 +155,7 @@ def test_single_sounds_may_be_said_instead_and_the_sentence_comes_back(guided: C
     click(view.sounds)
     assert view.sounds.isChecked()
     assert (guide.step, guide.index) == (SOUNDS[0], 1)
-    assert f"Sound 2 of {len(STEPS)}" in view.title.text()
+    assert f"Sound 1 of {len(SOUNDS)}" in view.title.text()
     answer(guided, 1)
     click(view.sounds)
     assert guide.index == 1
@@ -175,13 +178,11 @@ def test_a_sentence_to_judge_by_is_chosen_by_its_language_and_read_again_where_i
     assert "this sentence; read" in guide.advice
 
 
-@pytest.mark.parametrize("name", ["thesis", "learned", "templates", "brightness"])
 def test_window_api_and_command_line_make_the_same_of_a_voice(
-    by_sounds: Calibrator, brightness: Path, tmp_path: Path, name: str
+    by_sounds: Calibrator, brightness: Path, tmp_path: Path
 ):
     guide, preset = by_sounds.model.guide, by_sounds.booth.desktop.preset
-    preset.set_recogniser(name)
-    before = preset.preset
+    preset.set_recogniser("learned")
     for k in range(1, len(STEPS)):
         answer(by_sounds, k)
     read_aloud(by_sounds, english_read()[0])
@@ -194,18 +195,19 @@ def test_window_api_and_command_line_make_the_same_of_a_voice(
     assert spoken in by_sounds.model.workbench.utterances
     assert len(by_sounds.takes) == len(STEPS)
     assert not outcome.cross_validated
-    assert loss_of(outcome.before, outcome.after) == ""
     hint = by_sounds.page.guide.hint.text()
-    assert "Measured on one sentence that was held back, " in hint
-    assert " s, labels aligned by the known text." in hint
-    again = calibrate(before, read_recordings(folder), held_back=read_recordings(spoken.path))
-    assert (again.before, again.after) == (outcome.before, outcome.after)
-    start, mine = tmp_path / "start.toml", tmp_path / "mine.toml"
-    save_preset(before, start)
-    words = ["adapt", str(folder), "--preset", str(start), "--held-back", str(spoken.path), "-o", str(mine)]
-    assert main(words) == 0
-    for found in (again.preset, load_preset(mine)):
-        assert replace(found, name="", notes="") == replace(outcome.preset, name="", notes="")
+    assert "Measured on the test sentence only (" in hint
+    assert " s), whose labels were aligned with its known text." in hint
+    takes, held_back = read_recordings(folder), read_recordings(spoken.path)
+    for name in ("learned", "templates", "brightness"):  # rules are compared in test_calibrate_learning
+        start, mine = tmp_path / "start.toml", tmp_path / f"{name}.toml"
+        preset.set_recogniser(name)
+        save_preset(preset.preset, start)
+        found = outcome if name == "learned" else calibrate(preset.preset, takes, held_back=held_back)
+        assert loss_of(found.before, found.after) == ""
+        words = ["adapt", str(folder), "--preset", str(start), "--held-out", str(spoken.path), "-o", str(mine)]
+        assert main(words) == 0
+        assert replace(load_preset(mine), name="", notes="") == replace(found.preset, name="", notes="")
 
 
 def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_one_is_saved(
@@ -214,7 +216,10 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     guide, preset, view = by_sounds.model.guide, by_sounds.booth.desktop.preset, by_sounds.page.guide
     before = preset.preset
     better = load_preset(DEFAULT_PRESET)  # whatever the takes teach: the learned one hears this voice better
-    guide.learn = lambda preset, takes, **given: replace(calibrate(preset, takes, **given), preset=better)
+    alone = "x.onnx: is no real-time model; until then the small network recognises live sound, and it alone learned."
+    guide.learn = lambda preset, takes, **given: replace(
+        calibrate(preset, takes, **given), preset=better, warning=alone
+    )
     for k in range(1, 4):
         answer(by_sounds, k)
     while guide.index < READING:
@@ -223,6 +228,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
     session = by_sounds.booth.desktop.session
     assert view.head.isVisibleTo(view)
+    assert alone in view.advice.text()
     heard: list[object] = []
     session.heard.connect(heard.extend)
     for button, hears in ((view.hear_old, before), (view.hear_new, better)):
@@ -252,9 +258,9 @@ def test_the_room_is_measured_outside_the_guide_for_every_recogniser(open_booth:
     click(calibrator.page.takes.room)
     calibrator.until(lambda: len(told) == 2, silently=False)
     assert told[0].startswith("Keep quiet")
-    assert told[1].startswith("Room of -6")
-    assert "% (" in told[1]
-    assert "of the room is called silence" in told[1]
+    assert told[1].startswith("Background noise -6")
+    assert " % (" in told[1]
+    assert "Background noise recognised as silence: " in told[1]
     assert preset.preset.settings.denoise_threshold > before.settings.denoise_threshold
     press(calibrator.booth.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert preset.preset == before
@@ -275,7 +281,7 @@ def test_a_room_in_which_somebody_speaks_changes_nothing(open_booth: Open, mic: 
 def test_a_clipped_sound_is_asked_for_once_more_with_what_to_do(by_sounds: Calibrator):
     guide = by_sounds.model.guide
     answer(by_sounds, 1, loud=5.0)
-    assert "too loud for the microphone" in by_sounds.page.guide.advice.text()
+    assert "The recording is clipped: " in by_sounds.page.guide.advice.text()
     assert by_sounds.takes == () or all(take.phoneme is not Phoneme.A for take in by_sounds.takes)
     answer(by_sounds, 1)
     assert guide.advice == ""
@@ -301,7 +307,7 @@ def test_a_room_that_is_not_quiet_is_measured_again(open_booth: Open, mic: HandD
 def test_who_says_nothing_is_told_so_and_asked_again(guided: Calibrator):
     guide = guided.model.guide
     guided.until(lambda: guide.advice, silently=False)
-    assert "Nothing was heard" in guide.advice
+    assert "No voice was detected" in guide.advice
     assert (guide.index, guide.phase) == (1, Phase.WAITING)
 
 
@@ -324,7 +330,7 @@ def test_nothing_is_recorded_before_the_user_is_ready_and_the_countdown_is_over(
     calibrator.until(lambda: calibrator.booth.studio.model.listening, silently=False)
     calibrator.until(lambda: calibrator.booth.desktop.session.source.position > 3.0, silently=False)
     assert guide.phase is Phase.READY
-    calibrator.until(lambda: "Nothing is recorded before you press start" in view.hint.text())
+    calibrator.until(lambda: "Nothing is recorded until you press Start" in view.hint.text())
     click(view.start)
     assert guide.phase is Phase.COUNTING
     give(calibrator, tone(440, 1.0, 0.3))  # the rest of a word, or a key, which is not the room
@@ -400,7 +406,8 @@ def test_too_little_to_learn_from_is_said_and_the_takes_stay(by_sounds: Calibrat
     for _ in range(1, len(STEPS) + 1):
         guide.skip()
     by_sounds.until(lambda: guide.phase is Phase.DONE, silently=False)
-    assert by_sounds.page.guide.accept.isHidden() or guide.outcome is None or not guide.outcome.gains
+    gains = guide.outcome is not None and guide.outcome.gains  # by silence alone, on some machines
+    assert by_sounds.page.guide.accept.isHidden() is not gains
     assert by_sounds.booth.desktop.preset.preset == before
     assert len(by_sounds.takes) == 1
 

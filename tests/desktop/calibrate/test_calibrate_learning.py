@@ -24,6 +24,7 @@ from phonemeengine.labels.label import CORE, Label
 from phonemeengine.labels.table import format_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
+from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import BUILT_IN, TEMPLATES
 from phonemeengine.settings import SAMPLE_RATE
@@ -74,11 +75,19 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     preset = load_preset(FACTORY / f"{name}.toml")
     outcome = calibrate(preset, takes, held_back=[sentence])
     assert outcome.gains
-    assert outcome.before == scores(preset, sentence)  # the figures are of the sentence alone
-    assert outcome.after == scores(outcome.preset, sentence)
+    before, after = (for_live_use(used) if name == "learned" else used for used in (preset, outcome.preset))
+    assert outcome.before == scores(before, sentence)  # the figures are of the sentence alone
+    assert outcome.after == scores(after, sentence)
     assert outcome.after.macro_f1 > outcome.before.macro_f1 + 0.02
     assert loss_of(outcome.before, outcome.after) == ""
     assert outcome.preset.recogniser == preset.recogniser
+    judged = outcome.preset.judged
+    assert judged is not None
+    assert judged.start == preset.name
+    assert judged.macro_f1 == pytest.approx((outcome.before.macro_f1, outcome.after.macro_f1), abs=1e-4)
+    assert outcome.preset.summary.startswith(f"{preset.name}, own voice, 20")
+    assert not outcome.preset.notes  # that is the description of what it came from
+    assert outcome.gained.macro_f1.difference == pytest.approx(outcome.after.macro_f1 - outcome.before.macro_f1)
     assert outcome.seconds == pytest.approx(sentence.labels[-1].end)
     assert outcome.silence_accuracy is not None
     assert outcome.silence_accuracy.room_silent.value > 0.9
@@ -122,8 +131,8 @@ def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
     preset = load_preset(FACTORY / "templates.toml")
     others = [sentence] if held_back else []
     outcome = calibrate(preset, takes, held_back=others)
-    assert "speech called silence rises from" in outcome.refusal
-    assert "something milder was taken" in outcome.refusal
+    assert "false silence rises from" in outcome.refusal
+    assert "a weaker one was chosen" in outcome.refusal
     assert outcome.gains
     assert outcome.after.false_silence <= outcome.before.false_silence + MOST_LOSS
     assert outcome.after.viseme_accuracy >= outcome.before.viseme_accuracy - MOST_LOSS
@@ -138,7 +147,7 @@ def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
     assert outcome.preset is preset
     assert not outcome.gains
     assert outcome.after == outcome.before
-    assert outcome.refusal.endswith("; the preset stays as it was.")
+    assert outcome.refusal.endswith("; the preset stays unchanged.")
 
 
 def test_what_gets_worse_is_said_with_both_figures():
@@ -146,7 +155,7 @@ def test_what_gets_worse_is_said_with_both_figures():
     assert loss_of(figures, replace(figures, viseme_accuracy=0.7901, false_silence=0.0299)) == ""
     worse = replace(figures, silence_recall=0.397, false_silence=0.05)
     assert loss_of(figures, worse) == (
-        "silence found falls from 99.9 % to 39.7 % and speech called silence rises from 2.0 % to 5.0 %"
+        "silence recall falls from 99.9 % to 39.7 % and false silence rises from 2.0 % to 5.0 %"
     )
     unknown = replace(figures, silence_recall=float("nan"))
     assert loss_of(unknown, figures) == loss_of(figures, unknown) == ""
@@ -172,8 +181,8 @@ def test_the_command_line_gives_the_same_preset(
     expected = calibrate(preset, takes, held_back=[sentence]).preset
     out = tmp_path / "mine.toml"
     arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / "extended.toml")]
-    assert main(["adapt", *arguments, "--held-back", str(sentence.path)]) == 0
-    assert "on what was held back, 4 s: macro F1 " in capsys.readouterr().out
+    assert main(["adapt", *arguments, "--held-out", str(sentence.path)]) == 0
+    assert "on held-out recordings, 4 s: macro F1 " in capsys.readouterr().out
     found = load_preset(out)
     assert found.name == "mine"
     for name_of in ("settings", "thresholds", "rules", "model", "templates", "sensitivities", "recogniser"):
@@ -200,7 +209,7 @@ def test_what_cannot_learn_says_so(takes: tuple[LabelledUtterance, ...]):
     preset = load_preset(DEFAULT_PRESET)
     with pytest.raises(PresetError, match="needs a model"):
         calibrate(replace(preset, model=None), takes)
-    with pytest.raises(CorpusError, match="no take to calibrate with"):
+    with pytest.raises(CorpusError, match="no takes to calibrate with"):
         calibrate(preset, ())
 
 

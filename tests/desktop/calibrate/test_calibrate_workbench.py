@@ -13,11 +13,12 @@ from PySide6.QtWidgets import QApplication
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.calibrate.model import AROUND
 from phonemeanalyser.desktop.calibrate.workbench.confusion_view import SAID, TAKEN
+from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel
 from phonemeanalyser.desktop.calibrate.workbench.workbench_view import WorkbenchView
 from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
-from phonemeengine.features.variables import Kind
+from phonemeengine.features.variables import Kind, readable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.rules import Condition, Rule
@@ -77,22 +78,23 @@ def test_recordings_are_measured_and_counted_as_the_engine_counts_them(loaded: C
     expected = LabelledFeatures(read_recordings(tmp_path / "corpus"), preset).confusion(preset)
     bench = bench_of(loaded)
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
-    assert f"{expected.macro_f1:.1%}" in bench.figures.text()
-    assert f"labels {expected.label_changes_per_s:.1f}" in bench.figures.text()
-    assert "Model: thesis" in bench.figures.text()  # of what hears live, whatever files are heard with
-    assert loaded.page.takes.recordings.text() == "2 by 2 speakers"
+    assert f"{expected.agreement.macro_f1:.1%}" in bench.figures.text()
+    assert f"labels {expected.agreement.label_changes_per_s:.1f}" in bench.figures.text()
+    assert "Model: thesis" in bench.about.text()  # the model for live sound, whichever files use
+    assert loaded.page.takes.recordings.text() == "2 from 2 speakers"
 
 
 def test_where_one_sound_is_loaded_nothing_is_made_up(calibrator: Calibrator):
     calibrator.booth.desktop.preset.load(DEFAULT_PRESET)  # which keeps calm in silence
     calibrator.keep(Phoneme.SILENCE)
     bench, text = bench_of(calibrator), bench_of(calibrator).figures.text()
-    assert "(1 of 10 sounds)" in text
-    assert "s, recordings: 1" in text
+    assert "(1 of 10 phonemes)" in text
+    assert "macro F1 is of these: silence." in bench.figures.toolTip()
+    assert bench.about.text().startswith("Recordings: 1 (")
     assert "nan" not in text
     assert ">0.0</b>" in text
     assert bench._theme.bad not in text
-    assert "Model: learned, 50 ms ahead" in text
+    assert "Model: learned, look-ahead 50 ms" in bench.about.text()
     shares = {bench.variables.table.item(k, 1).text() for k in range(bench.variables.table.rowCount())}
     assert shares == {"–"}
 
@@ -182,7 +184,7 @@ def test_limits_of_own_rules_are_lines_that_can_be_dragged(loaded: Calibrator):
     show(loaded, "zero_crossings")
     spread = bench_of(loaded).distribution
     assert [line.value for line in spread.lines] == [300.0]
-    assert [line.label for line in spread.lines] == ["sz, a"]
+    assert [line.label for line in spread.lines] == ["< a; > sz"]
     drag_line(loaded, spread.lines[0].name, 150.0)
     limits = {c.limit for rule in preset.preset.rules for c in rule.conditions if c.variable == "zero_crossings"}
     (limit,) = limits  # both comparisons move together
@@ -217,7 +219,7 @@ def test_suggested_variables_are_added_by_a_click_and_measured(loaded: Calibrato
     loaded.until(lambda: loaded.model.workbench.suggestions)
     loaded.settle()
     best = loaded.model.workbench.suggestions[0].variable
-    assert variables.table.item(0, 0).text() == f"+ {best.low:.0f}–{best.high:.0f} Hz {best.kind}"
+    assert variables.table.item(0, 0).text() == f"+ {readable_name(best.name, (best,))}"
     table = variables.table
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     click(variables.add)
@@ -238,7 +240,8 @@ def test_a_suggestion_shows_its_range_and_its_distribution_before_it_is_added(lo
     loaded.settle()
     best = bench.suggestions[0]
     assert bench.shown is best.distribution
-    assert f"{best.variable.kind} of {best.variable.low:.0f}–{best.variable.high:.0f} Hz" in variables.words.text()
+    bounds = f"over {best.variable.low:.0f}–{best.variable.high:.0f} Hz"
+    assert f"{best.variable.kind.capitalize()} {bounds}" in variables.words.text()
     assert spread.lines == []
     assert spread.x_of(0) < spread.x_of(best.threshold) < spread.width()
     rows = copied(spread.menu, QPoint(9, 9))
@@ -267,7 +270,7 @@ def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator
     loaded.settle()
     assert variables.words.isVisible()
     recogniser = loaded.booth.desktop.preset.preset.recogniser
-    assert (f"The recogniser {recogniser} cannot use variables of your own" in variables.words.text()) is not can
+    assert (f"The recogniser {recogniser} cannot use custom variables" in variables.words.text()) is not can
 
 
 # -- the plots' menus ---------------------------------------------------------------------------------
@@ -344,7 +347,7 @@ def test_a_fit_is_shown_accepted_and_undone(loaded: Calibrator):
     click(fit.accept, 10)
     loaded.settle()
     assert preset.preset.thresholds == report.preset.thresholds
-    assert loaded.model.workbench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+    assert loaded.model.workbench.confusion.agreement.macro_f1 == pytest.approx(report.after.macro_f1)
     press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
     assert preset.preset == before
 
@@ -367,7 +370,7 @@ def test_a_recogniser_of_another_package_is_fitted_where_it_can_be(
     click(fit.accept, 10)
     loaded.settle()
     assert preset.preset.thresholds == report.preset.thresholds
-    assert loaded.model.workbench.confusion.macro_f1 == pytest.approx(report.after.macro_f1)
+    assert loaded.model.workbench.confusion.agreement.macro_f1 == pytest.approx(report.after.macro_f1)
 
 
 def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
@@ -381,17 +384,36 @@ def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
     assert loaded.booth.desktop.preset.preset == before
 
 
-def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(loaded: Calibrator):
+def compared_with(loaded: Calibrator, words: str) -> ComparePanel:
+    """Choose B in the list of presets, and wait until both are compared."""
     compare = bench_of(loaded).compare
     bench_of(loaded).tabs.setCurrentIndex(2)
-    choose_preset(compare.box, "thesis-anti-aliased")
+    click(compare.picker)
+    QTest.keyClicks(compare.picker.list.search, words)
+    QTest.keyClick(compare.picker.list.search, Qt.Key.Key_Return)
     loaded.until(lambda: loaded.model.comparison.result is not None)
     loaded.settle()
+    return compare
+
+
+def cells(compare: ComparePanel) -> list[list[str]]:
+    """Return the rows of the table of figures."""
+    table = compare.figures
+    return [[table.item(row, k).text() for k in range(3)] for row in range(table.rowCount())]
+
+
+def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(loaded: Calibrator):
+    compare = compared_with(loaded, "anti-aliased")
     other = load_preset(FACTORY / "thesis-anti-aliased.toml")
     expected = LabelledFeatures(loaded.model.workbench.utterances, other).confusion(other)
     np.testing.assert_array_equal(loaded.model.comparison.confusion.counts, expected.counts)
-    assert compare.figures.item(0, 1).text() == f"{expected.macro_f1:.1%}"
     own = loaded.model.workbench.confusion
+    one, two = (confusion.agreement.macro_f1 for confusion in (own, expected))
+    (macro_f1, *_) = cells(compare)
+    assert macro_f1[:2] == [f"{one:.1%}", f"{two:.1%}"]
+    gain = loaded.model.comparison.result.gains.macro_f1
+    assert gain.difference == pytest.approx(two - one)
+    assert macro_f1[2] == f"{100 * (two - one):+.1f} ±{50 * (gain.high - gain.low):.1f}"
     right = own.predicted == own.labels.phonemes
     others = expected.predicted == own.labels.phonemes
     assert int(loaded.model.comparison.result.only_one.sum()) == int(np.sum(right & ~others))
@@ -404,11 +426,44 @@ def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(load
     loaded.until(lambda: loaded.model.comparison.result is not before)
 
 
-def choose_preset(box: object, name: str) -> None:
-    """Choose with the keyboard, without passing over "another file"."""
-    box.setFocus()
-    while box.currentText() != name:
-        QTest.keyClick(box, Qt.Key.Key_Down)
+def test_the_better_one_is_named_and_used_by_a_click(loaded: Calibrator):
+    preset = loaded.booth.desktop.preset
+    for name in ("silence_zero_crossings", "silence_energy", "silence_max_energy", "silence_szsch1"):
+        preset.tune(name, 1e6)  # with which all is silence
+    loaded.settle()
+    compare = bench_of(loaded).compare
+    assert compare.use.text() == "Use the better one"
+    assert not compare.use.isEnabled()
+    compared_with(loaded, "learned")
+    assert compare.verdict.text().startswith("<b>B is better</b>: macro F1 ")
+    assert compare.use.text() == "Use B: Learned"
+    before = cells(compare)
+    click(compare.use)
+    assert (preset.letter, preset.preset.name) == ("B", "Learned")
+    loaded.until(lambda: loaded.model.comparison.result is not None)
+    loaded.settle()
+    assert compare.use.text() == "B: Learned is in use"
+    names = {ranked.variable for ranked in loaded.model.workbench.ranking}
+    assert names == set(loaded.model.workbench.features.variables)
+    assert "deficit_a" in names  # which the rules of A do not have
+    assert not compare.use.isEnabled()
+    assert cells(compare) == before  # A stays left of B
+    assert bench_of(loaded).figures.text().count(before[0][1]) == 1
+    click(compare.switch)
+    assert preset.letter == "A"
+
+
+def test_presets_that_answer_alike_differ_by_nothing_clear(loaded: Calibrator):
+    preset = loaded.booth.desktop.preset
+    preset.set_other(preset.document)
+    loaded.until(lambda: loaded.model.comparison.result is not None)
+    loaded.settle()
+    compare = bench_of(loaded).compare
+    assert compare.verdict.text() == "Both have the same macro F1."
+    assert cells(compare)[0][2] == "+0.0 ±0.0"
+    loaded.model.recordings.clear()
+    loaded.settle()
+    assert compare.verdict.text() == "Load takes or labelled recordings to compare on."
 
 
 # -- room ---------------------------------------------------------------------------------------------

@@ -136,11 +136,11 @@ def choose(window, text: str) -> None:
 
 def test_the_window_offers_the_channels_that_the_file_has(desktop, qtbot, eight, sound, stereo):
     window = shown(desktop, qtbot, eight)
-    assert entries(window) == ["mix", "1", "2", "3", "4", "5", "6", "7", "8"]
+    assert entries(window) == ["Mix", "1", "2", "3", "4", "5", "6", "7", "8"]
     window.dialogs.open_sound(stereo)
-    assert entries(window) == ["mix", "left", "right"]
+    assert entries(window) == ["Mix", "Left", "Right"]
     window.dialogs.open_sound(sound)
-    assert entries(window) == ["mono"]
+    assert entries(window) == ["Mono"]
     assert not window.transport.channel.isEnabled()
 
 
@@ -161,7 +161,7 @@ def test_a_file_without_the_channel_is_mixed_and_the_choice_comes_back(desktop, 
     choose(window, "5")
     window.dialogs.open_sound(stereo)
     assert desktop.session.channel is Channel.MIX
-    assert window.transport.channel.currentText() == "mix"
+    assert window.transport.channel.currentText() == "Mix"
     window.dialogs.open_sound(eight)
     assert window.transport.channel.currentText() == "5"
 

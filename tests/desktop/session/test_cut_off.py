@@ -14,7 +14,7 @@ from tests.bad_files import CUT_OFF
 from tests.desktop.hands import shown
 from tests.tables import gapless, rows_of
 
-SENTENCE = "it is cut off: of the 3.000 s that its header announces, 1.800 s are there"
+SENTENCE = "the file is truncated; its header announces 3.000 s, but it contains 1.800 s"
 
 
 N_SAMPLES = 79_371

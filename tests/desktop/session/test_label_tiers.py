@@ -5,7 +5,8 @@ import shutil
 import pytest
 from PySide6.QtGui import QUndoStack
 
-from phonemeanalyser.desktop.session.label_tiers import ChosenLabel, LabelTiers
+from phonemeanalyser.desktop.session.label_tiers import Boundary, ChosenLabel, LabelTiers
+from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.inspection.whole_sound import SoundTracks
 from phonemeengine.labels.label import RawLabel
 from phonemeengine.labels.textgrid import Tier
@@ -48,9 +49,9 @@ def test_labels_beside_a_sound_are_there_with_the_tier_that_names_phonemes(label
 
 def test_edits_are_undone_one_by_one_and_a_drag_at_once(labels):
     stack = labels._undo_stack
-    labels.begin_move()
+    labels.begin_move(Boundary(ChosenLabel(0, 0), is_end=True))
     for seconds in (0.35, 0.4, 0.42):
-        labels.move(ChosenLabel(0, 0), seconds, end=True)
+        labels.move(seconds)
     labels.rename(ChosenLabel(0, 1), "o")
     labels.insert(0, 0.7, 0.8, "s")
     labels.delete(ChosenLabel(0, 0))
@@ -65,6 +66,77 @@ def test_edits_are_undone_one_by_one_and_a_drag_at_once(labels):
     assert not labels.has_unsaved_changes
     stack.redo()
     assert labels.tiers[0].raw_labels[0].end == 0.42
+
+
+def test_boundaries_at_one_time_move_together_as_far_as_all_can_unless_one_moves_alone(labels):
+    end_of_a = Boundary(ChosenLabel(0, 1), is_end=True)
+    labels.begin_move(end_of_a)
+    labels.move(0.7)
+    assert [labels.tiers[k].raw_labels[-1].end for k in (0, 1)] == [0.7, 0.7]
+    labels.move(0.2)  # a begins at 0.3, and lasts 5 ms at least
+    assert [labels.tiers[k].raw_labels[-1].end for k in (0, 1)] == pytest.approx([0.305, 0.305])
+    labels.begin_move(end_of_a, alone=True)
+    labels.move(0.5)
+    assert [labels.tiers[k].raw_labels[-1].end for k in (0, 1)] == pytest.approx([0.5, 0.305])
+    labels._undo_stack.undo()
+    labels._undo_stack.undo()
+    assert not labels.has_unsaved_changes
+
+
+def test_a_label_is_split_at_a_time_and_merged_with_its_neighbour(labels, qtbot):
+    labels.split(0.4)
+    assert [(raw.start, raw.end, raw.name) for raw in labels.tiers[0].raw_labels[1:]] == [
+        (0.3, 0.4, "a"),
+        (0.4, 0.6, "a"),
+    ]
+    assert labels.chosen == ChosenLabel(0, 2)
+    labels.rename(labels.chosen, "o")
+    labels.merge(ChosenLabel(0, 2), back=True)
+    assert [(raw.start, raw.end, raw.name) for raw in labels.tiers[0].raw_labels] == [
+        (0.1, 0.3, "m"),
+        (0.3, 0.6, "o"),
+    ]
+    assert labels.chosen == ChosenLabel(0, 1)
+    before = labels.state
+    for refused in (lambda: labels.merge(ChosenLabel(0, 1)), lambda: labels.split(0.302), lambda: labels.split(1.0)):
+        with qtbot.waitSignal(labels.error):
+            refused()
+    assert labels.state == before
+    for _ in range(3):
+        labels._undo_stack.undo()
+    assert not labels.has_unsaved_changes
+
+
+def test_labels_and_tiers_are_chosen_by_steps(labels):
+    assert labels.tier_in_use == 0
+    assert labels.choose_beside(0.2, 1) == ChosenLabel(0, 0)
+    assert labels.choose_beside(0.2, 1) == ChosenLabel(0, 1)
+    assert labels.choose_beside(0.2, 1) == ChosenLabel(0, 1)
+    assert labels.choose_tier(0.2, 1) == ChosenLabel(1, 0)
+    labels.choose(None)
+    assert labels.tier_in_use == 1
+    assert labels.choose_tier(0.2, -1) == ChosenLabel(0, 0)
+    labels.choose(None)
+    assert labels.choose_beside(1.0, -1) == ChosenLabel(0, 1)
+    assert labels.choose_beside(1.0, -1) == ChosenLabel(0, 0)
+
+
+def test_a_label_begins_and_ends_where_it_is_said_to(labels):
+    labels.choose(ChosenLabel(0, 1))
+    labels.set_edge(0.35, end=False)
+    labels.set_edge(0.8, end=True)
+    assert [(raw.start, raw.end) for raw in labels.tiers[0].raw_labels] == [(0.1, 0.35), (0.35, 0.8)]
+    assert labels.tiers[1].raw_labels[0].end == 0.8
+    assert labels.chosen == ChosenLabel(0, 1)
+
+
+def test_a_label_is_asked_for_only_where_there_is_room(labels, qtbot):
+    assert labels.has_room(labels.gap_at(1.0))
+    assert labels.gap_at(1.0) == (0.6, 2.0)
+    with qtbot.waitSignal(labels.error):
+        assert not labels.has_room(TimeSpan(0.2, 0.9))
+    with qtbot.waitSignal(labels.error):
+        assert not labels.has_room(labels.gap_at(0.2))
 
 
 def test_edits_of_another_sound_are_not_undone(labels, sound):
@@ -135,3 +207,30 @@ def test_what_is_not_recognised_yet_is_no_error(labels, sound):
     labels.follow(sound, 2.0)
     assert labels.said_frames() is not None
     assert labels.errors(SoundTracks(200)) == []
+
+
+def test_what_is_in_doubt_is_known_of_tables_and_of_names(labels, sound, tmp_path):
+    table = tmp_path / "x.csv"
+    table.write_text("start_s,end_s,phone,class,certainty\n0.1,0.2,ɛ,e,ambiguous\n0.2,0.3,ʃ,sch,core\n")
+    assert labels.load(table)
+    assert [tier.name for tier in labels.tiers] == ["phones", "classes"]
+    assert labels.state.said == 1
+    assert labels.doubts(1) == {0: "ambiguous"}
+    assert labels.doubts(0) == {}
+    write_tiers(
+        [Tier("phones", (RawLabel(0.1, 0.3, "aɪ", ""), RawLabel(0.3, 0.4, "m", "")))], tmp_path / "y.TextGrid"
+    )
+    assert labels.load(tmp_path / "y.TextGrid")
+    assert labels.doubts(0) == {0: "diphthong"}
+
+
+def test_a_format_that_loses_something_takes_a_copy_and_says_what(labels, sound, tmp_path):
+    labels.rename(ChosenLabel(0, 0), "p")
+    told = []
+    labels.info.connect(told.append)
+    assert labels.lost_in(tmp_path / "x.txt") == ("words",)
+    assert labels.save(tmp_path / "x.txt")
+    assert "without words" in told[-1]
+    assert labels.has_unsaved_changes
+    assert labels.path == sound.with_suffix(".TextGrid")
+    assert [raw.name for raw in read_tiers(tmp_path / "x.txt")[0].raw_labels] == ["p", "a"]

@@ -148,7 +148,7 @@ def test_a_recording_of_nothing_says_so_and_leaves_no_file(studio: Studio) -> No
     studio.model.begin_recording()
     studio.model.end_recording()
     studio.until(lambda: studio.failed)
-    assert studio.failed == ["Nothing was recorded, since no sound came; check the microphone."]
+    assert studio.failed == ["Nothing was recorded, since the microphone sent no signal. Check the microphone."]
     assert studio.files == []
 
 

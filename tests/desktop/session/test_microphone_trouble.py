@@ -35,7 +35,7 @@ def test_a_missing_microphone_is_told_once_and_so_is_its_coming(
     studio.openers.waiting.append(mic)
     studio.hear(mic, noise(0.2))
     studio.until(lambda: studio.told)
-    assert studio.told == ["The microphone is there: Desk · ALSA; 0.0 s could not be heard."]
+    assert studio.told == ["The microphone is back: Desk · ALSA. 0.0 s of its signal were lost."]
 
 
 def test_a_microphone_that_comes_back_is_recorded_on_and_the_gap_is_counted(
@@ -49,7 +49,7 @@ def test_a_microphone_that_comes_back_is_recorded_on_and_the_gap_is_counted(
     studio.hear(mic, known(0, 20)[:, 0])
     mic.lost = True
     studio.until(lambda: studio.failed)
-    assert studio.failed[0].endswith("; the recording waits for it.")
+    assert studio.failed[0].endswith("; the recording continues once the signal is back.")
     assert (studio.model.recording, studio.model.listening) == (True, False)
     assert studio.model.latency is None
     studio.openers.waiting.append(back)
@@ -115,7 +115,7 @@ def test_what_clicks_measured_takes_the_place_of_the_cards_word_until_another_is
     assert studio.model.latency.capture == mic.delay
     studio.model.measure()
     studio.until(lambda: studio.told)
-    assert "back after 120 ms (8 of 8 heard" in studio.told[0]
+    assert "Round-trip latency 120 ms (8 of 8 clicks detected" in studio.told[0]
     studio.hear(back, noise(0.2))
     assert studio.model.latency.capture == MEASURED.capture
     studio.model.choose(InputChoice("Headset"))
@@ -128,8 +128,10 @@ def test_nothing_is_recorded_while_clicks_are_played_which_is_said(studio: Studi
     studio.model.measure()
     studio.model.begin_recording()
     assert not studio.model.recording
-    assert studio.failed == ["Nothing is recorded, since the latency is being measured; try again in a few seconds."]
-    assert studio.model.words == "measuring its latency"
+    assert studio.failed == [
+        "Recording did not start, since the latency is being measured. Try again in a few seconds."
+    ]
+    assert studio.model.words == "measuring latency"
     studio.until(lambda: studio.model.active)
 
 
@@ -141,7 +143,8 @@ def test_without_a_device_the_latency_is_not_measured_which_is_one_sentence(
     studio.model.measure()
     studio.until(lambda: studio.failed)
     assert studio.failed == [
-        "The latency was not measured: there is no microphone; plug one in, or check that the sound system runs."
+        "The latency could not be measured: no microphone was found; connect one, or check that the audio system is "
+        "running."
     ]
     assert not studio.model.active
     assert not studio.model.latency_test.running

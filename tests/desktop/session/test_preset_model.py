@@ -1,7 +1,8 @@
 """The preset that is tuned: undo and redo, unsaved changes, bypass, and pairs that give way."""
 
 from collections.abc import Callable
-from dataclasses import fields
+from dataclasses import fields, replace
+from pathlib import Path
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -9,7 +10,8 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeengine.errors import EngineError
 from phonemeengine.features.variables import Variable
-from phonemeengine.presets.files import THESIS_PRESET, load_preset
+from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
+from phonemeengine.presets.judgement import Judgement
 from phonemeengine.recognition.phoneme_data import PhonemeData
 from phonemeengine.settings import BIN_WIDTH, STAGES, Filter
 
@@ -266,3 +268,16 @@ def test_removing_what_is_not_there_is_no_change(mine: PresetModel) -> None:
     mine.remove_variable("energy")
     assert not mine.has_unsaved_changes
     assert mine.undo_stack.count() == 0
+
+
+def test_a_calibrated_preset_that_is_changed_says_that_its_figures_are_no_longer_its_own(tmp_path: Path) -> None:
+    judged = Judgement("Thesis", "2026-11-25", 4.0, False, (0.5, 0.6), (0.4, 0.5))
+    save_preset(replace(load_preset(THESIS_PRESET), judged=judged), tmp_path / "mine.toml")
+    model = PresetModel(tmp_path / "mine.toml")
+    model.edit(replace(model.preset, notes="for the booth"), "edit notes")
+    assert model.preset.judged == judged
+    before = model.preset.thresholds.sz_s1
+    model.tune("sz_s1", 7.25)
+    assert model.preset.judged == replace(judged, changed=True)
+    model.tune("sz_s1", before)
+    assert model.preset.judged == judged

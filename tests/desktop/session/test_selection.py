@@ -30,14 +30,11 @@ def test_it_is_measured_as_the_engine_measures_it(session, selection, qtbot):
     assert told.args[0].rows() == measure(CARDS, *SPAN, session.preset.in_force).rows()
 
 
-def test_it_is_saved_averaged_and_copied(session, selection, qtbot, tmp_path):
+def test_it_is_saved_and_copied(session, selection, qtbot, tmp_path):
     session.view.select(SPAN)
     with qtbot.waitSignal(selection.info):
         selection.save(tmp_path / "part.wav")
     assert soundfile.info(tmp_path / "part.wav").duration == pytest.approx(0.75, abs=1e-3)
-    selection.average()
-    qtbot.waitUntil(lambda: len(session.averages.curves) == 1)
-    assert session.averages.curves[0].n_frames == 75
     lines = selection.frames_as_text().splitlines()
     assert len(lines) == 1 + 75
     assert lines[1].startswith("0.505\t")
@@ -83,7 +80,7 @@ def test_it_is_looped_on_demand(session, selection, outputs, qtbot):
     assert frames.count(50) == 2
 
 
-@pytest.mark.parametrize("act", ["play", "zoom", "measure", "average", "frames_as_text"])
+@pytest.mark.parametrize("act", ["play", "zoom", "measure", "frames_as_text"])
 def test_nothing_selected_is_one_sentence(session, selection, qtbot, act):
     with qtbot.waitSignal(selection.error) as told:
         getattr(selection, act)()

@@ -28,7 +28,11 @@ def test_without_a_file_nothing_happens(session: Session, model: PresetModel, tm
     assert not session.poll()
     assert not session.source.playing
     assert (session.path, session.source.duration, session.source.position) == (None, 0, 0)
-    assert (session.source.name, session.source.description, session.source.player) == ("no sound", "no sound", None)
+    assert (session.source.name, session.source.description, session.source.player) == (
+        "No file",
+        "open one with Ctrl+O",
+        None,
+    )
     assert session.results.explain() is None
 
 
@@ -61,7 +65,7 @@ def test_a_sound_that_is_left_leaves_nothing(
     play(0.3)
     session.leave_sound()
     assert outputs.last.closed
-    assert (session.path, session.source.name, session.source.player) == (None, "no sound", None)
+    assert (session.path, session.source.name, session.source.player) == (None, "No file", None)
     assert (session.source.playing, session.source.position, session.history.n) == (False, 0, 0)
     assert (session.whole.tracks, session.view.duration, session.labels.duration) == (None, 0, 0)
     session.set_source(SourceKind.TONE)

@@ -69,7 +69,7 @@ def test_on_the_clock_it_plays_in_real_time(model: PresetModel, sound: Path, qtb
 
     qtbot.waitUntil(done)
     assert frames(session) == list(range(N_FRAMES))
-    assert "no sound card" in session.source.player.output_name
+    assert "No audio device" in session.source.player.output_name
     assert session.source.player.n_dropped == 0
     session.close()
 

@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.session import sonagram_tiles
 from phonemeanalyser.desktop.session.sonagram_tiles import COLUMNS, SonagramTiles
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.dsp.sonagram import FLOOR, SonagramSettings, sonagram_of
+from phonemeengine.dsp.sonagram import FLOOR, LEVELS, SonagramSettings, sonagram_of
 from phonemeengine.settings import SAMPLE_RATE, AnalysisSettings
 from tests.desktop.hands import CARDS, click, shown, wav
 from tests.sounds import noise, silence, tone
@@ -62,15 +62,13 @@ def test_a_coarser_tile_serves_until_the_finer_one_is_there(tiles, qtbot):
     assert all(t.span.seconds < 2 for t in fine)
 
 
-def test_the_range_is_that_of_the_loudest_so_far(tiles, qtbot):
+def test_no_picture_is_normalised_and_the_range_is_the_chosen_one(tiles, qtbot):
     measured(tiles, qtbot, TimeSpan(25, 26), 500)
-    quiet = tiles.level_range[1]
+    assert tiles.level_range == LEVELS
     measured(tiles, qtbot, TimeSpan(4, 5), 500)
-    assert tiles.level_range[1] > quiet
-    loud = tiles.level_range
-    assert loud[1] == pytest.approx(-6, abs=2)
-    measured(tiles, qtbot, TimeSpan(14, 15), 500)  # silence
-    assert tiles.level_range == loud
+    assert tiles.level_range == LEVELS
+    tiles.show_levels(-70.0, 0.0)
+    assert tiles.level_range == (-70.0, 0.0)
 
 
 def test_other_settings_and_another_file_begin_anew(tiles, qtbot, tmp_path):

@@ -44,11 +44,11 @@ def test_where_one_looks_the_waveform_is_there_before_the_analysis_has_come_so_f
 
 
 def test_what_is_known_is_not_read_again_and_what_is_beside_is_there_at_once(track, qtbot):
-    track.outline_in(TimeSpan(0.0, 10.0), read(len(SOUND)), 100)
+    track.outline_in(TimeSpan(0.0, 15.0), read(len(SOUND)), 100)
     assert not track.busy
     with qtbot.waitSignal(track.changed):
-        track.outline_in(TimeSpan(20.0, 30.0), read(0), 100)
-    assert not np.isnan(track.outline_in(TimeSpan(25.0, 35.0), read(0), 100).high).any()
+        track.outline_in(TimeSpan(20.0, 35.0), read(0), 100)
+    assert not np.isnan(track.outline_in(TimeSpan(25.0, 40.0), read(0), 100).high).any()
     assert not track.busy
 
 
@@ -58,3 +58,15 @@ def test_of_a_longer_view_only_what_was_read_is_shown_and_of_no_file_nothing(tra
     track.leave()
     track.outline_in(TimeSpan(0.0, 10.0), read(0), 100)
     assert not track.busy
+
+
+def test_each_sample_of_a_short_view_is_known_and_where_the_wave_crosses_zero(track, qtbot):
+    seen = TimeSpan(30.0, 30.5)
+    with qtbot.waitSignal(track.changed):
+        assert track.samples_in(seen) is None
+    first, samples = track.samples_in(seen)
+    assert first == 30 * SAMPLE_RATE
+    np.testing.assert_allclose(samples, SOUND[first : first + len(samples)], atol=1e-3)
+    assert track.crossing_near(seen, 30.203, 0.01) == pytest.approx(30.205, abs=1e-4)  # of 100 Hz, every 5 ms
+    assert track.crossing_near(seen, 30.203, 0.001) is None
+    assert track.samples_in(TimeSpan(20.0, 40.0)) is None

@@ -42,8 +42,8 @@ def test_choosing_the_microphone_listens_and_lets_the_files_device_go(open_booth
     assert booth.desktop.session.source.player is None
     booth.hear(mic, HEARD)
     assert booth.desktop.session.source.kind is SourceKind.MICROPHONE
-    assert booth.window.windowTitle().startswith("microphone - ")
-    booth.until(lambda: booth.status.strip().startswith("microphone: Desk · ALSA, 44 100 Hz"), mic)
+    assert booth.window.windowTitle().startswith("Microphone - ")
+    booth.until(lambda: booth.status.strip().startswith("Microphone: Desk · ALSA, 44 100 Hz"), mic)
     transport = booth.window.transport
     assert transport.microphone.isVisible()
     assert not transport.position_slider.isVisible()
@@ -106,20 +106,20 @@ def test_space_lets_the_microphone_go_and_takes_it_again(open_booth: Open, mic: 
     press(booth.window, Qt.Key.Key_Space)
     assert not booth.desktop.session.source.playing
     booth.until(mic.closed.is_set)
-    booth.until(lambda: "microphone: not listening" in booth.status)
+    booth.until(lambda: "Microphone: not listening" in booth.status)
     click(booth.window.transport.play)
     booth.hear(again, A)
-    booth.until(lambda: "microphone: Desk" in booth.status, again)
+    booth.until(lambda: "Microphone: Desk" in booth.status, again)
 
 
 # -- between the sources ------------------------------------------------------------------------------
 
 
 def test_back_at_the_file_it_stands_where_it_was_left(booth: Booth, mic: HandDrivenMicrophone):
-    choose(booth.window.transport.source, "file")
+    choose(booth.window.transport.source, "File")
     booth.desktop.session.seek(1.5)
     booth.listen()
-    choose(booth.window.transport.source, "file")
+    choose(booth.window.transport.source, "File")
     session = booth.desktop.session
     assert session.path == CARDS
     assert session.source.position == pytest.approx(1.5, abs=0.01)
@@ -134,7 +134,7 @@ def test_opening_a_file_while_it_listens_lets_the_microphone_go(booth: Booth, mi
     booth.window.files.show = FileAnswers(DEMO)
     press(booth.window, Qt.Key.Key_O, Qt.KeyboardModifier.ControlModifier)
     assert booth.desktop.session.source.kind is SourceKind.FILE
-    assert booth.window.transport.source.currentText() == "file"
+    assert booth.window.transport.source.currentText() == "File"
     booth.until(mic.closed.is_set)
     assert booth.desktop.session.path == DEMO
 
@@ -153,7 +153,7 @@ def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone
     old = booth.window
     booth.desktop.set_theme("dark" if old.theme.name == "light" else "light")
     assert booth.window is not old
-    assert booth.window.transport.source.currentText() == "microphone"
+    assert booth.window.transport.source.currentText() == "Microphone"
     assert not mic.closed.is_set()
     booth.hear(mic, A)
     assert booth.frames == list(range(len(booth.frames)))
@@ -165,11 +165,11 @@ def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone
 def test_the_devices_are_named_the_default_first_and_a_new_one_appears_on_f5(booth: Booth):
     bar = booth.window.transport.microphone
     booth.until(lambda: bar.device.count() == 3)
-    assert entries(bar.device) == ["default microphone", DESK.label, HEADSET.label]
+    assert entries(bar.device) == ["Default microphone", DESK.label, HEADSET.label]
     booth.studio.devices.append(Device("Interface", "JACK", 4, 4, 96_000, is_default=False))
     press(booth.window, Qt.Key.Key_F5)
     booth.until(lambda: bar.device.count() == 4)
-    assert bar.device.currentText() == "default microphone"
+    assert bar.device.currentText() == "Default microphone"
     booth.studio.devices.append(Device("Webcam", "ALSA", 1, 0, 16_000, is_default=False))
     click(bar.again)
     booth.until(lambda: "Webcam · ALSA" in entries(bar.device))
@@ -181,7 +181,7 @@ def test_a_chosen_microphone_that_has_gone_stays_and_is_marked(booth: Booth):
     choose(bar.device, HEADSET.label)
     booth.studio.devices.remove(HEADSET)
     click(bar.again)
-    booth.until(lambda: bar.device.currentText() == f"{HEADSET.label} (not there)")
+    booth.until(lambda: bar.device.currentText() == f"{HEADSET.label} (not connected)")
     booth.studio.devices.append(HEADSET)
     click(bar.again)
     booth.until(lambda: bar.device.currentText() == HEADSET.label)
@@ -191,7 +191,7 @@ def test_device_channel_and_rate_are_opened_as_chosen(booth: Booth):
     bar = booth.window.transport.microphone
     booth.until(lambda: bar.device.count() == 3)
     choose(bar.device, DESK.label)
-    assert entries(bar.channel) == ["channel 1", "channel 2", "1 + 2"]
+    assert entries(bar.channel) == ["Channel 1", "Channel 2", "1 + 2"]
     choose(bar.channel, "1 + 2")
     choose(bar.rate, "48 000 Hz")
     booth.until(lambda: booth.studio.openers.asked[-1].rate == 48_000)
@@ -204,8 +204,8 @@ def test_a_microphone_of_one_channel_is_heard_on_its_first(booth: Booth):
     booth.until(lambda: bar.device.count() == 3)
     choose(bar.channel, "1 + 2")
     choose(bar.device, HEADSET.label)
-    assert entries(bar.channel) == ["channel 1"]
-    assert bar.channel.currentText() == "channel 1"
+    assert entries(bar.channel) == ["Channel 1"]
+    assert bar.channel.currentText() == "Channel 1"
 
 
 def test_the_second_channel_is_heard(open_booth: Open):
@@ -232,7 +232,7 @@ def test_another_buffer_is_asked_of_the_microphone_at_once(open_booth: Open):
 def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth: Booth, qtbot, qapp, tmp_path):
     bar = booth.window.transport.microphone
     booth.until(lambda: bar.device.count() == 3)
-    for box, text in ((bar.device, DESK.label), (bar.channel, "channel 2"), (bar.rate, "48 000 Hz")):
+    for box, text in ((bar.device, DESK.label), (bar.channel, "Channel 2"), (bar.rate, "48 000 Hz")):
         choose(box, text)
     booth.window.transport.record.else_default.trigger()
     booth.window.transport.record.kinds[".flac"].trigger()
@@ -251,6 +251,6 @@ def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth:
     assert studio.model.choice.latency == 0.2
     assert (studio.model.suffix, studio.model.with_phonemes, studio.model.fill_gaps) == (".flac", True, True)
     bar = again.window.transport.microphone
-    assert bar.device.currentText() == f"{DESK.label} (not there)"
-    assert (bar.channel.currentText(), bar.rate.currentText()) == ("channel 2", "48 000 Hz")
+    assert bar.device.currentText() == f"{DESK.label} (not connected)"
+    assert (bar.channel.currentText(), bar.rate.currentText()) == ("Channel 2", "48 000 Hz")
     again.close()

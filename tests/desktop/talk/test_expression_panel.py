@@ -110,7 +110,7 @@ def opened(stage: Stage, path: Path) -> None:
 
 def test_a_recorded_face_goes_with_the_sound(stage: Stage, panel: ExpressionPanel, tmp_path: Path) -> None:
     opened(stage, recorded_brow(tmp_path))
-    assert panel.recorded.text() == "brow.csv"
+    assert panel.file.text() == "brow.csv ×"
     seen = []
     stage.play(0.5, lambda: seen.append((stage.session.source.position, shown(stage, BROW))))
     assert all(brow == pytest.approx(50 * position, abs=2) for position, brow in seen[5:])
@@ -124,7 +124,7 @@ def test_a_recorded_face_goes_with_the_sound(stage: Stage, panel: ExpressionPane
     panel.file.click()
     stage.wait(0.1)
     assert shown(stage, BROW) == pytest.approx(0, abs=1)
-    assert panel.recorded.text() == ""
+    assert panel.file.text() == "Load face capture…"
 
 
 def test_what_is_no_recorded_face_is_refused_in_a_sentence(stage: Stage, tmp_path: Path) -> None:
@@ -143,7 +143,7 @@ def test_other_programs_move_the_face_and_it_is_said_what_is_heard(
     panel.switch.click()
     qtbot.waitUntil(lambda: heard.stream is not None)
     panel.refresh()
-    assert panel.state.text() == "listening"
+    assert panel.state.text() == "Waiting for messages"
     assert heard.stream is not None
     with SimpleUDPClient("127.0.0.1", heard.stream.port) as sender:
 
@@ -156,7 +156,7 @@ def test_other_programs_move_the_face_and_it_is_said_what_is_heard(
         qtbot.waitUntil(arrived)
     assert shown(stage, BROW) == pytest.approx(40, abs=1)
     panel.refresh()
-    assert panel.state.text() == "heard surprise and 1 more"
+    assert panel.state.text() == "Receiving surprise and 1 more"
     panel.sliders["surprise"].setValue(25)
     stage.wait(0.1)
     assert shown(stage, BROW) == pytest.approx(60, abs=1)
@@ -164,7 +164,7 @@ def test_other_programs_move_the_face_and_it_is_said_what_is_heard(
     panel.switch.click()
     stage.wait(0.1)
     assert shown(stage, BROW) == pytest.approx(0, abs=1)
-    assert panel.state.text() == "off"
+    assert panel.state.text() == "Off"
 
 
 @pytest.mark.parametrize("address", ["nowhere", "127.0.0.1:99999", "nobody.invalid:39540"])

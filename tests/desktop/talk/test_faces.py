@@ -115,10 +115,10 @@ def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
 def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, tmp_path):
     (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
     window.files.show = FileAnswers(tmp_path / "bad.obj")
-    click(button(window.talk, "Own Mesh…"))
+    click(button(window.talk, "Load face…"))
     qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
     assert desktop.talking.face.is_shipped
-    assert window.talk.choices.face.text() == "the program's own head"
+    assert window.talk.choices.face.text() == "Default head"
 
 
 def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
@@ -131,7 +131,7 @@ def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop
     n_drawn = window.talk.head.surface.n_drawn
     qtbot.waitUntil(lambda: window.talk.head.surface.n_drawn > n_drawn)
     click(window.talk.choices.shipped)
-    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "the program's own head")
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "Default head")
     assert "jawOpen" in desktop.talking.percentages
 
 

@@ -34,13 +34,13 @@ def test_what_is_heard_is_sent_and_the_mouth_closes_at_the_end(
     osc = stage.talking.osc
     osc.set_address(f"127.0.0.1:{receiver.address.port}")
     osc.set_on(True)
-    qtbot.waitUntil(lambda: osc.words.startswith("sending"))
+    qtbot.waitUntil(lambda: osc.words.startswith("Sending"))
     stage.play(1.0)
     qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
     qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
     osc.set_on(False)
     qtbot.waitUntil(lambda: receiver.weights()["jawOpen"] < 0.01)
-    assert osc.words == "off"
+    assert osc.words == "Off"
     assert not stage.failed
 
 
@@ -107,7 +107,7 @@ def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qt
     film = animation_of(utterance, talking.table, SAMPLE_RATE / STEP, MOUTH_ALONE)
     talking.osc.set_address(f"127.0.0.1:{receiver.address.port}")
     talking.osc.set_on(True)
-    qtbot.waitUntil(lambda: talking.osc.words.startswith("sending"))
+    qtbot.waitUntil(lambda: talking.osc.words.startswith("Sending"))
     session.play()
     qtbot.waitUntil(lambda: stage.outputs.last.n_written >= len(sound))
     shown, sent = [], []
@@ -187,13 +187,13 @@ def type_address(window: MainWindow, text: str) -> None:
 def test_the_switch_sends_the_mouth_to_the_address_that_was_typed(window, desktop, qtbot, receiver):
     type_address(window, f"127.0.0.1:{receiver.address.port}")
     click(window.talk.osc.switch)
-    qtbot.waitUntil(lambda: window.talk.osc.state.text().startswith("sending"))
+    qtbot.waitUntil(lambda: window.talk.osc.state.text().startswith("Sending"))
     press(window, Qt.Key.Key_Escape)
     desktop.session.play()
     qtbot.waitUntil(lambda: any(name == "a" for name, *_ in receiver.of("/phoneme")))
     qtbot.waitUntil(lambda: receiver.weights().get("jawOpen", 0.0) > 0.1)
     click(window.talk.osc.switch)
-    assert window.talk.osc.state.text() == "off"
+    assert window.talk.osc.state.text() == "Off"
     assert not window.talk.osc.switch.isChecked()
 
 

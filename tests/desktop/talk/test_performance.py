@@ -123,7 +123,7 @@ def test_a_table_that_comes_while_a_text_is_spoken_is_for_the_next_one(desk: Des
     desk.say("So. So so.")
     desk.stage.play(0.1)
     use(desk, table)
-    assert any("once more" in sentence for sentence in desk.told)
+    assert any("press Speak" in sentence for sentence in desk.told)
     assert desk.stage.talking.head.caption == FaceDriver.RULES.caption or not desk.stage.talking.head.caption
 
 
@@ -263,10 +263,10 @@ def test_a_unit_is_heard_and_seen_as_it_was_recorded(desk: Desk, corpus: Path, t
     desk.session.play()
     unit = desk.texts.drivers.performance.units[0]
     original, talking = desk.texts.original, desk.stage.talking
-    desk.texts.play_original(unit, whole=True)
-    desk.qtbot.waitUntil(lambda: original.face is not None)
+    with desk.qtbot.waitSignal(original.changed):
+        desk.texts.play_original(unit, whole=True)
     assert not desk.session.source.playing
-    assert talking.head.caption == "mami, as recorded: mia"
+    assert talking.head.caption == "mami, original recording from mia"
     output = desk.stage.outputs.last
     desk.qtbot.waitUntil(lambda: output.n_written > 22050)
     output.move(22050)
@@ -283,8 +283,8 @@ def test_a_unit_is_heard_and_seen_as_it_was_recorded(desk: Desk, corpus: Path, t
 def test_the_sound_in_hand_goes_before_a_recording(desk: Desk, corpus: Path, tmp_path: Path) -> None:
     labelled(desk, tmp_path)
     use(desk, corpus)
-    desk.texts.play_original(desk.texts.drivers.performance.units[1])
-    desk.qtbot.waitUntil(lambda: desk.texts.original.face is not None)
+    with desk.qtbot.waitSignal(desk.texts.original.changed):
+        desk.texts.play_original(desk.texts.drivers.performance.units[1])
     desk.session.play()
     assert desk.texts.original.face is None
 
@@ -294,10 +294,10 @@ def test_a_recording_without_its_sound_is_seen_and_that_is_said(desk: Desk, corp
     use(desk, corpus)
     (tmp_path / "corpus").rename(tmp_path / "elsewhere")
     original = desk.texts.original
-    desk.texts.play_original(desk.texts.drivers.performance.units[1])
-    desk.qtbot.waitUntil(lambda: original.face is not None)
+    with desk.qtbot.waitSignal(original.changed):
+        desk.texts.play_original(desk.texts.drivers.performance.units[1])
     (sentence,) = desk.failed
-    assert "put the recordings where they were" in sentence
+    assert "put the recordings back" in sentence
 
     def over() -> bool:
         desk.stage.talking.tick()

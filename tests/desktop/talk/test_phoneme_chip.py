@@ -68,6 +68,7 @@ def test_a_place_shows_what_is_said_there(stage: Stage, chip: PhonemeChip, qtbot
 def test_a_live_sound_that_is_stopped_shows_none(stage: Stage, chip: PhonemeChip) -> None:
     stage.session.playback.set_tone(Tone(kind=ToneKind.VOWEL))
     stage.session.set_source(SourceKind.TONE)
+    stage.session.play()
     stage.play(0.6)
     assert shown(chip) is Phoneme.A
     stage.session.pause()

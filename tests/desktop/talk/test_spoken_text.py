@@ -148,7 +148,8 @@ def test_labels_of_others_beside_a_spoken_sound_stay(desk, tmp_path):
     desk.texts.save_speech(tmp_path / "spoken.wav")
     desk.wait()
     assert desk.failed == [
-        "spoken.TextGrid: it is beside the sound and would be replaced; choose another name for the sound"
+        "spoken.TextGrid: this file exists beside the audio file and would be overwritten; choose another name "
+        "for the audio file"
     ]
     assert diary.read_text() == "a diary"
     diary.unlink()

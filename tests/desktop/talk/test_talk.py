@@ -47,6 +47,7 @@ def test_a_vowel_of_a_file_moves_the_mouth_before_it_is_heard(stage: Stage) -> N
 def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
     stage.session.playback.set_tone(Tone(kind=ToneKind.VOWEL))
     stage.session.set_source(SourceKind.TONE)
+    stage.session.play()
     before: list[float] = []
     stage.play(0.6, lambda: before.append(stage.jaw) if not stage.said_an_a else None)
     assert stage.said_an_a
@@ -57,6 +58,7 @@ def test_what_is_live_moves_the_mouth_when_it_is_heard(stage: Stage) -> None:
 def test_the_mouth_closes_when_nothing_live_comes_any_more(stage: Stage) -> None:
     stage.session.playback.set_tone(Tone(kind=ToneKind.VOWEL))
     stage.session.set_source(SourceKind.TONE)
+    stage.session.play()
     stage.play(0.6)
     stage.session.pause()
     stage.wait(1.0)

@@ -5,7 +5,7 @@ import pytest
 
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.scripts import words_beside
-from phonemeanalyser.desktop.talk.words.text_model import POOR, fits_badly
+from phonemeanalyser.desktop.talk.words.sound_words import POOR, fits_badly
 from phonemeengine.analyser import Analysis
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, spans_of
@@ -58,7 +58,7 @@ def test_of_labels_of_several_people_one_is_chosen(desk, tmp_path):
     desk.open(tmp_path)
     assert desk.texts.speakers == ("mary", "john")
     assert (desk.texts.utterance, desk.failed) == (None, [])
-    assert "Several people speak" in desk.told[-1]
+    assert "several speakers" in desk.told[-1]
     for name, said in (("john", "oh"), ("mary", "so")):
         desk.texts.choose_speaker(name)
         desk.wait()
@@ -73,7 +73,7 @@ def test_a_script_is_opened_for_the_sound_in_hand(desk, tmp_path):
     words.write_text('{"words": [{"word": "Oh,", "start": 0.2, "end": 0.5}]}', encoding="utf-8")
     labels.write_text(format_utterance(SAID), encoding="utf-8")
     desk.texts.open_script(text)
-    assert "There is no sound file in hand" in desk.failed[-1]
+    assert "No audio file is open" in desk.failed[-1]
     desk.open(tmp_path)
     for script, shown, said in ((text, "oh so", []), (words, "Oh,", []), (labels, "so oh", ["so", "oh"])):
         desk.texts.open_script(script)
@@ -149,21 +149,21 @@ def test_no_text_is_refused_in_a_sentence(desk, tmp_path, text):
 
 def test_without_a_sound_there_is_nothing_to_align_with(desk):
     desk.align()
-    assert "no sound file" in desk.failed[0]
+    assert desk.failed[0].startswith("No audio file is open")
 
 
 def test_words_that_nobody_says_are_told(desk, tmp_path):
     desk.open(tmp_path)
     desk.aligner.found = Utterance(SAID.words, DURATION, "en-us", ("never", "ever"))
     desk.align()
-    assert desk.told == ["Nobody says: never ever."]
+    assert desk.told == ["Not spoken in the recording: never ever."]
 
 
 def test_another_text_is_said_to_be_one_and_changes_nothing(desk, tmp_path):
     desk.open(tmp_path)
     desk.aligner.found = Utterance((word(UNKNOWN_WORD, 0.6, 1.1),), DURATION, "en-us", ("never",))
     desk.align()
-    assert "Another text" in desk.failed[0]
+    assert "doesn’t match this text" in desk.failed[0]
     assert desk.texts.utterance is None
 
 
@@ -223,7 +223,7 @@ def test_words_that_fit_badly_and_those_of_no_script_are_marked():
 def test_how_many_words_fit_badly_is_said(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    assert desk.texts.summary == "2 words, 1 fits badly"
+    assert desk.texts.summary == "2 words, 1 poor match"
 
 
 # -- the head says what is known ----------------------------------------------------------------------
@@ -262,7 +262,7 @@ def test_a_dragged_boundary_is_undone_and_done_again(desk, tmp_path):
     desk.align()
     stack = desk.session.preset.undo_stack
     desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
-    assert stack.undoText() == "boundary of a word"
+    assert stack.undoText() == "move of a boundary (word)"
     assert spans_of(desk.texts.utterance, LabelUnit.WORD)[0] == pytest.approx((0.6, 0.8))
     stack.undo()
     assert desk.texts.utterance is SAID

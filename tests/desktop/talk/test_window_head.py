@@ -319,6 +319,8 @@ def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, tmp_path, ch
 def test_a_button_loads_phoneme_data(window, desktop):
     window.files.show = FileAnswers(THESIS_PRESET.parent / "extended.toml")
     click(window.talk.preset)
+    QTest.keyClicks(window.preset_box.list.search, "nothing has these words")  # but the entry for files
+    QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Return)
     assert desktop.preset.path.name == "extended.toml"
 
 
@@ -326,12 +328,12 @@ def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, t
     times, choices = window.talk.choices.times, window.talk.choices
     assert times.milliseconds(Phoneme.M) == ("58", "150")
     assert times.milliseconds(Phoneme.A) == ("100", "200")
-    assert "a: 100 and 200 ms" in times.toolTip()
+    assert "a: attack 100 ms, release 200 ms" in times.toolTip()
     before = times.grab().toImage()
     choices.attack.setValue(150)
     choices.release.setValue(200)
     assert times.milliseconds(Phoneme.A) == ("150", "400")
-    assert "a: 150 and 400 ms" in times.toolTip()
+    assert "a: attack 150 ms, release 400 ms" in times.toolTip()
     assert times.grab().toImage() != before
     text = (TABLES / "arkit.toml").read_text(encoding="utf-8").replace("a = { attack = 0.10", "a = { attack = 0.20")
     (tmp_path / "mine.toml").write_text(text, encoding="utf-8")

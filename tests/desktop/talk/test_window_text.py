@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.language import use_language
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE, TextPanel
@@ -130,9 +131,9 @@ def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(wind
     aligned(window, qtbot)
     lanes = panel(window).lanes.lanes.lanes
     assert [(lane.name, list(lane.texts)) for lane in lanes] == [
-        ("words", ["so", "oh"]),
-        ("syllables", ["so", "so"]),
-        ("phones", ["s", "o", "s", "o"]),
+        ("Words", ["so", "oh"]),
+        ("Syllables", ["so", "so"]),
+        ("Phones", ["s", "o", "s", "o"]),
     ]
     assert lanes[0].marked == {1}
 
@@ -162,7 +163,7 @@ def test_a_boundary_is_dragged_and_undone_by_the_menu(window, desktop, qtbot):
     aligned(window, qtbot)
     drag_boundary(window)
     assert spans_of(desktop.talking.text.utterance, LabelUnit.WORD)[1] == pytest.approx((0.7, 1.1), abs=0.01)
-    assert "Undo boundary of a word" in edits(window)
+    assert "Undo move of a boundary (word)" in edits(window)
     window.talk.head.setFocus()
     press(window, Qt.Key.Key_Z, CONTROL)
     assert desktop.talking.text.utterance is SAID
@@ -174,7 +175,7 @@ def test_who_moved_a_boundary_is_asked_before_another_sound_is_opened(window, de
     drag_boundary(window)
     told = answer(button)
     assert window.dialogs.open_sound(wav(tmp_path, AN_A, "other.wav")) is gone
-    assert told == ["Save the words of said.wav, whose boundaries you moved?"]
+    assert told == ["Save the boundaries that you moved in said.wav?"]
     assert (desktop.talking.text.utterance is None) is gone
 
 
@@ -233,7 +234,7 @@ def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot)
     texts = desktop.talking.text
     assert (texts.voice.choice.name, texts.voice.choice.rate) == ("f2", 5.5)
     assert texts.drivers.chosen is FaceDriver.RULES
-    assert "f2, 5.5 syllables a second" in panel(window).voice.toolTip()
+    assert "f2, 5.5 syllables/s" in panel(window).voice.toolTip()
     QTest.keyClick(below, Qt.Key.Key_Escape)
     assert not below.isVisible()
 
@@ -243,9 +244,9 @@ def test_voices_of_women_and_men_come_first_and_a_program_last(window, qtbot):
     below = opened(window, qtbot)
     assert [below.name.itemText(k) for k in range(below.name.count())] == [
         OWN_VOICE,
-        "f1 (woman)",
-        "f2 (woman)",
-        "m1 (man)",
+        "f1 (female)",
+        "f2 (female)",
+        "m1 (male)",
         "croak",
         "klatt",
         "Reed",
@@ -288,7 +289,7 @@ def test_labels_beside_the_sound_are_shown_at_once(window, desktop, qtbot, tmp_p
 
 def test_the_page_fits_on_a_small_screen_with_lanes_and_a_sentence(window, qtbot):
     aligned(window, qtbot)
-    window.banner.show_error("There is no text; write what is said into the field below the head.")
+    window.banner.show_error("There is no text; type it into the field below the head.")
     qtbot.waitUntil(lambda: fits(window))
     window.resize(*SMALLEST)
     qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
@@ -363,7 +364,7 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
     assert "ann (synthetic performer)" in panel(window).voice.toolTip()
     qtbot.waitUntil(lambda: window.talk.heads.main.caption.text() == "ann (synthetic performer)")
     below.choice.setFocus()
-    QTest.keyClicks(below.choice, "any w")
+    QTest.keyClicks(below.choice, "random w")
     assert desktop.talking.text.drivers.performance.choice is ExampleChoice.BAND
     below.table.setFocus()
     QTest.keyClick(below.table, Qt.Key.Key_Home)
@@ -373,27 +374,42 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
 
 def test_units_tell_where_they_are_from_and_are_played_by_a_click(window, desktop, qtbot, table):
     performed(window, desktop, table, qtbot)
-    timeline, lane = panel(window).lanes.lanes, lane_named(window, "units")
+    timeline, lane = panel(window).lanes.lanes, lane_named(window, "Units")
     units = timeline.lanes[lane]
     assert (np.diff(units.starts) > 0).all()
     syllable = next(k for k, tip in enumerate(units.tips) if tip.startswith("syllable"))
-    assert "[s o] of so so.so, " in units.tips[syllable]
+    assert "[s o] from so so.so, " in units.tips[syllable]
     original, told = desktop.talking.text.original, list[str]()
     original.changed.connect(lambda: told.append(original.caption))  # it may be over before a slow machine looks
     QTest.mouseClick(timeline, LEFT, Qt.KeyboardModifier.NoModifier, middle_of(window, lane, syllable))
     qtbot.waitUntil(lambda: bool(told))
-    assert told[0].startswith("so so.so, as recorded")
+    assert told[0].startswith("so so.so, original recording")
     window.talk.play.click()
     assert original.face is None
+
+
+def test_units_are_played_by_a_click_in_german_too(window, desktop, qtbot, qapp, table):
+    original, told = desktop.talking.text.original, list[str]()
+    original.changed.connect(lambda: told.append(original.caption))
+    use_language(qapp, "de")
+    try:
+        performed(window, desktop, table, qtbot)
+        lane = lane_named(window, "Einheiten")
+        QTest.mouseClick(panel(window).lanes.lanes, LEFT, pos=middle_of(window, lane, 0))
+        qtbot.waitUntil(lambda: bool(told))
+    finally:
+        use_language(qapp, "en")
+    original.stop()
+    assert ", Originalaufnahme aus ann" in told[0]
 
 
 def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, table):
     performed(window, desktop, table, qtbot)
     actions = {action.text(): action for action in window.talk.comparisons.actions()}
-    actions["With Sounds, by the Mouth Table"].trigger()
+    actions["With Phonemes (Rules)"].trigger()
     heads = window.talk.heads
     assert heads.beside.isVisible()
-    assert heads.beside.caption.text() == "sounds, by the mouth table"
+    assert heads.beside.caption.text() == "Phonemes (rules)"
     qtbot.waitUntil(lambda: heads.beside.view.camera is not None)
     heads.beside.view.look(wireframe=True)
     assert heads.main.view.wireframe
@@ -402,7 +418,7 @@ def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, tabl
     window.resize(*SMALLEST)
     qtbot.waitUntil(lambda: fits(window))
     assert heads.main.view.width() > 100
-    actions["One Head"].trigger()
+    actions["No Comparison"].trigger()
     assert not heads.beside.isVisible()
 
 

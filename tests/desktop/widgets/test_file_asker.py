@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.settings import Channel
 from tests.desktop.hands import FileAnswers
 
-PICTURES = "Pixels (*.png);;Lines (*.svg)"
+PICTURES = "PNG image (*.png);;SVG drawing (*.svg)"
 
 
 @pytest.mark.parametrize(

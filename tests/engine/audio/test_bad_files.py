@@ -117,7 +117,7 @@ def test_a_name_that_no_file_can_have_is_refused(name: str, tmp_path: Path) -> N
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no pipes with names")
 def test_a_pipe_is_refused_without_waiting_for_its_writer(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.wav")
-    assert "not a sound file" in refusal_of(tmp_path / "pipe.wav")
+    assert "not an audio file" in refusal_of(tmp_path / "pipe.wav")
 
 
 @pytest.mark.parametrize("name", ODD_FILES)
@@ -130,7 +130,7 @@ def test_an_unusual_file_is_read_to_its_end(name: str, tmp_path: Path) -> None:
 def test_a_file_that_was_cut_off_is_read_as_far_as_it_goes_and_says_so(name: str, tmp_path: Path) -> None:
     with SoundReader(CUT_OFF[name](tmp_path)) as reader:
         assert reader.cut_off in reader.notes
-        assert f"{reader.duration:.3f} s are there" in reader.cut_off or "sound, which is whole" in reader.cut_off
+        assert f"contains {reader.duration:.3f} s" in reader.cut_off or "audio, which is complete" in reader.cut_off
         sound = np.concatenate(list(reader.blocks(1000)))
         assert len(sound) == reader.n_samples > 2000
         reader.seek(1500)
@@ -142,9 +142,9 @@ def test_a_file_that_was_cut_off_is_read_as_far_as_it_goes_and_says_so(name: str
 
 def test_of_three_seconds_as_many_are_said_to_be_there_as_are_read(tmp_path: Path) -> None:
     with SoundReader(CUT_OFF["truncated_wav"](tmp_path)) as reader:
-        assert reader.cut_off == "it is cut off: of the 3.000 s that its header announces, 1.800 s are there"
+        assert reader.cut_off == "the file is truncated; its header announces 3.000 s, but it contains 1.800 s"
     with SoundReader(CUT_OFF["streamed_all_ones"](tmp_path)) as reader:
-        assert reader.cut_off == "its header does not say how long it is; 0.200 s are there"
+        assert reader.cut_off == "the header gives no duration; the file contains 0.200 s"
 
 
 @pytest.mark.parametrize("name", NEVER_FINISHED)
@@ -156,7 +156,7 @@ def test_a_header_that_was_never_finished_does_not_shorten_the_sound(name: str, 
     with SoundReader(path) as reader:
         assert reader.n_samples == len(expected)
         np.testing.assert_allclose(reader.read_mono(), expected, atol=1e-4)
-        assert reader.cut_off == f"its header does not say how long it is; {reader.duration:.3f} s are there"
+        assert reader.cut_off == f"the header gives no duration; the file contains {reader.duration:.3f} s"
 
 
 def test_a_flac_that_was_killed_in_a_pipe_is_read_up_to_its_last_whole_frame(tmp_path: Path) -> None:
@@ -192,7 +192,7 @@ def test_wherever_a_wav_is_cut_it_is_read_or_refused(length: int, tmp_path: Path
 def test_one_sample_is_a_sound_with_a_remark(tmp_path: Path) -> None:
     with SoundReader(ODD_FILES["one_sample"](tmp_path)) as reader:
         assert reader.n_samples == 1
-        assert reader.notes == ("shorter than one window (46 ms), so silence surrounds it",)
+        assert reader.notes == ("shorter than one window (46 ms), padded with silence",)
         np.testing.assert_allclose(reader.read(10)[:, 0], a_sound()[:1], atol=1e-4)
 
 

@@ -79,7 +79,7 @@ def test_a_device_that_is_not_there_is_refused_with_all_that_are() -> None:
     with pytest.raises(DeviceError) as refusal:
         chosen_input(InputChoice("Speaker"), ALL)
     assert str(refusal.value) == (
-        "the microphone 'Speaker' is not there; choose one of: Built-in (hw:0,0) · ALSA, Yeti · ALSA, Yeti · JACK"
+        "the microphone 'Speaker' is not connected; choose one of: Built-in (hw:0,0) · ALSA, Yeti · ALSA, Yeti · JACK"
     )
 
 
@@ -90,7 +90,7 @@ def test_the_default_takes_its_place_where_the_user_likes_that() -> None:
 
 @pytest.mark.parametrize("choice", [InputChoice(), InputChoice("Yeti"), InputChoice(else_default=True)])
 def test_without_any_microphone_it_says_so(choice: InputChoice) -> None:
-    with pytest.raises(DeviceError, match=r"^there is no microphone; plug one in, or check"):
+    with pytest.raises(DeviceError, match=r"^no microphone was found; connect one, or check"):
         chosen_input(choice, [SPEAKER])
 
 
@@ -139,7 +139,7 @@ def test_a_device_is_opened_by_the_number_that_it_has_now(portaudio: FakePortAud
     assert (opened.name, portaudio.streams[0].device) == ("Yeti", 1)
     portaudio.plugged.clear()
     opened.close()
-    with pytest.raises(DeviceError, match=r"cannot be opened \(Yeti · ALSA is not there\)"):
+    with pytest.raises(DeviceError, match=r"could not be opened \(Yeti · ALSA is not there\)"):
         CardStream("input", yeti, 44_100, 1, 0.1, lambda *_: None)
 
 
@@ -160,9 +160,9 @@ def test_a_sound_system_that_does_not_answer_is_said_and_asked_again_later(porta
     portaudio.plug("Yeti")
     portaudio.answers = False
     for _ in range(2):
-        with pytest.raises(DeviceError, match=r"^the sound system does not answer \(Error initializing PortAudio"):
+        with pytest.raises(DeviceError, match=r"^the audio system does not respond \(Error initializing PortAudio"):
             devices()
-    with pytest.raises(DeviceError, match="does not answer"):
+    with pytest.raises(DeviceError, match="does not respond"):
         open_stream()
     portaudio.answers = True
     assert [d.name for d in devices()] == ["Yeti"]
@@ -186,7 +186,7 @@ def test_what_is_missing_is_named_with_what_to_install(body: str, words: str, tm
         check=False,
         env=os.environ | {"PYTHONPATH": path},
     )
-    assert "DeviceError: sound cannot be played or recorded" in done.stderr
+    assert "DeviceError: audio cannot be played or recorded" in done.stderr
     assert words in done.stderr.splitlines()[-1]
 
 

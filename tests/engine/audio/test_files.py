@@ -259,16 +259,16 @@ def test_an_mp3_file_may_lack_a_frame_at_its_end(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(("rate", "n_channels"), [(8000, 1), (44_100, 2), (1000, 1)])
-def test_ten_minutes_take_no_more_memory_than_one(rate: int, n_channels: int, tmp_path: Path) -> None:
+def test_two_minutes_take_no_more_memory_than_one(rate: int, n_channels: int, tmp_path: Path) -> None:
     path = tmp_path / "long.wav"
     with soundfile.SoundFile(path, "w", rate, n_channels) as file:
-        for _ in range(600):
+        for _ in range(120):
             file.write(np.zeros((rate, n_channels), np.float32))
     tracemalloc.start()
     try:
         with SoundReader(path) as reader:
-            assert sum(len(block) for block in reader.blocks(22_050)) == 600 * SAMPLE_RATE
-            reader.seek(300 * SAMPLE_RATE)
+            assert sum(len(block) for block in reader.blocks(22_050)) == 120 * SAMPLE_RATE  # 21 MB
+            reader.seek(60 * SAMPLE_RATE)
         peak = tracemalloc.get_traced_memory()[1]
     finally:
         tracemalloc.stop()

@@ -287,7 +287,7 @@ def test_a_microphone_that_was_away_is_recorded_with_a_gap_of_that_length(
     wait_for(lambda: len(hearing.openers.asked) > 1, "another try")
     clock.now += 4.21
     hearing.openers.waiting.append(second)
-    hearing.wait_words("waiting for the first sound from the same again")
+    hearing.wait_words("waiting for a signal from the same again")
     second.give(SPEECH[50 * HOP : 80 * HOP])  # each block began 10 ms before it came
     hearing.wait(frames_in(50 * HOP) + frames_in(30 * HOP))
     hearing.listener.record(None)

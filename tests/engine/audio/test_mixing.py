@@ -35,10 +35,10 @@ def in_channel(k: int, n: int) -> Sound:
 
 
 CASES = {
-    "opposite": (np.stack([SPEECH, -SPEECH], axis=1), "channel 2 is turned over"),
-    "nearly opposite": (np.stack([SPEECH, -0.9 * SPEECH], axis=1), "channel 2 is turned over"),
-    "one silent": (in_channel(0, 2), "only channel 1 of 2 sounds and is used"),
-    "centre alone": (in_channel(2, 6), "only channel 3 of 6 sounds and is used"),
+    "opposite": (np.stack([SPEECH, -SPEECH], axis=1), "channel 2 is inverted"),
+    "nearly opposite": (np.stack([SPEECH, -0.9 * SPEECH], axis=1), "channel 2 is inverted"),
+    "one silent": (in_channel(0, 2), "only channel 1 of 2 has a signal and is used"),
+    "centre alone": (in_channel(2, 6), "only channel 3 of 6 has a signal and is used"),
     "-40 dB": (SPEECH / 100, "dBFS; amplified by"),
     "-50 dB": (SPEECH / 316, "dBFS; amplified by"),
     "-60 dB": (SPEECH / 1000, "dBFS; amplified by"),

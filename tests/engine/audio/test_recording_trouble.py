@@ -60,7 +60,7 @@ def test_a_full_disk_stops_the_recording_with_one_sentence(
     sentence = check_sentence(recording, f"take{suffix}")
     assert sentence == (
         f"take{suffix}: the disk is full, so the recording stopped after {int(recording.seconds * 10) / 10:.1f} s, "
-        f"which are kept in {disk}; make room or record to another disk"
+        f"which are kept in {disk}; free some space or record to another disk"
     )
     assert recording.n_samples * n_channels > 60_000
     check_kept(recording.path, recording.n_samples, n_channels)
@@ -106,7 +106,9 @@ def test_a_file_that_may_not_grow_stops_the_recording_and_is_full_to_the_last_fr
 def test_no_room_for_a_beginning_is_refused(mounted: Callable[..., Path], tmp_path: Path) -> None:
     disk = mounted("disk", "size=4k")
     (disk / "other").write_bytes(bytes(4096))
-    with pytest.raises(RecordingError, match=r"^take\.wav: the disk is full, so nothing can be recorded; make room"):
+    with pytest.raises(
+        RecordingError, match=r"^take\.wav: the disk is full, so nothing can be recorded; free some space"
+    ):
         begun(disk / "take.wav", journal=tmp_path / "journal")
     assert not (disk / "take.wav").exists()
 
@@ -119,7 +121,9 @@ def test_a_full_disk_from_the_first_sample_leaves_no_empty_file(mounted: Callabl
     wait_for(lambda: recording.failure)
     recording.close()
     sentence = check_sentence(recording, "take.flac")
-    assert sentence == "take.flac: the disk is full, so nothing was recorded; make room or record to another disk"
+    assert (
+        sentence == "take.flac: the disk is full, so nothing was recorded; free some space or record to another disk"
+    )
     assert not (disk / "take.flac").exists()
 
 

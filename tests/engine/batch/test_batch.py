@@ -99,7 +99,9 @@ def test_a_record_that_was_cut_off_counts_as_far_as_it_goes(tmp_path: Path) -> N
 
 @pytest.mark.parametrize("n_processes", [1, 2])
 def test_a_full_disk_ends_the_batch_and_what_was_finished_stays(n_processes: int, tmp_path: Path) -> None:
-    with pytest.raises(BatchError, match=r"full\.wav: .*the disk is full, so the batch ends here: make room, and"):
+    with pytest.raises(
+        BatchError, match=r"full\.wav: .*the disk is full, so the batch ends here: free some space, and"
+    ):
         worked(tmp_path, "a", "full", "z", n_processes=n_processes)
     assert {*made_in(tmp_path / "out")} <= {"a", "z"}
     (tmp_path / "in" / "full.wav").rename(tmp_path / "in" / "b.wav")

@@ -1,5 +1,6 @@
 """Fingerprints: the same wherever they are made, and another as soon as anything differs."""
 
+import pickle
 import subprocess
 import sys
 from dataclasses import replace
@@ -12,6 +13,7 @@ from phonemeengine import Detail, ExportOptions, IdleMotion, for_files, load_pre
 from phonemeengine.batch.order import order_of
 from phonemeengine.batch.work import fingerprint_of
 from phonemeengine.presets.files import FACTORY_PRESETS
+from phonemeengine.settings import ModelKind
 from tests.fakes.batch_works import CopyWork
 
 CODE = """
@@ -59,3 +61,14 @@ def test_a_path_stands_for_its_file(tmp_path: Path) -> None:
 
 def test_an_order_is_known_by_its_work() -> None:
     assert order_of(CopyWork("a")) == order_of(CopyWork("a")) != order_of(CopyWork("b"))
+
+
+@pytest.mark.parametrize(("kind", "is_sent"), [(ModelKind.OFFLINE, False), (ModelKind.ENCODER, True)])
+def test_an_order_carries_the_real_time_model_only_where_that_recognises(kind: ModelKind, is_sent: bool) -> None:
+    work = CopyWork(preset=for_files(load_preset("learned"), kind))
+    order = order_of(work)
+    assert order.digest == work.fingerprint()
+    assert pickle.loads(order.content) == (
+        work if is_sent else replace(work, preset=replace(work.preset, live_encoder=None))
+    )
+    assert (len(order.content) > 11e6) == is_sent

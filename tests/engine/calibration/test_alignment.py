@@ -49,9 +49,9 @@ def test_the_labels_lie_where_the_sounds_are(read: tuple[Sound, tuple[Label, ...
 
 def test_another_sentence_is_not_taken_for_it(read: tuple[Sound, tuple[Label, ...]]):
     sound, _ = read
-    with pytest.raises(TakeError, match="is not this sentence; read it again"):
+    with pytest.raises(TakeError, match="does not match this sentence; read it again"):
         aligned(sound, SENTENCES[2])
-    with pytest.raises(TakeError, match="is not this sentence"):
+    with pytest.raises(TakeError, match="does not match this sentence"):
         aligned(noise(6.0, 0.05), ENGLISH)
     with pytest.raises(TakeError, match="too short for this sentence"):
         aligned(sound[:SAMPLE_RATE], ENGLISH)
@@ -83,7 +83,7 @@ def test_a_file_is_labelled_by_the_sentence_or_by_any_text(read: tuple[Sound, tu
     assert utterance.labels == read_sentence(tmp_path / "me.wav", ENGLISH.words).labels
     assert utterance.path == tmp_path / "me.wav"
     assert {label.phoneme for label in utterance.labels} == set(Phoneme)
-    with pytest.raises(TakeError, match=r"^me\.wav: what was heard is not this sentence; read it again"):
+    with pytest.raises(TakeError, match=r"^me\.wav: the recording does not match this sentence; read it again"):
         read_sentence(tmp_path / "me.wav", SENTENCES[2])
 
 

@@ -125,11 +125,11 @@ def test_a_fit_betters_a_preset_that_was_made_for_other_voices(bench, preset):
 
 
 @pytest.mark.parametrize("preset", [THESIS, OWN], ids=["thesis", "rules"])
-@pytest.mark.parametrize("hold", [0.0, 0.15, 0.5])
+@pytest.mark.parametrize("hold", [0.0, 0.5])
 def test_a_fit_is_never_worse_than_what_was_there(bench, preset, hold):
     settings = replace(preset.settings, minimum_hold=hold)  # of which the search knows nothing
     before = fit_preset(bench, replace(preset, settings=settings)).preset
-    for seed in range(3):
+    for seed in range(2):
         report = fit_preset(bench, before, seed=seed)
         assert report.after.macro_f1 >= report.before.macro_f1
         assert report.gains or report.preset == before
@@ -155,7 +155,7 @@ def test_figures_for_what_was_left_out_are_of_every_frame_once(bench):
     whole: Confusion = bench.confusion(OWN)
     assert held is not None
     assert held.minutes == pytest.approx(whole.scores().minutes)
-    assert held.label_changes_per_s == pytest.approx(whole.label_changes_per_s)
+    assert held.label_changes_per_s == pytest.approx(whole.agreement.label_changes_per_s)
 
 
 @pytest.mark.parametrize("preset", [THESIS, OWN], ids=["thesis", "rules"])

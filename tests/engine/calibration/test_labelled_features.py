@@ -153,13 +153,13 @@ def test_the_counts_and_figures_are_those_of_scoring_the_files(bench, utterances
     scored = score(THESIS, utterances)
     confusion = bench.confusion(THESIS)
     assert confusion.counts.tolist() == scored.overall.confusion.tolist()
-    assert confusion.accuracy == scored.overall.scores.accuracy
-    assert confusion.macro_f1 == pytest.approx(scored.overall.scores.macro_f1, abs=1e-12)
-    assert confusion.f1_of(A) == pytest.approx(scored.overall.f1_of(A), abs=1e-12)
-    assert np.isnan(confusion.f1_of(Phoneme.M))  # nobody says it
+    assert confusion.agreement.accuracy == scored.overall.scores.accuracy
+    assert confusion.agreement.macro_f1 == pytest.approx(scored.overall.scores.macro_f1, abs=1e-12)
+    assert confusion.agreement.f1_of(A) == pytest.approx(scored.overall.f1_of(A), abs=1e-12)
+    assert np.isnan(confusion.agreement.f1_of(Phoneme.M))  # no label has it
     assert confusion.scores() == pytest.approx(scored.overall.scores)
-    assert confusion.changes_per_s == pytest.approx(scored.overall.scores.changes_per_s)
-    assert confusion.label_changes_per_s == pytest.approx(scored.overall.scores.label_changes_per_s)
+    assert confusion.agreement.changes_per_s == pytest.approx(scored.overall.scores.changes_per_s)
+    assert confusion.agreement.label_changes_per_s == pytest.approx(scored.overall.scores.label_changes_per_s)
     line = [confusion.line(k).tolist() for k in range(confusion.n_recordings)]
     assert line == [heard.phonemes.tolist() for heard in scored.predictions]
     part = confusion.scores((1,))
@@ -173,10 +173,10 @@ def test_frames_labelled_as_none_of_the_ten_are_counted_but_not_scored(tmp_path)
     always_a = replace(THESIS, recogniser="rules", rules=(Rule(A, ()),))
     confusion = LabelledFeatures([half_known], always_a).confusion(always_a)
     assert confusion.counts[:, A].tolist()[:2] == [30, 30]
-    assert confusion.accuracy == pytest.approx(1 / 3)
-    assert confusion.f1_of(A) == pytest.approx(2 * 30 / (30 + 90))
-    assert confusion.macro_f1 == pytest.approx(score(always_a, [half_known]).overall.scores.macro_f1)
-    assert np.isnan(confusion.f1_of(Phoneme.UNIDENTIFIED))
+    assert confusion.agreement.accuracy == pytest.approx(1 / 3)
+    assert confusion.agreement.f1_of(A) == pytest.approx(2 * 30 / (30 + 90))
+    assert confusion.agreement.macro_f1 == pytest.approx(score(always_a, [half_known]).overall.scores.macro_f1)
+    assert np.isnan(confusion.agreement.f1_of(Phoneme.UNIDENTIFIED))
 
 
 def test_what_was_measured_otherwise_is_measured_again(bench, utterances):
@@ -254,7 +254,8 @@ def test_a_twin_answers_the_same_while_another_thread_asks(bench):
 def test_without_recordings_there_is_nothing_to_count():
     confusion = LabelledFeatures((), THESIS).confusion(THESIS)
     assert confusion.counts.sum() == 0
-    assert np.isnan([confusion.accuracy, confusion.macro_f1, confusion.f1_of(A), confusion.changes_per_s]).all()
+    figures = confusion.agreement
+    assert np.isnan([figures.accuracy, figures.macro_f1, figures.f1_of(A), figures.changes_per_s]).all()
     assert confusion.frames_in(A, A) == ()
     assert confusion.n_recordings == 0
 

@@ -47,6 +47,19 @@ def test_what_only_one_gets_right_is_counted_by_what_was_said() -> None:
     assert sum(map(sum, counts.values())) == 8
 
 
+def test_frames_whose_phoneme_changes_are_counted_by_what_each_preset_answers() -> None:
+    found = compare(scores(("__aaaoo?", "__aaoom?")), scores(("__aaaoo?", "a_aoaomm")))
+    changed = found.changed - np.diag(found.changed.diagonal())
+    cells = {(Phoneme(i), Phoneme(j)): int(changed[i, j]) for i, j in zip(*changed.nonzero(), strict=True)}
+    assert cells == {
+        (Phoneme.SILENCE, Phoneme.A): 1,
+        (Phoneme.A, Phoneme.O): 1,
+        (Phoneme.O, Phoneme.A): 1,
+        (Phoneme.UNIDENTIFIED, Phoneme.M): 1,
+    }
+    assert found.changed.sum() == 8
+
+
 def test_the_sums_are_those_of_the_confusions(tmp_path: Path) -> None:
     utterances = read_corpus(write_corpus(tmp_path, THESIS))
     one, other = (score(preset, utterances) for preset in (THESIS, CLEAN))

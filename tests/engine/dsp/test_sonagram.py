@@ -2,16 +2,12 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from phonemeengine.dsp.mel import mel_of
 from phonemeengine.dsp.sonagram import (
     FLOOR,
-    SPAN,
     FrequencyAxis,
     SonagramSettings,
-    level_range_of,
     row_frequencies,
     sonagram_of,
 )
@@ -75,18 +71,6 @@ def test_rows_are_equally_far_apart_on_their_axis():
     assert np.ptp(np.diff(np.log(rows[FrequencyAxis.LOGARITHMIC]))) < 1e-6
     assert rows[FrequencyAxis.LOGARITHMIC][0] == 20
     assert all(found[-1] == pytest.approx(8000) for found in rows.values())
-
-
-@given(st.floats(-60, 0), st.floats(0.001, 0.5))
-def test_the_range_follows_the_sound(gain: float, amplitude: float):
-    levels = np.array([[gain, gain - 10], [FLOOR, gain - 30]], np.float32)
-    low, high = level_range_of(levels)
-    assert high == pytest.approx(gain, abs=0.5)
-    assert low == pytest.approx(max(high - SPAN, FLOOR))
-
-
-def test_silence_has_the_usual_range():
-    assert level_range_of(np.full((3, 3), FLOOR, np.float32)) == (-SPAN, 0.0)
 
 
 @pytest.mark.parametrize(

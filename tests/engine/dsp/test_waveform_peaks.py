@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from phonemeengine.dsp.waveform_peaks import FACTOR, FINEST, WaveformPeaks
+from phonemeengine.dsp.waveform_peaks import FACTOR, FINEST, WaveformPeaks, zero_crossing_near
 from tests.sounds import noise, silence
 
 SOUND = noise(20.0, 0.1, seed=3)
@@ -90,3 +90,20 @@ def test_one_thread_may_look_while_another_writes() -> None:
         peaks.push(np.ones(5000, np.float32))
     looking.join()
     assert faults == []
+
+
+def test_sections_of_one_sample_give_the_exact_outline():
+    peaks = WaveformPeaks(1)
+    peaks.push(SOUND[:1000])
+    found = peaks.between(0, 1000, 100)
+    columns = SOUND[:1000].reshape(100, 10)
+    assert np.array_equal(found.low, columns.min(axis=1))
+    assert np.array_equal(found.high, columns.max(axis=1))
+
+
+def test_the_nearest_zero_crossing_lies_between_two_samples():
+    wave = np.array([0.5, 0.25, -0.75, -0.5, 0.5, 1.0], np.float32)
+    assert zero_crossing_near(wave, 1.5, 2.0) == pytest.approx(1.25)
+    assert zero_crossing_near(wave, 3.0, 2.0) == pytest.approx(3.5)
+    assert zero_crossing_near(wave, 2.4, 0.5) is None
+    assert zero_crossing_near(silence(0.1), 100.0, 5.0) is None

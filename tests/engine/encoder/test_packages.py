@@ -13,7 +13,7 @@ from phonemeengine.analyser import analyse_blocks, concatenate_analyses
 from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.encoder.model_folder import PACKAGES, open_whisper
-from phonemeengine.settings import SAMPLE_RATE, Ear
+from phonemeengine.settings import SAMPLE_RATE, ModelKind
 from tests.conftest import CORPUS
 
 INSTALLED = all(map(find_spec, PACKAGES))
@@ -53,5 +53,5 @@ def test_digital_silence_and_music_are_silence(model):
 def test_a_preset_is_right_more_often_with_it_than_live(model):
     preset, corpus = load_preset("learned"), read_corpus(CORPUS)[::8]
     heard = for_files(preset)
-    assert (heard.ear, heard.warnings) == (Ear.WHISPER, ())
+    assert (heard.model_kind, heard.warnings) == (ModelKind.WHISPER, ())
     assert score(heard, corpus).overall.scores.macro_f1 > score(preset, corpus).overall.scores.macro_f1 + 0.02

@@ -6,19 +6,21 @@ import parselmouth
 import pytest
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.labels.files import phoneme_tier_of
 from phonemeengine.labels.label import RawLabel
-from phonemeengine.labels.phoneme_map import PhonemeMap
-from phonemeengine.labels.textgrid import Tier
+from phonemeengine.labels.textgrid import Tier, tiers_of
 from phonemeengine.labels.tiers import (
     SHORTEST,
-    columns_lost,
     deleted,
+    gap_at,
     inserted,
+    kept_in,
     labels_beside,
+    lost_in,
+    merged,
     moved,
     read_tiers,
     renamed,
+    split,
     write_tiers,
 )
 
@@ -54,33 +56,50 @@ def test_other_formats_hold_one_tier(tmp_path: Path, suffix: str) -> None:
         write_tiers([MA, MA], path)
 
 
-def test_the_corpus_format_keeps_phone_and_certainty_of_what_is_not_renamed(tmp_path: Path) -> None:
+TABLE = "start_s,end_s,phone,class,certainty\n0.1,0.2,ɛ,e,ambiguous\n0.2,0.3,ʃ,sch,core\n"
+
+
+def test_the_corpus_format_is_a_tier_of_phones_and_one_of_classes(tmp_path: Path) -> None:
     path = tmp_path / "x.csv"
-    path.write_text("start_s,end_s,phone,class,certainty\n0.1,0.2,ɛ,e,ambiguous\n0.2,0.3,ʃ,sch,core\n")
-    (found,) = read_tiers(path)
-    write_tiers([renamed(found, 1, "sz")], path)
+    path.write_text(TABLE)
+    phones, classes = read_tiers(path)
+    assert (phones.name, [raw.name for raw in phones.raw_labels]) == ("phones", ["ɛ", "ʃ"])
+    assert (classes.name, [(raw.name, raw.certainty) for raw in classes.raw_labels]) == (
+        "classes",
+        [("e", "ambiguous"), ("sch", "core")],
+    )
+    write_tiers([moved(phones, 1, end=True, seconds=0.35), renamed(classes, 1, "sz")], path)
     assert path.read_text().splitlines()[1:] == [
         "0.100000,0.200000,ɛ,e,ambiguous",
-        "0.200000,0.300000,sz,sz,core",
+        "0.200000,0.300000,ʃ,sz,core",
     ]
 
 
-def test_a_textgrid_keeps_the_columns_of_the_corpus_format_as_tiers(tmp_path: Path) -> None:
-    path = tmp_path / "x.csv"
-    path.write_text("start_s,end_s,phone,class,certainty\n0.1,0.2,ɛ,e,ambiguous\n0.2,0.3,ʃ,sch,core\n")
+def test_a_textgrid_keeps_the_columns_of_the_corpus_format_and_gives_them_back(tmp_path: Path) -> None:
+    path, grid = tmp_path / "x.csv", tmp_path / "x.TextGrid"
+    path.write_text(TABLE)
     found = read_tiers(path)
-    write_tiers(found, tmp_path / "x.TextGrid", duration=0.5)
-    again = read_tiers(tmp_path / "x.TextGrid")
-    assert {t.name: [name for _, _, name in shown(t)] for t in again} == {
-        "x": ["e", "sch"],
-        "transcription": ["ɛ", "ʃ"],
-        "certainty": ["ambiguous", "core"],
-    }
-    assert {tuple((start, end) for start, end, _ in shown(t)) for t in again} == {((0.1, 0.2), (0.2, 0.3))}
-    assert phoneme_tier_of(again, PhonemeMap()).name == "x"
-    assert columns_lost(found, tmp_path / "x.TextGrid") == ()
-    assert columns_lost(found, tmp_path / "x.txt") == ("phone", "certainty")
-    assert columns_lost([MA], tmp_path / "x.txt") == ()
+    write_tiers(found, grid, duration=0.5)
+    names = [raw.name for tier in tiers_of(grid.read_text(), "x") for raw in tier.raw_labels]
+    assert names == ["ɛ", "ʃ", "e", "sch", "ambiguous", "core"]
+    write_tiers(read_tiers(grid), path)
+    assert [line.split(",")[2:] for line in path.read_text().splitlines()[1:]] == [
+        ["ɛ", "e", "ambiguous"],
+        ["ʃ", "sch", "core"],
+    ]
+
+
+def test_what_a_format_loses_is_known_before(tmp_path: Path) -> None:
+    (tmp_path / "x.csv").write_text(TABLE)
+    found = (*read_tiers(tmp_path / "x.csv"), tier((0.1, 0.3, "esh"), name="words"))
+    assert lost_in(found, 1, Path("x.TextGrid")) == ()
+    assert lost_in(found, 1, Path("x.csv")) == ("words",)
+    assert lost_in(found, 1, Path("x.txt")) == ("phones", "words", "certainty")
+    assert lost_in([MA], 0, Path("x.txt")) == ()
+    for suffix in (".TextGrid", ".csv", ".txt"):
+        kept = kept_in(found, 1, Path(f"x{suffix}"))
+        write_tiers(kept, tmp_path / f"y{suffix}", duration=1.0)
+        assert len(read_tiers(tmp_path / f"y{suffix}")) == len(kept)
 
 
 def test_a_boundary_moves_with_the_label_that_touches_it() -> None:
@@ -109,6 +128,22 @@ def test_labels_are_renamed_inserted_and_deleted() -> None:
     assert shown(renamed(MA, 1, "  o \n"))[1] == (0.3, 0.6, "o")
     assert shown(inserted(MA, 0.65, 0.75, "p"))[2] == (0.65, 0.75, "p")
     assert shown(deleted(MA, 0)) == shown(MA)[1:]
+
+
+def test_labels_are_split_and_merged_over_gaps() -> None:
+    assert shown(split(MA, 1, 0.5))[1:3] == [(0.3, 0.5, "a"), (0.5, 0.6, "a")]
+    assert shown(merged(MA, 1, 2)) == [(0.1, 0.3, "m"), (0.3, 0.9, "a")]
+    assert shown(merged(MA, 1, 0)) == [(0.1, 0.6, "a"), (0.8, 0.9, "s")]
+    for act in (lambda: split(MA, 1, 0.302), lambda: merged(MA, 2, 3), lambda: merged(MA, 0, -1)):
+        with pytest.raises(CorpusError):
+            act()
+
+
+def test_gaps_lie_between_labels() -> None:
+    assert gap_at(MA, 0.7, 1.0) == (0.6, 0.8)
+    assert gap_at(MA, 0.95, 1.0) == (0.9, 1.0)
+    assert gap_at(MA, 0.2, 1.0) == (0.2, 0.2)
+    assert gap_at(None, 0.2, 1.0) == (0.0, 1.0)
 
 
 @pytest.mark.parametrize(

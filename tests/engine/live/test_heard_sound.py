@@ -58,7 +58,7 @@ def test_a_full_disk_is_said_and_nobody_waits() -> None:
         heard.add_samples(np.zeros((100, 1), np.float32), SAMPLE_RATE)
         assert heard.snapshot() is None
         assert heard.failure is not None
-        assert "make room" in heard.failure
+        assert "free some space" in heard.failure
         heard.add_samples(np.zeros((100, 1), np.float32), SAMPLE_RATE)
 
 

@@ -8,8 +8,8 @@ from phonemeengine.analyser import Analyser, concatenate_analyses, push_together
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.errors import EngineError
 from phonemeengine.live.incoming_speech import MOST_LATE, WORK, IncomingSpeech, hear_together, in_time
-from phonemeengine.presets.ears import for_live_use
 from phonemeengine.presets.files import load_preset
+from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.presets.preset import Preset
 from tests.conftest import CORPUS
 from tests.fakes.plug_ins import Shelf

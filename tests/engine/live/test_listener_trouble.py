@@ -50,14 +50,14 @@ def test_another_choice_is_tried_at_once_and_a_slider_that_moves_tries_for_none(
 def test_a_microphone_from_which_nothing_comes_is_never_said_to_be_heard(hear: Hear, clock: Clock) -> None:
     microphone = HandDrivenMicrophone()
     hearing = hear(microphone, clock=clock)
-    hearing.wait_words("waiting for the first sound from moved by hand")
+    hearing.wait_words("waiting for a signal from moved by hand")
     assert not hearing.listener.status.listening
     microphone.give(SPEECH[:N])
     hearing.wait(N_FRAMES)
     assert hearing.listener.status.listening
     clock.now += 0.6
     assert hearing.listener.status == Status(
-        listening=False, words="nothing comes from moved by hand since 1 s; trying again every 2 s"
+        listening=False, words="no signal from moved by hand for 1 s; trying again every 2 s"
     )
 
 
@@ -78,7 +78,7 @@ def test_a_microphone_that_goes_is_let_go_and_the_frames_number_on_by_the_clock(
     assert hearing.listener.seconds == pytest.approx(N_FRAMES / 100)
     hearing.openers.waiting.append(second)
     hearing.listener._pause.set()
-    hearing.wait_words("waiting for the first sound from the same again")
+    hearing.wait_words("waiting for a signal from the same again")
     second.give(SPEECH[:N], HOP)
     hearing.wait(2 * N_FRAMES)
     gap = 50 + 300 - 1 - N_FRAMES  # its first block of 10 ms began 10 ms before it came
@@ -109,7 +109,7 @@ def test_what_the_device_loses_is_counted_over_all_devices(hear: Hear, clock: Cl
     hearing.listener.choose(InputChoice("another"))
     assert first.closed.wait(60)
     clock.now += 5.0
-    hearing.wait_words("waiting for the first sound")
+    hearing.wait_words("waiting for a signal")
     second.give(SPEECH[:480], 480)
     wait_for(lambda: hearing.listener.rate == 48_000, "the second")
     second.n_lost = 9600
@@ -130,7 +130,7 @@ def test_what_a_device_lost_before_it_went_is_not_counted_again_with_its_absence
     first.give(SPEECH[N : N + HOP])
     hearing.wait(N_FRAMES + 1)
     first.lost = True
-    hearing.wait_words("waiting for the first sound")
+    hearing.wait_words("waiting for a signal")
     clock.now += 2.0
     second.give(SPEECH[:N], HOP)
     hearing.wait(2 * N_FRAMES + 1)
@@ -145,7 +145,7 @@ def test_changing_the_microphone_loses_nothing_and_the_frames_number_on(hear: He
     hearing.wait(N_FRAMES)
     clock.now += 1.0
     hearing.listener.choose(InputChoice("the other"))
-    hearing.wait_words("waiting for the first sound from the other")
+    hearing.wait_words("waiting for a signal from the other")
     second.give(SPEECH[:N], N)
     hearing.wait(2 * N_FRAMES)
     assert frames_of(hearing.taken)[N_FRAMES:] == list(range(100, 100 + N_FRAMES))

@@ -13,12 +13,12 @@ from tests.fakes.players import N_FRAMES, SPEECH, Rig, agree, frames_of, offline
 from tests.models import centred_model
 
 MODEL = centred_model(dilations=(1, 2, 4, 8, 16, 16, 4))
-TWIN = Preset(recogniser="learned", model=MODEL, settings=AnalysisSettings(statistics=False))
+LEARNED = Preset(recogniser="learned", model=MODEL, settings=AnalysisSettings(statistics=False))
 
 
 @pytest.fixture
 def ahead(path: Path) -> Iterator[Rig]:
-    rig = Rig(path, TWIN)
+    rig = Rig(path, LEARNED)
     yield rig
     rig.player.close()
 
@@ -27,7 +27,7 @@ def test_what_is_heard_is_the_file_and_every_frame_comes_once(ahead: Rig, path: 
     ahead.player.play()
     taken = ahead.hear_all()
     assert frames_of(taken) == list(range(N_FRAMES))
-    agree(taken, offline(path, TWIN))
+    agree(taken, offline(path, LEARNED))
     np.testing.assert_array_equal(np.concatenate(ahead.output.played)[:, 0], SPEECH)
 
 
@@ -53,7 +53,7 @@ def test_frames_after_a_seek_are_those_of_the_whole_file(frame: int, ahead: Rig,
     assert ahead.player.position == pytest.approx(frame * FRAME_PERIOD)
     taken = ahead.hear_all()
     assert frames_of(taken) == list(range(frame, N_FRAMES))
-    agree(taken, offline(path, TWIN), frame)
+    agree(taken, offline(path, LEARNED), frame)
 
 
 def test_a_loop_goes_on_from_the_first_frame(ahead: Rig) -> None:
@@ -63,8 +63,8 @@ def test_a_loop_goes_on_from_the_first_frame(ahead: Rig) -> None:
     assert frames_of(taken)[: 2 * N_FRAMES + 20] == [*range(N_FRAMES), *range(N_FRAMES), *range(20)]
 
 
-@pytest.mark.parametrize(("first", "then"), [(Preset(), TWIN), (TWIN, Preset())])
-def test_another_ear_loses_no_frame_and_no_sound(first: Preset, then: Preset, path: Path) -> None:
+@pytest.mark.parametrize(("first", "then"), [(Preset(), LEARNED), (LEARNED, Preset())])
+def test_another_model_loses_no_frame_and_no_sound(first: Preset, then: Preset, path: Path) -> None:
     rig = Rig(path, first)
     rig.player.play()
     before = frames_of(rig.hear(20))

@@ -83,7 +83,7 @@ def test_a_lost_device_goes_on_on_the_clock_from_the_same_place(rig: Rig, path: 
     wait_for(lambda: not rig.player.has_card, "the clock")
     wait_for(lambda: rig.output.closed, "the end of the device")
     assert position - FRAME_PERIOD <= rig.player.position < position + 0.5
-    assert "no sound card" in rig.player.output_name
+    assert "No audio device" in rig.player.output_name
     assert rig.player.playing
 
     def done() -> bool:

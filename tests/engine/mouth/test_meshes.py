@@ -148,7 +148,7 @@ class TestX:
         [
             (b"xof 0302txt 0032", b"xof 0302bin 0032", "of the kind 'bin', and only text can be read"),
             (b"xof 0302", b"xyz 0302", "begins with 'xof 03'"),
-            (b" 8; // vertices", b" 900000;", "900000 entries are announced, and there is room for"),
+            (b" 8; // vertices", b" 900000;", "900000 entries are announced, and there is space for"),
             (b" 8; // vertices", b" 9;", "export it again"),
             (b" 8; // vertices", b" 1e300;", "expected a finite number"),
             (b" 8; // vertices", b" -8;", "expected a whole number of 0..1048576, found -8"),

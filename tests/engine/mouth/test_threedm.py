@@ -117,10 +117,10 @@ REFUSED = {
     "endless name": (file(state(b"smile", length=HUGE)), "name of movestate 0 is said to be 4294967295"),
     "more vertices than there is room": (
         file(state(b"s", block((3,), 1, 2, 3, n=HUGE)), moving=MOVING),
-        "'s' is said to be 4294967295, .* room for 3",
+        "'s' is said to be 4294967295, .* space for 3",
     ),
     "more moving vertices": (file(ONE, moving=block((3, 5), 1, 2, 3, n=1 << 20)), "that move is said to be 1048576"),
-    "one byte less": (GOOD[:-1], "room for 1"),
+    "one byte less": (GOOD[:-1], "space for 1"),
     "one byte more": (GOOD + b"x", "1 bytes follow its end"),
     "a NaN": (file(state(b"s", block((3,), 1, NAN, 3)), moving=MOVING), "'s' holds an offset that is no finite"),
     "a signalling NaN": (
@@ -156,8 +156,8 @@ CHANGES = {
     "another title": ("3dma01", "3dma02", "begins with a line '3dma01'"),
     "more states": ("movestates: 1", "movestates: 2", "line 9 must begin with 'movestate:'"),
     "endless states": ("movestates: 1", "movestates: 99999999999", "must be a whole number"),
-    "more states than room": ("movestates: 1", "movestates: 1000", "is said to be 1000, and there is room for"),
-    "more vertices than room": ("vertices: 2", "vertices: 900000", "is said to be 900000, and there is room for"),
+    "more states than room": ("movestates: 1", "movestates: 1000", "is said to be 1000, and there is space for"),
+    "more vertices than room": ("vertices: 2", "vertices: 900000", "is said to be 900000, and there is space for"),
     "one vertex less": ("vertices: 2", "vertices: 1", "must begin with 'all vertices that move:'"),
     "one vertex more": ("vertices: 2", "vertices: 3", "must each be a vertex number and three coordinates"),
     "a word as a count": ("vertices: 2", "vertices: two", "'vertices' must be a whole number, found 'two'"),

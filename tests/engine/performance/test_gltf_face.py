@@ -21,7 +21,7 @@ def test_the_weights_of_targets_with_arkits_names_are_read(interpolation: str) -
     assert track.sampled(np.array([0.25, 1.25]))[:, 0] == pytest.approx([0.25, 0.35])
 
 
-def test_what_the_house_exports_comes_back(tmp_path: Path) -> None:
+def test_an_export_is_read_back(tmp_path: Path) -> None:
     path = tmp_path / "face.glb"
     exporter = Exporter("gltf", ExportOptions(rate=60.0))
     path.write_bytes(b"".join(exporter.chunks_of(speech())))

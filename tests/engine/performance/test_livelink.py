@@ -23,7 +23,7 @@ def _codes(frames: list[int], rate: int = 60) -> list[str]:
 
 
 @pytest.mark.parametrize("rate", [24, 25, 30, 50, 60])
-def test_what_the_house_writes_is_read_as_it_was(rate: int) -> None:
+def test_a_written_file_is_read_as_it_was(rate: int) -> None:
     face = ramp(3 * rate + 1, rate=rate)
     track = parse_livelink("".join(lines_of(face)), "a.csv")
     assert track.times == pytest.approx(face.times, abs=1e-9)

@@ -32,7 +32,7 @@ def test_shoulders_travel_as_blend_shapes_and_other_names_are_passed_over() -> N
     assert track.weights[:, 0] == pytest.approx([0, 0.01, 0.01])
 
 
-def test_what_the_house_sends_can_be_recorded() -> None:
+def test_what_the_program_sends_can_be_recorded() -> None:
     receiver, times = Receiver(), count()
     performer = Performer(load_table("arkit"))
     with OscMouth(receiver.address, performer, clock=lambda: next(times) / RATE):

@@ -100,8 +100,8 @@ CHANGES = {
     ),
     "variable of a bad source": ('source = "normalised"', 'source = "x"', "source must be one of raw, .*, found 'x'"),
     "twice the same name": ("notes = ", "name = 'again'\nnotes = ", "this is no TOML file"),
-    "wrong format": ("preset 1", "preset 99", "begins with format = 'phonemeanalyser preset 1', found .* 99"),
-    "no format": ("format = ", "# format = ", "begins with format = 'phonemeanalyser preset 1', found None"),
+    "wrong format": ("preset 2", "preset 99", "begins with format = 'phonemeanalyser preset 2', found .* 99"),
+    "no format": ("format = ", "# format = ", "begins with format = 'phonemeanalyser preset 2', found None"),
 }
 
 

@@ -7,12 +7,13 @@ import pytest
 import soundfile
 
 from phonemeengine.analyser import Analyser, Analysis
-from phonemeengine.features.variables import DEFICITS
+from phonemeengine.features.variables import DEFICITS, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.controls import Control, Moment, controls_of, unused_settings
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS
+from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import deficits_of, scores_in
 from phonemeengine.recognition.spec import recogniser_of
 from phonemeengine.settings import SAMPLE_RATE, Filter
@@ -55,6 +56,24 @@ def test_own_rules_are_tuned_by_each_of_their_limits_once():
     found = [c for c in controls(preset).values() if c.name.startswith("limit")]
     assert {(c.variable, c.read(preset)) for c in found} == limits
     assert len(found) == len(limits)
+
+
+def test_a_limit_says_on_which_side_of_it_which_phonemes_lie():
+    rules = (
+        Rule(Phoneme.SZ, (Condition("w", ">", limit=2.0), Condition("volume", "<", limit=0.5))),
+        Rule(Phoneme.SCH, (Condition("w", ">", limit=2.0),)),
+        Rule(Phoneme.M, (Condition("w", "<", limit=2.0), Condition("volume", "<", limit=0.5))),
+        Rule(Phoneme.A, (Condition("volume", "<", limit=0.5),)),
+    )
+    variables = (Variable("b", 440, 700), Variable("w", 230, 440, per="b"))
+    preset = replace(load_preset("extended"), variables=variables, rules=rules)
+    groups = controls_of(preset, recogniser_of(preset.recogniser, preset.config))
+    group = next(g for g in groups if g.note == "w")
+    assert group.title == "energy 230–440 Hz / 440–700 Hz"
+    assert [c.label for c in group.controls] == ["< m; > sz…"]
+    assert [c.hint for c in group.controls] == ["Limit for w; 3 conditions: < m; > sz, sch"]
+    volume = next(g for g in groups if g.note == "volume")
+    assert [(c.label, c.sign) for c in volume.controls] == [("< sz, m…", "<")]
 
 
 @pytest.mark.parametrize("name", NAMES)

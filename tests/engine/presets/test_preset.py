@@ -13,7 +13,8 @@ from phonemeengine.errors import PresetError, SettingsError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum, Variable
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
-from phonemeengine.presets.files import load_preset, save_preset
+from phonemeengine.presets.files import load_preset, preset_entries, save_preset
+from phonemeengine.presets.judgement import Judgement
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import PhonemeData, Thresholds
 from phonemeengine.settings import BIN_WIDTH, PARAMETERS, RANGES, AnalysisSettings, Decimation, Filter, WindowFunction
@@ -184,3 +185,38 @@ def test_a_name_from_a_badly_encoded_file_can_be_saved(tmp_path: Path):
 def test_an_impossible_preset_cannot_be_made(change: dict[str, object]):
     with pytest.raises((PresetError, SettingsError)):
         replace(Preset(), **change)
+
+
+JUDGED = Judgement("Learned", "2026-11-25", 4.25, False, (0.71, 0.76), (0.625, 0.7))
+
+
+def test_what_a_preset_was_judged_by_is_saved_and_shown_in_lists(tmp_path: Path):
+    path = tmp_path / "mine.toml"
+    save_preset(Preset("mine", judged=JUDGED, notes="Of the factory."), path)
+    preset = load_preset(path)
+    assert preset.judged == JUDGED
+    said = "Learned, own voice, 2026-11-25: mouth shapes 71 to 76 % on held-out speech"
+    assert preset.summary == said
+    assert [entry.summary for entry in preset_entries([path])] == [said]
+    save_preset(replace(preset, judged=replace(JUDGED, changed=True)), path)
+    assert load_preset(path).summary == f"{said}, changed since"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ('day = "2026-11-25"', 'day = "yesterday"', "day is a date such as 2026-11-25, found 'yesterday'"),
+        ("seconds = 4.25", "seconds = []", r"\[judged\] seconds must be a number"),
+        ("seconds = 4.25", "", r"\[judged\] lacks seconds"),
+        ("0.76", "76", r"\[judged\] mouth_shapes must be two shares 0..1"),
+    ],
+)
+def test_a_damaged_judgement_is_refused_and_left_out_of_lists(tmp_path: Path, old: str, new: str, said: str):
+    path = tmp_path / "mine.toml"
+    save_preset(Preset("mine", judged=JUDGED, notes="My notes."), path)
+    text = path.read_text()
+    assert old in text
+    path.write_text(text.replace(old, new))
+    with pytest.raises(PresetError, match=said):
+        load_preset(path)
+    assert [entry.summary for entry in preset_entries([path])] == ["My notes."]

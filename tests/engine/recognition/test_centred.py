@@ -122,5 +122,5 @@ def test_only_a_centred_model_needs_a_program_that_knows_them(tmp_path):
 )
 def test_a_centred_model_that_hears_too_far_or_by_two_heads_is_refused(tmp_path, model):
     save_model(model, tmp_path / "m.npz")
-    with pytest.raises(ModelError, match=r"m\.npz: a centred model has one head and hears 100 frames around"):
+    with pytest.raises(ModelError, match=r"m\.npz: a centred model has one head and uses 100 frames around"):
         load_model(tmp_path / "m.npz")

@@ -20,7 +20,7 @@ from phonemeengine.recognition.confidence import (
     fit_confidence,
 )
 from phonemeengine.recognition.scores import separations_of
-from phonemeengine.settings import SAMPLE_RATE, Ear
+from phonemeengine.settings import SAMPLE_RATE, ModelKind
 from tests.conftest import CORPUS
 from tests.corpora import speech
 
@@ -84,7 +84,7 @@ def test_nothing_to_compare_is_not_a_number():
 
 @pytest.mark.parametrize("name", ["learned", "templates"])
 def test_every_frame_has_a_confidence_and_a_poll_gives_the_last_one(name: str):
-    halved = replace(load_preset(name), confidences={Ear.LIVE: ConfidenceCurve((0.0, 1.0), (0.0, 0.5))})
+    halved = replace(load_preset(name), confidences={ModelKind.REAL_TIME: ConfidenceCurve((0.0, 1.0), (0.0, 0.5))})
     analysis = Analyser(halved).push(speech())
     assert analysis.confidences.shape == (len(analysis),)
     assert analysis.confidences.dtype == np.float32
@@ -114,7 +114,7 @@ def test_a_phoneme_is_the_farther_from_giving_way_the_more_the_nearest_other_one
 
 @pytest.mark.parametrize("name", ["thesis", "extended"])
 def test_a_curve_of_rules_holds_for_speakers_whom_it_was_not_fitted_to_and_tells_right_from_wrong(name: str):
-    bare = replace(load_preset(name), confidences={Ear.LIVE: UNFITTED})
+    bare = replace(load_preset(name), confidences={ModelKind.REAL_TIME: UNFITTED})
     predictions = [predict(utterance, bare) for utterance in read_corpus(CORPUS)]
     sure, right = [], []
     for speaker in {p.utterance.speaker for p in predictions}:
@@ -139,8 +139,8 @@ def test_a_preset_keeps_its_curves(tmp_path: Path):
     preset = replace(
         load_preset("thesis"),
         confidences={
-            Ear.LIVE: ConfidenceCurve((0.2, 0.9), (0.1, 0.7)),
-            Ear.TWIN: ConfidenceCurve((0.5,), (0.4,)),
+            ModelKind.REAL_TIME: ConfidenceCurve((0.2, 0.9), (0.1, 0.7)),
+            ModelKind.OFFLINE: ConfidenceCurve((0.5,), (0.4,)),
         },
     )
     save_preset(preset, tmp_path / "mine.toml")

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses
 from phonemeengine.dsp.log_mel import N_BANDS, log_mels, warped_mel_bank
+from phonemeengine.encoder.live import LiveHead
 from phonemeengine.errors import ModelError, PresetError
 from phonemeengine.features.variables import SCORES
 from phonemeengine.labels.visemes import NO_VISEME, Viseme, VisemeSet
@@ -217,6 +218,21 @@ def test_a_model_comes_back_from_its_file_as_it_was(model, tmp_path):
     assert back != tone_model({700.0: Phoneme.A, 2000.0: Phoneme.I})
 
 
+def test_a_model_keeps_what_the_real_time_model_learned_of_its_voice(model, tmp_path):
+    head = LiveHead(np.full((128, 52), 0.1, np.float32), np.arange(52, dtype=np.float32), "0123")
+    adapted = replace(model, live_head=head).rounded()
+    save_model(adapted, tmp_path / "m.npz")
+    back = load_model(tmp_path / "m.npz")
+    assert back == adapted != model.rounded()
+    assert back.live_head is not None
+    assert back.live_head.origin == "0123"
+    np.testing.assert_array_equal(back.live_head.weights, np.float32(np.float16(0.1)) * np.ones((128, 52)))
+    np.testing.assert_array_equal(back.live_head.bias, head.bias)
+    save_model(model, tmp_path / "m.npz")
+    altered(tmp_path / "m.npz", **HEAD)
+    assert load_model(tmp_path / "m.npz").live_head is not None  # so the refusals below are of what is wrong alone
+
+
 def test_a_preset_is_saved_with_its_model_beside_it(model, tmp_path):
     preset = replace(preset_of(model.rounded()), name="voice")
     save_preset(preset, tmp_path / "voice.toml")
@@ -231,6 +247,12 @@ def altered(path: Path, **changes: np.ndarray) -> Path:
     return path
 
 
+HEAD = {
+    "live_head_origin": np.frombuffer(b"0123", np.uint8),
+    "live_head_weights": np.zeros((128, 52), np.float16),
+    "live_head_bias": np.zeros(52, np.float32),
+}
+"""That of the real-time model, as it was adapted to a voice."""
 BAD = {
     "a newer version": (lambda p: altered(p, format=np.array(FORMAT + 1)), "is of version 5, and this program reads"),
     "weights of another shape": (
@@ -251,6 +273,14 @@ BAD = {
     "text": (lambda p: p.write_text("hello"), "file is damaged"),
     "nothing": (lambda p: p.write_bytes(b""), "file is damaged"),
     "nine megabytes": (lambda p: p.write_bytes(bytes(9 << 20)), "smaller than 8 MB"),
+    "a head of another size": (
+        lambda p: altered(p, **HEAD | {"live_head_weights": np.zeros((128, 26), np.float16)}),
+        "do not fit together",
+    ),
+    "a head without a bias": (
+        lambda p: altered(p, **{name: array for name, array in HEAD.items() if name != "live_head_bias"}),
+        "file is damaged",
+    ),
     "a missing file": (lambda p: p.unlink(), "put it beside its preset"),
 }
 

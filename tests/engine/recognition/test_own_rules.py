@@ -10,9 +10,10 @@ from hypothesis import strategies as st
 from phonemeengine.errors import PresetError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.phoneme_data import Thresholds
-from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser
+from phonemeengine.recognition.rules import Condition, Rule, RuleRecogniser, rule_labels
 
 NAMES = ("x", "y", "z")
 RULES = (
@@ -111,3 +112,26 @@ def test_a_frame_without_the_rules_variables_is_explained_without_reasons():
 def test_a_preset_whose_rules_are_missing_is_refused_in_one_sentence():
     with pytest.raises(PresetError, match=r"the recogniser 'rules' needs rules.*begin with the preset extended"):
         Preset(recogniser="rules")
+
+
+def test_a_rule_that_is_switched_off_never_fires_and_stays_in_the_file(tmp_path):
+    rules = [replace(RULES[0], enabled=False), *RULES[1:]]
+    assert named(list(RULES), frame(5, 1, 0)) is Phoneme.A
+    assert named(rules, frame(5, 1, 0)) is Phoneme.O
+    assert rule_labels(rules) == ("", "o", "a")
+    own = tuple(replace(rule, conditions=(Condition("energy", ">", limit=1.0),)) for rule in rules)
+    path = tmp_path / "off.toml"
+    save_preset(Preset(recogniser="rules", rules=own), path)
+    assert "enabled = false" in path.read_text()
+    assert load_preset(path).rules == own
+
+
+def test_a_condition_that_is_switched_off_is_not_asked_and_stays_in_the_file(tmp_path):
+    off = Condition("energy", ">", limit=1.0, enabled=False)
+    rules = (Rule(Phoneme.A, (off, Condition("volume", ">", limit=0.5))), RULES[1])
+    features = Features(("energy", "volume", "x"), np.array([[0, 0.6, 0]], np.float32))
+    assert named(list(rules), features) is Phoneme.A
+    path = tmp_path / "off.toml"
+    save_preset(Preset(recogniser="rules", rules=rules[:1]), path)
+    assert '"# energy > 1.0"' in path.read_text()
+    assert load_preset(path).rules == rules[:1]

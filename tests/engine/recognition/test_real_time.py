@@ -9,24 +9,32 @@ import pytest
 from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, push_together
 from phonemeengine.dsp.framing import Framer
 from phonemeengine.encoder.head import softmax
-from phonemeengine.encoder.live import EncoderMix, LiveEncoder, build_live_encoder
+from phonemeengine.encoder.live import (
+    EncoderMix,
+    LiveEncoder,
+    build_live_encoder,
+    load_live_encoder,
+    open_live_encoder,
+    save_live_encoder,
+)
 from phonemeengine.encoder.mel import SILENT, RunningScale, whisper_log_mels
 from phonemeengine.errors import PresetError
 from phonemeengine.labels.visemes import VisemeSet
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.ears import (
-    ear_in_words,
+from phonemeengine.presets.document import preset_from_toml, preset_to_toml
+from phonemeengine.presets.files import beyond_phoneme_data, load_preset, save_models, save_preset
+from phonemeengine.presets.model_choice import (
     figures_ahead,
     for_files,
     for_live_use,
     frames_ahead,
-    has_ear,
+    has_model,
+    model_in_words,
     with_small_network,
 )
-from phonemeengine.presets.files import beyond_phoneme_data, load_preset, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.real_time import real_time_look_ahead
-from phonemeengine.settings import HOP, AnalysisSettings, Ear
+from phonemeengine.settings import HOP, AnalysisSettings, ModelKind
 from tests.fakes.encoder_weights import encoder_weights, reference_logits
 from tests.models import tone_model
 from tests.sounds import silence, tone
@@ -79,7 +87,7 @@ def test_it_says_what_the_encoder_finds_in_the_windows():
 
 def test_without_any_share_of_the_encoder_it_says_what_the_network_does_as_far_ahead():
     settings = AnalysisSettings(statistics=False, look_ahead=0.02, live_look_ahead=0.02)
-    alone = heard(preset_of(settings=settings, live_model=Ear.LIVE))
+    alone = heard(preset_of(settings=settings, live_model=ModelKind.REAL_TIME))
     np.testing.assert_allclose(scores_of(heard(preset_of(0.0, 0.02))), scores_of(alone), atol=1e-5)
 
 
@@ -103,13 +111,13 @@ def test_sounds_that_are_pushed_together_are_answered_as_each_alone():
 
 def test_live_sound_is_recognised_with_it_and_files_are_not():
     live = for_live_use(preset_of())
-    assert (live.ear, ear_in_words(live)) == (Ear.ENCODER, "encoder and network, 40 ms ahead")
+    assert (live.model_kind, model_in_words(live)) == (ModelKind.ENCODER, "encoder, look-ahead 40 ms")
     assert for_live_use(live) == live
-    assert for_files(preset_of()).ear is Ear.LIVE
-    assert for_files(preset_of(), Ear.ENCODER).ear is Ear.ENCODER
-    assert for_live_use(preset_of(live_model=Ear.LIVE)).ear is Ear.LIVE
-    with pytest.raises(PresetError, match="live_model is one of live, encoder, got whisper"):
-        preset_of(live_model=Ear.WHISPER)
+    assert for_files(preset_of()).model_kind is ModelKind.REAL_TIME
+    assert for_files(preset_of(), ModelKind.ENCODER).model_kind is ModelKind.ENCODER
+    assert for_live_use(preset_of(live_model=ModelKind.REAL_TIME)).model_kind is ModelKind.REAL_TIME
+    with pytest.raises(PresetError, match="live_model is one of real-time, encoder, got whisper"):
+        preset_of(live_model=ModelKind.WHISPER)
 
 
 def test_it_tells_how_far_ahead_it_looks_and_how_right_it_is_then():
@@ -132,7 +140,7 @@ def test_sensitivities_act_on_both_together():
 @pytest.mark.parametrize(
     ("preset", "why"),
     [
-        (preset_of(live_encoder=LiveEncoder(b"nothing", "x.onnx")), "x.onnx: is no real-time model, or damaged"),
+        (preset_of(live_encoder=LiveEncoder(b"nothing", "x.onnx")), "x.onnx: this is not a real-time model"),
         (
             preset_of(model=replace(NETWORK, viseme_set=VisemeSet(("X",), dict.fromkeys(Phoneme, ("X",)), {}, {}))),
             "'tones' has visemes of its own, which the real-time model does not know",
@@ -141,7 +149,7 @@ def test_sensitivities_act_on_both_together():
 )
 def test_where_it_cannot_be_had_one_sentence_says_so_and_the_small_network_serves(preset, why):
     live = for_live_use(preset)
-    assert live.ear is Ear.LIVE
+    assert live.model_kind is ModelKind.REAL_TIME
     (said,) = live.warnings
     assert why in said
     assert said.endswith("until then the small network recognises live sound")
@@ -152,20 +160,44 @@ def test_where_it_cannot_be_had_one_sentence_says_so_and_the_small_network_serve
 def test_without_its_library_the_small_network_serves(monkeypatch):
     monkeypatch.setitem(sys.modules, "onnxruntime", None)
     preset = preset_of(live_encoder=LiveEncoder(b"never opened", "x.onnx"))
-    assert not has_ear(preset, Ear.ENCODER)
+    assert not has_model(preset, ModelKind.ENCODER)
     (said,) = for_live_use(preset).warnings
     assert "onnxruntime, which is not installed" in said
 
 
 def test_it_is_saved_beside_its_preset(tmp_path):
-    preset = preset_of(live_model=Ear.LIVE)
+    preset = preset_of(live_model=ModelKind.REAL_TIME)
     save_preset(preset, tmp_path / "mine.toml")
     assert (tmp_path / "mine.encoder.onnx").read_bytes() == ENCODERS[0.6].content
     assert load_preset(tmp_path / "mine.toml") == preset
-    assert load_preset(tmp_path / "mine.toml") != preset_of(1.0, live_model=Ear.LIVE)
+    assert load_preset(tmp_path / "mine.toml") != preset_of(1.0, live_model=ModelKind.REAL_TIME)
     assert "the real-time model" in beyond_phoneme_data(preset)
     (tmp_path / "mine.encoder.onnx").unlink()
     without = load_preset(tmp_path / "mine.toml")
     assert without.live_encoder is None
     (said,) = without.warnings
     assert said.startswith("mine.encoder.onnx: cannot be read")
+
+
+def test_one_that_ships_with_the_program_is_named_and_not_copied(tmp_path):
+    own, shipped = tmp_path / "own", tmp_path / "shipped"
+    own.mkdir()
+    shipped.mkdir()
+    save_live_encoder(ENCODERS[0.6], shipped / "usual.encoder.onnx")
+    preset = preset_of(live_encoder=load_live_encoder(shipped / "usual.encoder.onnx"))
+    names = save_models(preset, own / "mine.toml", shipped)
+    assert names == {"model": "mine.npz", "live_encoder": "usual.encoder.onnx"}
+    assert [path.name for path in own.iterdir()] == ["mine.npz"]
+    assert preset_from_toml(preset_to_toml(preset, names), own, shipped) == preset
+    save_live_encoder(ENCODERS[1.0], own / "usual.encoder.onnx")  # another one of that name would be found first
+    names = save_models(preset, own / "mine.toml", shipped)
+    assert names["live_encoder"] == "mine.encoder.onnx"
+    assert preset_from_toml(preset_to_toml(preset, names), own, shipped) == preset
+
+
+def test_what_the_window_and_listen_tell_of_its_figures_is_not_told_of_a_voice():
+    measured = build_live_encoder(WEIGHTS, about={"by_look_ahead_ms": {"40": [0.71, 0.76]}})
+    head = open_live_encoder(measured).head
+    adapted = replace(NETWORK, live_head=replace(head, bias=head.bias + 1))
+    assert figures_ahead(for_live_use(preset_of(live_encoder=measured)), 4) == (0.71, 0.76)
+    assert figures_ahead(for_live_use(preset_of(live_encoder=measured, model=adapted)), 4) is None

@@ -100,7 +100,7 @@ def test_phonemes_that_were_not_taken_keep_their_templates(utterance: LabelledUt
 
 def test_silence_alone_makes_no_template(tmp_path: Path):
     soundfile.write(tmp_path / "quiet.wav", silence(0.6), SAMPLE_RATE)
-    with pytest.raises(CorpusError, match="not enough of any phoneme"):
+    with pytest.raises(CorpusError, match="no phoneme has enough speech"):
         templates_of([LabelledUtterance(tmp_path / "quiet.wav", LABELS[:1], "anna", "takes")])
 
 

@@ -129,6 +129,7 @@ def test_the_page_shows_the_phonemes_of_a_microphone_that_python_finds(address: 
             page.click("#microphone")
             wait_for_frames(page, len(SOUND) // 441 + 250)
             assert page.is_hidden("#trouble")
+            assert " confidence " in page.inner_text("#viseme")
             shares.append(likeness(shown(page), SOUND))
     assert max(shares) >= SAME, shares
 

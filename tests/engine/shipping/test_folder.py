@@ -10,9 +10,9 @@ import pytest
 import soundfile
 
 from phonemeengine import (
-    Ear,
     ExportError,
     ExportOptions,
+    ModelKind,
     MouthError,
     PresetError,
     export,
@@ -69,7 +69,7 @@ def test_the_examples_print_the_drawings_of_a_file_as_the_engine_exports_them(bu
     soundfile.write(sound, speech(), 44_100, subtype="PCM_16")
     words = [str(built / "rhubarb_tsv"), str(built / "preset.ear"), str(sound)]
     printed = subprocess.run(words, capture_output=True, text=True, check=True).stdout
-    live, options = for_files(load_preset("learned"), Ear.LIVE), ExportOptions(anticipation=0.0)
+    live, options = for_files(load_preset("learned"), ModelKind.REAL_TIME), ExportOptions(anticipation=0.0)
     export(sound, tmp_path / "speech.tsv", "rhubarb-tsv", live, options)
     ours, theirs = (letters(text) for text in (printed, (tmp_path / "speech.tsv").read_text(encoding="utf-8")))
     assert len(ours) == len(theirs) == round(len(speech()) / 441)
@@ -152,7 +152,7 @@ def test_what_cannot_be_shipped_is_refused_before_anything_is_written(tmp_path: 
         ship(learned, folder, tables=["nothing"])
     with pytest.raises(ExportError, match="at most 16 mouth tables, each with a name of its own, got 2"):
         ship(learned, folder, tables=["arkit", "arkit"])
-    with pytest.raises(PresetError, match="hears files alone, and an ear listens live"):
+    with pytest.raises(PresetError, match="recognises files only, the runtime live sound only"):
         ship(replace(learned, model=centred_model()), folder)
     with pytest.raises(PresetError, match="is another package's, and only those of the program can be shipped"):
         ship(replace(load_preset("thesis"), recogniser="loudness"), folder)

@@ -10,7 +10,7 @@ import soundfile
 from phonemeengine import Analyser, SoundReader, analyse_blocks, load_preset
 from phonemeengine.analyser import concatenate_analyses
 from phonemeengine.audio.resampling import resample_whole
-from phonemeengine.presets.ears import with_small_network
+from phonemeengine.presets.model_choice import with_small_network
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.shipping.targets import format_ear

@@ -11,12 +11,22 @@ from hypothesis import given
 from hypothesis import settings as hypothesis_settings
 from hypothesis import strategies as st
 
-from phonemeengine import Analyser, AnalysisSettings, Ear, Filter, Phoneme, Preset, SoundReader, Variable, load_preset
+from phonemeengine import (
+    Analyser,
+    AnalysisSettings,
+    Filter,
+    ModelKind,
+    Phoneme,
+    Preset,
+    SoundReader,
+    Variable,
+    load_preset,
+)
 from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.features.variables import Kind, Spectrum
 from phonemeengine.labels.visemes import STANDARD_VISEMES, Viseme, VisemeSet
 from phonemeengine.mouth.table import load_table
-from phonemeengine.presets.ears import with_small_network
+from phonemeengine.presets.model_choice import with_small_network
 from phonemeengine.recognition.confidence import ConfidenceCurve
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
@@ -107,7 +117,7 @@ def test_a_preset_that_was_adapted_and_calmed_hears_the_same(library: EarLibrary
         settings=settings,
         sensitivities={Phoneme.M: 2.0, Phoneme.SILENCE: -3.0, Phoneme.A: 0.7},
         successors=dict.fromkeys(Phoneme, Phoneme.O),
-        confidences={Ear.LIVE: ConfidenceCurve((0.2, 0.5, 0.9), (0.1, 0.4, 0.95))},
+        confidences={ModelKind.REAL_TIME: ConfidenceCurve((0.2, 0.5, 0.9), (0.1, 0.4, 0.95))},
     )
     analysis = heard_by_engine(preset, speech())
     assert says_several(analysis, 9)

@@ -13,7 +13,7 @@ from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table
 from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.shipping import targets
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, says_several, speech
-from tests.sounds import silence, tone
+from tests.sounds import silence, vowel
 from tests.web_ears import frames_of, in_node
 
 needs_shell = pytest.mark.skipif(os.name == "nt", reason="the programs that fail are shell scripts")
@@ -53,7 +53,7 @@ def test_in_the_thread_of_the_sound_it_hears_the_same_and_allocates_nothing(fold
 
 
 def test_a_microphone_of_48_khz_is_heard(folder: Path) -> None:
-    sound = np.concatenate((silence(0.5), tone(300, 0.5, 0.3)))
+    sound = np.concatenate((silence(0.5), vowel((700, 1200, 2500), 0.5)))
     frames = frames_of(in_node(folder, "hear", sound, 48_000)[0])
     assert len(frames) == -(-len(sound) * 100 // 48_000)
     assert (frames["phoneme"][:20] == Phoneme.SILENCE).all()
@@ -129,7 +129,7 @@ def test_a_compiler_that_fails_is_a_sentence(tmp_path: Path, monkeypatch: pytest
     script(tmp_path / "zig", "echo 'x: error: unknown target' >&2; exit 1")
     monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
     with pytest.raises(
-        ExportError, match=r"cannot compile the ear \(x: error: unknown target\); install a newer one"
+        ExportError, match=r"cannot compile the runtime \(x: error: unknown target\); install a newer one"
     ):
         ship(load_preset("thesis"), tmp_path / "new", "web-module")
 

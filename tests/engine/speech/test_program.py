@@ -157,7 +157,7 @@ def test_a_command_that_cannot_work_is_refused(tmp_path: Path, template: str, wo
     [
         ("pass", "wrote no sound file"),
         ("import sys; sys.exit('out of breath')", r"exit code 1 \(out of breath\)"),
-        ("import sys; open(sys.argv[1], 'w').write('no sound')", "not a sound file"),
+        ("import sys; open(sys.argv[1], 'w').write('no sound')", "not an audio file"),
     ],
 )
 def test_a_program_that_fails_is_told_of_in_its_own_words(tmp_path: Path, code: str, words: str) -> None:

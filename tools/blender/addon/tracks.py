@@ -41,7 +41,7 @@ class SpokenTrack:
         return tuple(name for name in self.movement.channels if name not in ALL_ANGLES)
 
     def columns_of(self, channels: Mapping[str, str], rate: float) -> dict[str, Float32Array]:
-        """Return the values of some channels at each frame, so many frames a second, under other names."""
+        """Return the values of some channels at each frame, at a frame rate, under other names."""
         frames = np.arange(int(self.movement.duration * rate + 1e-6) + 1)
         values = self.movement.sampled(frames / rate)
         return {name: values[:, self.movement.channels.index(channel)] for name, channel in channels.items()}

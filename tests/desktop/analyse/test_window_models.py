@@ -15,7 +15,7 @@ from phonemeengine.mouth.lip_sync import transcribe
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import save_preset
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import AnalysisSettings, Ear
+from phonemeengine.settings import AnalysisSettings, ModelKind
 from tests.desktop.hands import CARDS, followed, shown, wait_for_results
 from tests.fakes.encoder_weights import encoder_weights
 from tests.fakes.whisper_model import encoder_head
@@ -25,7 +25,7 @@ PRESET = Preset(
     name="both",
     recogniser="learned",
     model=tone_model({700.0: Phoneme.A, 2500.0: Phoneme.I}).rounded(),
-    file_model=centred_model(dilations=(1, 2, 4, 8, 16, 16, 4)),
+    offline_model=centred_model(dilations=(1, 2, 4, 8, 16, 16, 4)),
     settings=AnalysisSettings(statistics=False),
 )
 ENCODER = build_live_encoder(encoder_weights(n_layers=1, n_channels=64))
@@ -38,8 +38,8 @@ def window(desktop, qtbot, tmp_path):
     return followed(desktop, qtbot, seconds=1.0)
 
 
-def choose(box: QComboBox, ear: Ear) -> None:
-    box.setCurrentIndex(list(Ear).index(ear))
+def choose(box: QComboBox, kind: ModelKind) -> None:
+    box.setCurrentIndex(list(ModelKind).index(kind))
     box.activated.emit(box.currentIndex())
 
 
@@ -62,50 +62,52 @@ def test_a_microphone_is_recognised_with_the_model_that_the_user_chooses(desktop
     assert choice.currentText() == "encoder"
     desktop.session.set_source(SourceKind.MICROPHONE)
     window.status.refresh(frozen=False)
-    assert "encoder and network, 20 ms ahead" in window.status.left.text()
+    assert "encoder, look-ahead 20 ms" in window.status.left.text()
     choice.setCurrentIndex(0)
     choice.activated.emit(0)
     window.status.refresh(frozen=False)
-    assert "learned, 20 ms ahead" in window.status.left.text()
-    assert desktop.preset.preset.live_model is Ear.LIVE
+    assert "learned, look-ahead 20 ms" in window.status.left.text()
+    assert desktop.preset.preset.live_model is ModelKind.REAL_TIME
 
 
 def test_the_opened_file_is_heard_as_the_commands_hear_it(window, desktop, qtbot):
     found = shown_phonemes(desktop, qtbot)
     np.testing.assert_array_equal(found, in_file(PRESET, len(found)))
-    assert window.recogniser.ears.currentText() == "twin"
+    assert window.recogniser.file_models.currentText() == "offline"
     window.status.refresh(frozen=False)
-    assert "heard with: twin, 0.51 s each way" in window.status.left.text()
+    assert "Model: offline, ±0.51 s of context" in window.status.left.text()
 
 
-def test_another_ear_acts_at_once_and_undo_takes_it_back(window, desktop, qtbot):
-    choose(window.recogniser.ears, Ear.LIVE)
+def test_another_model_acts_at_once_and_undo_takes_it_back(window, desktop, qtbot):
+    choose(window.recogniser.file_models, ModelKind.REAL_TIME)
     found = shown_phonemes(desktop, qtbot)
-    np.testing.assert_array_equal(found, in_file(replace(PRESET, file_ear=Ear.LIVE), len(found)))
+    np.testing.assert_array_equal(found, in_file(replace(PRESET, file_model=ModelKind.REAL_TIME), len(found)))
     window.status.refresh(frozen=False)
-    assert "heard with: learned, 50 ms ahead" in window.status.left.text()
+    assert "Model: learned, look-ahead 50 ms" in window.status.left.text()
     desktop.preset.undo_stack.undo()
-    assert window.recogniser.ears.currentText() == "twin"
+    assert window.recogniser.file_models.currentText() == "offline"
     np.testing.assert_array_equal(shown_phonemes(desktop, qtbot), in_file(PRESET, len(found)))
 
 
-@pytest.mark.parametrize("ear", [Ear.TWIN, Ear.WHISPER])
-def test_an_ear_that_is_not_there_is_told_and_changes_nothing(desktop, qtbot, ear):
+@pytest.mark.parametrize("kind", [ModelKind.OFFLINE, ModelKind.WHISPER])
+def test_a_model_that_is_not_there_is_told_and_changes_nothing(desktop, qtbot, kind):
     window = shown(desktop, qtbot)
-    choose(window.recogniser.ears, ear)
-    assert window.banner.label.text().startswith("the recogniser 'thesis' has no other ear for files")
-    assert window.recogniser.ears.currentText() == "live"
+    choose(window.recogniser.file_models, kind)
+    assert window.banner.label.text().startswith("the recogniser 'thesis' has no other model for files")
+    assert window.recogniser.file_models.currentText() == "real-time"
     assert not window.isWindowModified()
 
 
 def offered(window) -> list[bool]:
-    items = window.recogniser.ears.model()
+    items = window.recogniser.file_models.model()
     return [items.item(row).isEnabled() for row in range(items.rowCount())]
 
 
 def test_only_what_is_there_is_offered(desktop, qtbot, tmp_path, whisper):
     window = shown(desktop, qtbot)
-    assert offered(window) == [True, False, False, False]  # rules hear files themselves
+    assert offered(window) == [True, False, False, False]  # rules recognise files themselves
+    whisper_item = window.recogniser.file_models.model().item(3)
+    assert "The recogniser thesis has no other model; choose a preset with a network." in whisper_item.toolTip()
     save_preset(PRESET, tmp_path / "both.toml")
     desktop.preset.load(tmp_path / "both.toml")
     assert offered(window) == [True, False, True, False]
@@ -117,16 +119,16 @@ def test_a_preset_whose_model_for_files_is_missing_is_loaded_and_that_is_told(de
     save_preset(PRESET, tmp_path / "both.toml")
     (tmp_path / "both.files.npz").unlink()
     window = shown(desktop, qtbot)
-    window.dialogs.load_preset(tmp_path / "both.toml")
+    window.dialogs.presets.load(tmp_path / "both.toml")
     assert "both.files.npz: the model cannot be read" in window.banner.label.text()
-    assert (desktop.preset.preset.name, desktop.session.source.preset.ear) == ("both", Ear.LIVE)
+    assert (desktop.preset.preset.name, desktop.session.source.preset.model_kind) == ("both", ModelKind.REAL_TIME)
 
 
 def test_what_nobody_knows_beforehand_is_heard_live(window, desktop):
     desktop.session.set_source(SourceKind.TONE)
-    assert desktop.session.source.preset.ear is Ear.LIVE
+    assert desktop.session.source.preset.model_kind is ModelKind.REAL_TIME
     desktop.session.set_source(SourceKind.FILE)
-    assert desktop.session.source.preset.ear is Ear.TWIN
+    assert desktop.session.source.preset.model_kind is ModelKind.OFFLINE
 
 
 def test_saved_phonemes_are_those_of_the_file(window, desktop, qtbot, tmp_path):
@@ -135,4 +137,4 @@ def test_saved_phonemes_are_those_of_the_file(window, desktop, qtbot, tmp_path):
     qtbot.waitUntil(lambda: not desktop.session.writer.busy)
     runs = transcribe(CARDS, PRESET).runs
     assert [label.phoneme for label in read_labels(target)] == [run.phoneme for run in runs]
-    assert window.banner.label.text().endswith("heard with: twin, 0.51 s each way.")
+    assert window.banner.label.text().endswith("Model: offline, ±0.51 s of context.")

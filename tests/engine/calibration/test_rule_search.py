@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from phonemeengine.calibration.fits.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes, conditions_in
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
-from tools.fit.rule_search import MOST_CONDITIONS, RuleSearch, best_phonemes
 
 N = 4000
 
@@ -73,3 +73,41 @@ def test_a_leaf_takes_the_phoneme_that_the_macro_f1_gains_most_by():
     counts[0, Phoneme.A] = 90
     counts[1, [Phoneme.A, Phoneme.P]] = 12, 10  # more a than p, but there is no other p to be had
     assert best_phonemes(counts) == [Phoneme.A, Phoneme.P]
+
+
+def divided(values: np.ndarray) -> np.ndarray:
+    """Five sounds in a plane of which two variables tell."""
+    x, y = values[:, 0], values[:, 1]
+    inner = np.where(y > 0.7, Phoneme.I, np.where(x > 0.8, Phoneme.U, Phoneme.O))
+    return np.where(x < 0.3, np.where(y < 0.4, Phoneme.SILENCE, Phoneme.SZ), inner).astype(np.uint8)
+
+
+def test_a_decision_list_answers_as_all_comparisons_do_with_fewer():
+    values = uniform(N, 3)
+    features, truth = Features(("x", "y", "z"), values.astype(np.float32)), divided(values)
+    search = RuleSearch(features, truth, np.ones(N), features.names)
+    root = search.grow(12)
+    rules, listed = search.rules_of(root), search.list_of(root)
+    answers = [RuleRecogniser(some, Thresholds()).phonemes_of(features) for some in (rules, listed)]
+    np.testing.assert_array_equal(*answers)
+    assert np.mean(answers[0] == truth) > 0.95
+    assert listed[-1].conditions == ()
+    assert conditions_in(listed) < conditions_in(rules) / 2
+
+
+@pytest.mark.parametrize("most", [0, 1, 4, 9])
+def test_a_list_has_no_more_conditions_than_it_may(most):
+    values = uniform(N, 3)
+    features = Features(("x", "y", "z"), values.astype(np.float32))
+    rules = RuleSearch(features, divided(values), np.ones(N), features.names).list_within(most)
+    assert conditions_in(rules) <= most
+    assert rules[-1].conditions == ()
+
+
+def test_a_search_in_a_part_learns_from_nothing_else():
+    values = uniform(N, 2)
+    truth = divided(values)
+    search = RuleSearch(Features(("x", "y"), values.astype(np.float32)), truth, np.ones(N), ("x", "y"))
+    chosen = np.isin(truth, (Phoneme.SILENCE, Phoneme.SZ))
+    assert {rule.phoneme for rule in search.part(chosen).list_within(9)} == {Phoneme.SILENCE, Phoneme.SZ}
+    assert len({rule.phoneme for rule in search.list_within(9)}) == 5

@@ -9,7 +9,7 @@ _SECTION = re.compile(r"^(Parameters|Attributes|Returns|Yields|Raises)\n-+\n(.+\
 _ENTRY = re.compile(r"^(\S.*?) : (.+)$", re.MULTILINE)
 
 
-class HouseDocstrings(griffe.Extension):
+class NumpyDocstrings(griffe.Extension):
     """Writes entries as numpydoc has them, before they are parsed."""
 
     def on_object(self, *, obj: griffe.Object, **_: Any) -> None:

@@ -1,0 +1,124 @@
+"""The model with which commands recognise files: the best that a preset has, or the one that is asked for."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+import soundfile
+
+from phonemeanalyser.cli.main import main
+from phonemeengine import Phoneme, Preset, SoundReader, cues, for_files, load_preset, transcribe
+from phonemeengine.analyser import analyse_file
+from phonemeengine.presets.files import save_preset
+from phonemeengine.settings import SAMPLE_RATE, AnalysisSettings, ModelKind
+from tests.models import centred_model, tone_model
+from tests.sounds import silence, tone
+from tests.tables import rows_of
+
+SOUND = np.concatenate([silence(0.2), tone(700, 0.5, 0.5), silence(0.3), tone(2500, 0.5, 0.5)])
+
+
+@pytest.fixture
+def sound(tmp_path: Path) -> Path:
+    soundfile.write(tmp_path / "tones.wav", SOUND, SAMPLE_RATE, subtype="FLOAT")
+    return tmp_path / "tones.wav"
+
+
+@pytest.fixture
+def preset(tmp_path: Path) -> Path:
+    models = {"model": tone_model({700.0: Phoneme.A, 2500.0: Phoneme.I}), "offline_model": centred_model()}
+    plain = AnalysisSettings(statistics=False)
+    save_preset(Preset(name="both", recogniser="learned", settings=plain, **models), tmp_path / "both.toml")
+    return tmp_path / "both.toml"
+
+
+def table(capsys, *words: object) -> list[str]:
+    assert main(["analyse", *map(str, words)]) == 0
+    said = capsys.readouterr()
+    assert said.err == ""
+    return [row["phoneme"] for row in rows_of(said.out)]
+
+
+@pytest.mark.parametrize("kind", [None, ModelKind.REAL_TIME, ModelKind.OFFLINE])
+def test_the_command_line_recognises_a_file_as_the_api_does(capsys, sound, preset, kind):
+    asked = () if kind is None else ("--model", kind)
+    found = [run.phoneme.label for run in transcribe(sound, for_files(load_preset(preset), kind)).runs]
+    assert table(capsys, sound, "--preset", preset, *asked) == found
+
+
+def test_the_best_model_is_taken_unless_another_is_asked_for(capsys, sound, preset):
+    best, offline, live = (
+        table(capsys, sound, "--preset", preset, *kind)
+        for kind in ((), ("--model", "offline"), ("--model", "real-time"))
+    )
+    assert best == offline != live
+
+
+def test_tables_tell_the_model(capsys, sound, preset):
+    for kind, words in (("offline", "offline, ±0.1 s of context"), ("real-time", "learned, look-ahead 50 ms")):
+        assert main(["analyse", str(sound), "--preset", str(preset), "--format", "json", "--model", kind]) == 0
+        assert json.loads(capsys.readouterr().out)["model"] == words
+
+
+def test_exports_are_of_the_same_model(tmp_path, sound, preset):
+    out = tmp_path / "tones.json"
+    assert main(["export", str(sound), "--format", "rhubarb-json", "-o", str(out), "--preset", str(preset)]) == 0
+    found = [cue["start"] for cue in json.loads(out.read_text())["mouthCues"]]
+    assert found == [round(cue.start, 2) for cue in cues(sound, load_preset(preset), "rhubarb", anticipation=0.04)]
+
+
+def test_a_model_that_is_missing_is_told_and_the_real_time_model_serves(capsys, sound, preset):
+    live = table(capsys, sound, "--preset", preset, "--model", "real-time")
+    preset.with_name("both.files.npz").unlink()
+    assert main(["analyse", str(sound), "--preset", str(preset)]) == 0
+    said = capsys.readouterr()
+    assert [row["phoneme"] for row in rows_of(said.out)] == live
+    assert said.err.startswith("phonemeanalyser: both: note: both.files.npz: the model cannot be read")
+    assert said.err.count("\n") == 1
+
+
+def test_a_model_that_a_preset_lacks_is_told(capsys, sound):
+    assert main(["analyse", str(sound), "--preset", "thesis", "--model", "offline"]) == 0
+    assert "has no other model for files" in capsys.readouterr().err
+
+
+def test_scores_are_of_the_real_time_model_unless_another_is_named(capsys, tmp_path, sound, preset):
+    sound.with_suffix(".txt").write_text("0.2\t0.7\ta\n1.0\t1.5\ti\n")
+    for kind, words in (((), "learned, look-ahead 50 ms"), (("--model", "offline"), "offline, ±0.1 s of context")):
+        assert main(["score", str(tmp_path), "--preset", str(preset), *kind]) == 0
+        assert f"model: {words}" in capsys.readouterr().out
+
+
+def test_an_open_file_is_recognised_as_well(sound, preset):
+    with SoundReader(sound) as reader:
+        n = sum(len(analysis) for analysis in analyse_file(reader, load_preset(preset)))
+    assert n == -(-len(SOUND) // 441)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        (["--ear", "twin"], ["--model", "offline"], ["--ear is now --model", "twin is now offline"]),
+        (["--ear=live"], ["--model=real-time"], ["--ear is now --model", "live is now real-time"]),
+        (["--model", "twin"], ["--model", "offline"], ["twin is now offline"]),
+    ],
+)
+def test_the_names_of_the_release_before_still_work_and_the_new_ones_are_told(capsys, sound, preset, old, new, told):
+    words = ["analyse", str(sound), "--preset", str(preset)]
+    assert main([*words, *new]) == 0
+    expected, nothing = capsys.readouterr()
+    assert main([*words, *old]) == 0
+    out, err = capsys.readouterr()
+    assert (out, nothing) == (expected, "")
+    assert [line.removeprefix("phonemeanalyser analyse: ").partition(";")[0] for line in err.splitlines()] == told
+
+
+def test_a_table_of_an_older_version_is_written_anew(sound, preset, tmp_path):
+    words = ["analyse", str(sound), "--preset", str(preset), "--format", "json", "-o", str(tmp_path / "tones.json")]
+    assert main(words) == 0
+    table = tmp_path / "tones.json"
+    of_now = table.read_text(encoding="utf-8")
+    table.write_text(of_now.replace('"model": "offline, ±', '"heard_with": "twin, '), encoding="utf-8")
+    assert main(words) == 0
+    assert table.read_text(encoding="utf-8") == of_now

@@ -1,0 +1,244 @@
+"""The editor of rules: what it shows, what it changes, and what it says of rules of no use."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QMenu, QTreeWidgetItem
+
+from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
+from phonemeanalyser.desktop.analyse.recognition.rule_tree import LIMIT, NAME, NOW, SIGN
+from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.rule_dialogs import ConditionDialog
+from phonemeanalyser.desktop.session.rules import RuleTrial
+from phonemeengine.labels.files import write_labels
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
+from phonemeengine.recognition.rule_checks import RuleFault
+from phonemeengine.recognition.rules import RULES, Condition, Rule
+from tests.desktop.hands import CARDS, press, shown
+from tests.labelled import recording
+
+pytestmark = pytest.mark.usefixtures("lender")
+
+ALT, CONTROL = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ControlModifier
+QUIET = Condition("volume", "<", limit=0.05)
+OWN = (
+    Rule(Phoneme.SILENCE, (QUIET,)),
+    Rule(Phoneme.SZ, (Condition("zero_crossings", ">", limit=300.0), Condition("energy", ">", limit=0.1))),
+    Rule(Phoneme.A, ()),
+)
+
+
+@pytest.fixture
+def window(desktop, qtbot):
+    window = shown(desktop, qtbot, None)
+    next(dock for dock in window.findChildren(QDockWidget) if dock.objectName() == "Rules").raise_()
+    QApplication.processEvents()
+    return window
+
+
+@pytest.fixture
+def editor(desktop, window, tmp_path) -> RuleEditor:
+    """The editor on a preset with three rules of its own."""
+    path = tmp_path / "own.toml"
+    save_preset(replace(load_preset(THESIS_PRESET), recogniser="rules", rules=OWN), path)
+    desktop.preset.load(path)
+    window.analysis.rules.tree.setFocus()
+    return window.analysis.rules
+
+
+def item(editor: RuleEditor, k: int, j: int | None = None) -> QTreeWidgetItem:
+    found = editor.tree.topLevelItem(k)
+    return found if j is None else found.child(j)
+
+
+def texts(editor: RuleEditor) -> list[str]:
+    return [item(editor, k).text(NAME) for k in range(editor.tree.topLevelItemCount())]
+
+
+def enter(editor: RuleEditor, at: QTreeWidgetItem, column: int, value: object) -> None:
+    """Edit a cell in place as a user does: F2, then the list or the line."""
+    editor.tree.setFocus()
+    editor.tree.setCurrentItem(at, column)
+    press(editor.tree, Qt.Key.Key_F2)
+    if column == LIMIT:
+        field = editor.tree.viewport().findChildren(QLineEdit)[-1]
+        field.setText(str(value))
+        press(field, Qt.Key.Key_Return)
+        QApplication.processEvents()  # Qt commits what was typed a moment later
+        return
+    menu = QApplication.activePopupWidget()
+    assert isinstance(menu, QMenu)
+    words = sound_name(value) if isinstance(value, Phoneme) else str(value)
+    next(a for a in menu.actions() if a.text() == words or a.text().endswith(f"({words})")).trigger()
+    menu.close()
+
+
+def test_rules_are_listed_in_the_order_of_decision_with_their_conditions(editor):
+    assert texts(editor) == ["1  silence", "2  s", "3  a  otherwise"]
+    condition = item(editor, 1, 0)
+    assert [condition.text(column) for column in (NAME, SIGN, LIMIT)] == ["zero crossings", ">", "300"]
+    assert not editor.words.isVisibleTo(editor)
+
+
+@pytest.mark.parametrize(
+    ("at", "column", "value", "expected"),
+    [
+        ((0, None), NAME, Phoneme.P, Rule(Phoneme.P, (QUIET,))),
+        ((0, 0), NAME, "energy", Rule(Phoneme.SILENCE, (replace(QUIET, variable="energy"),))),
+        ((0, 0), SIGN, ">", Rule(Phoneme.SILENCE, (replace(QUIET, sign=">"),))),
+        ((0, 0), LIMIT, "0,25", Rule(Phoneme.SILENCE, (replace(QUIET, limit=0.25),))),
+    ],
+)
+def test_what_a_cell_holds_is_edited_in_place_and_undone(desktop, editor, at, column, value, expected):
+    enter(editor, item(editor, *at), column, value)
+    assert desktop.preset.preset.rules == (expected, *OWN[1:])
+    desktop.preset.undo_stack.undo()
+    assert desktop.preset.preset.rules == OWN
+    assert texts(editor)[0] == "1  silence"
+
+
+def test_what_is_no_number_changes_nothing(desktop, editor):
+    enter(editor, item(editor, 0, 0), LIMIT, "much")
+    assert desktop.preset.preset.rules == OWN
+
+
+def test_rules_move_by_keys_and_are_duplicated_and_deleted(desktop, editor):
+    first, second, third = OWN
+    editor.tree.choose(1)
+    press(editor.tree, Qt.Key.Key_Up, ALT)
+    assert desktop.preset.preset.rules == (second, first, third)
+    assert editor.tree.current_rule == 0
+    press(editor.tree, Qt.Key.Key_D, CONTROL)
+    assert desktop.preset.preset.rules == (second, second, first, third)
+    press(editor.tree, Qt.Key.Key_Delete)
+    editor.tree.choose(0)
+    press(editor.tree, Qt.Key.Key_Down, ALT)
+    assert desktop.preset.preset.rules == (first, second, third)
+    editor.tree.choose(1, 0)
+    press(editor.tree, Qt.Key.Key_Delete)
+    assert desktop.preset.preset.rules[1] == replace(second, conditions=second.conditions[1:])
+    for _ in range(5):
+        desktop.preset.undo_stack.undo()
+    assert desktop.preset.preset.rules == OWN
+
+
+def test_the_last_rule_stays(desktop, editor):
+    editor.tree.choose(0)
+    for _ in range(5):
+        press(editor.tree, Qt.Key.Key_Delete)
+    assert len(desktop.preset.preset.rules) == 1
+    assert not editor.delete.isEnabled()
+
+
+def test_a_rule_and_a_condition_are_switched_off_and_kept_in_the_file(desktop, editor, tmp_path):
+    item(editor, 0).setCheckState(NAME, Qt.CheckState.Unchecked)
+    item(editor, 1, 1).setCheckState(NAME, Qt.CheckState.Unchecked)
+    off = replace(OWN[0], enabled=False)
+    half = replace(OWN[1], conditions=(OWN[1].conditions[0], replace(OWN[1].conditions[1], enabled=False)))
+    assert desktop.preset.preset.rules == (off, half, OWN[2])
+    desktop.preset.save(tmp_path / "kept.toml")
+    assert load_preset(tmp_path / "kept.toml").rules == (off, half, OWN[2])
+
+
+def test_a_new_rule_is_off_until_it_has_a_condition(desktop, editor):
+    editor.tree.choose(2)
+    editor.add.click()
+    assert desktop.preset.preset.rules[2:] == (Rule(Phoneme.A, (), enabled=False), OWN[2])
+    assert editor.tree.current_rule == 2
+
+
+def test_only_the_rules_for_one_phoneme_are_shown_if_that_is_asked_for(editor):
+    editor.phoneme.setCurrentIndex(editor.phoneme.findData(Phoneme.SZ))
+    assert [item(editor, k).isHidden() for k in range(3)] == [True, False, True]
+
+
+def test_what_is_wrong_with_a_rule_is_said_beside_it(desktop, editor, qtbot):
+    contrary = replace(OWN[0], conditions=(QUIET, replace(QUIET, sign=">", limit=0.1)))
+    hidden = replace(OWN[0], conditions=(replace(QUIET, limit=0.01),))
+    desktop.preset.edit(replace(desktop.preset.preset, rules=(contrary, OWN[0], hidden, OWN[2])), "test")
+    qtbot.waitUntil(lambda: len(desktop.session.rules.faults) == 4)
+    assert desktop.session.rules.faults == (RuleFault.CONTRADICTORY, None, RuleFault.COVERED, None)
+    assert texts(editor)[0] == "1  silence  ⚠ can never hold"
+    assert texts(editor)[2] == "3  silence  ⚠ never reached"
+    assert "2 rules" in editor.faults.text()
+
+
+def test_what_never_holds_in_the_open_file_is_said(desktop, window, editor, qtbot):
+    window.dialogs.open_sound(CARDS)
+    loud = replace(OWN[0], conditions=(replace(QUIET, sign=">", limit=7.0),))
+    desktop.preset.edit(replace(desktop.preset.preset, rules=(loud, *OWN)), "test")
+    qtbot.waitUntil(lambda: desktop.session.rules.faults[:1] == (RuleFault.NEVER,))
+    assert texts(editor)[0] == "1  silence  ⚠ never holds here"
+
+
+def test_the_decision_marks_the_conditions_of_the_current_frame(desktop, window, editor):
+    window.dialogs.open_sound(CARDS)
+    desktop.session.analyse_until(1.0)
+    trace = desktop.session.results.explain()
+    editor.tree.mark(trace)
+    compared = {(c.rule, c.variable): c for c in trace.comparisons}
+    holds = compared["silence", "volume"].margin > 0
+    assert item(editor, 0, 0).text(NOW).endswith("✓" if holds else "✗")
+    fired = {"silence": 0, "sz": 1, "a": 2}[trace.rule]
+    assert [item(editor, k).font(NAME).bold() for k in range(3)] == [k == fired for k in range(3)]
+
+
+def test_rules_of_the_thesis_show_numbers_that_can_be_edited_and_become_own_rules(desktop, window):
+    editor = window.analysis.rules
+    assert len(texts(editor)) == len(RULES)
+    assert not editor.buttons.isVisibleTo(editor)
+    assert "fixed" in editor.words.text()
+    enter(editor, item(editor, 1, 1), LIMIT, "7.5")
+    assert desktop.preset.preset.thresholds.sz_s1 == 7.5
+    assert item(editor, 1, 1).text(LIMIT) == "7.5"
+    editor.begin.click()
+    preset = desktop.preset.preset
+    assert preset.recogniser == "rules"
+    assert [rule.phoneme for rule in preset.rules] == [rule.phoneme for rule in RULES]
+    assert preset.rules[1].conditions[1] == Condition("m_s1", ">", limit=7.5)
+    assert editor.buttons.isVisibleTo(editor)
+
+
+def test_a_preset_without_rules_says_what_to_do(desktop, window):
+    desktop.preset.set_recogniser("templates")
+    editor = window.analysis.rules
+    assert "has no rules. Begin with rules from takes" in editor.words.text()
+    assert not editor.tree.isVisibleTo(editor)
+    editor.begin.click()
+    assert desktop.preset.preset.recogniser == "rules"
+    assert editor.tree.isVisibleTo(editor)
+
+
+def test_a_condition_is_added_with_the_limit_that_gains_most_on_the_labels_beside_the_file(
+    desktop, window, editor, qtbot, tmp_path
+):
+    spoken = recording(tmp_path / "said.wav")
+    write_labels(spoken.labels, tmp_path / "said.csv")
+    window.dialogs.open_sound(spoken.path)
+    desktop.preset.edit(replace(desktop.preset.preset, rules=(OWN[0], OWN[2])), "test")
+    rules = desktop.session.rules
+    qtbot.waitUntil(lambda: not desktop.session.busy)
+    trials: list[RuleTrial] = []
+    rules.tried.connect(trials.append)
+    dialog = ConditionDialog(rules, "zero_crossings", None, window)
+    dialog.phoneme.setCurrentIndex(dialog.phoneme.findData(Phoneme.SZ))
+    dialog.place.setValue(2)
+    qtbot.waitUntil(lambda: bool(trials) and trials[-1].after.f1_of(Phoneme.SZ) > 0.8)
+    assert trials[-1].after.macro_f1 > trials[-1].before.macro_f1
+    assert "s +" in dialog.gain.text()
+    dialog.accept()
+    first, added, last = desktop.preset.preset.rules
+    assert added.phoneme is Phoneme.SZ
+    assert (added.conditions[0].variable, added.conditions[0].sign) == ("zero_crossings", ">")
+    assert added.conditions[0].limit == pytest.approx(trials[-1].condition.limit, rel=1e-4)
+    assert (first, last) == (OWN[0], OWN[2])
+
+
+def test_a_variable_is_used_in_no_fixed_rule(window, desktop):
+    said: list[str] = []
+    desktop.session.rules.error.connect(said.append)
+    window.rule_dialogs.ask_use("energy")
+    assert len(said) == 1
+    assert "has no rules of its own" in said[0]

@@ -1,0 +1,1 @@
+"""Other recognisers beside ours, on the same labelled recordings: `python -m tools.bench.peers` prints the table."""
