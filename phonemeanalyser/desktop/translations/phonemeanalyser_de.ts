@@ -346,7 +346,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>a file beside a mesh</source>
-            <translation>eine Datei neben einem Netz</translation>
+            <translation>eine Datei neben einem Mesh</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/curves_file.py" />
@@ -451,47 +451,47 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>a mesh</source>
-            <translation>ein Netz</translation>
+            <translation>ein Mesh</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/mesh.py" />
             <source>a mesh has 1..{most_vertices} vertices, this has {points}; choose another file</source>
-            <translation>Ein Netz hat 1..{most_vertices} Eckpunkte, dieses {points}; andere Datei wählen</translation>
+            <translation>Ein Mesh hat 1..{most_vertices} Eckpunkte, dieses {points}; andere Datei wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/x_file.py" />
             <source>a mesh has at most {most_materials} materials, this has {materials}; join some</source>
-            <translation>Ein Netz hat höchstens {most_materials} Materialien, dieses {materials}; einige zusammenfassen</translation>
+            <translation>Ein Mesh hat höchstens {most_materials} Materialien, dieses {materials}; einige zusammenfassen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/obj.py" />
             <source>a mesh has at most {most_materials} materials; join some</source>
-            <translation>Ein Netz hat höchstens {most_materials} Materialien; einige zusammenfassen</translation>
+            <translation>Ein Mesh hat höchstens {most_materials} Materialien; einige zusammenfassen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>a mesh has at most {most_primitives} parts; join some</source>
-            <translation>Ein Netz hat höchstens {most_primitives} Teile; einige zusammenfassen</translation>
+            <translation>Ein Mesh hat höchstens {most_primitives} Teile; einige zusammenfassen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/obj.py" />
             <source>a mesh has at most {most_triangles} normals; make it coarser</source>
-            <translation>Ein Netz hat höchstens {most_triangles} Normalen; gröber machen</translation>
+            <translation>Ein Mesh hat höchstens {most_triangles} Normalen; gröber machen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/mesh.py" />
             <source>a mesh has at most {most_triangles} triangles, this has {corners}; make it coarser</source>
-            <translation>Ein Netz hat höchstens {most_triangles} Dreiecke, dieses {corners}; gröber machen</translation>
+            <translation>Ein Mesh hat höchstens {most_triangles} Dreiecke, dieses {corners}; gröber machen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>a mesh has at most {most_triangles} triangles; make it coarser</source>
-            <translation>Ein Netz hat höchstens {most_triangles} Dreiecke; gröber machen</translation>
+            <translation>Ein Mesh hat höchstens {most_triangles} Dreiecke; gröber machen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>a mesh has at most {most_vertices} vertices; make it coarser</source>
-            <translation>Ein Netz hat höchstens {most_vertices} Eckpunkte; gröber machen</translation>
+            <translation>Ein Mesh hat höchstens {most_vertices} Eckpunkte; gröber machen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/encoder/live.py" />
@@ -1061,7 +1061,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
             <source>an accessor has at most {most_entries} entries, got {n}; make the mesh coarser</source>
-            <translation>Ein Accessor hat höchstens {most_entries} Einträge, gefunden {n}; Netz gröber machen</translation>
+            <translation>Ein Accessor hat höchstens {most_entries} Einträge, gefunden {n}; Mesh gröber machen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
@@ -1871,7 +1871,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Click a segment to play it, or select one and press Return</source>
-            <translation>Klick spielt ein Segment ab; oder eines auswählen und Eingabe drücken</translation>
+            <translation>Klick spielt ein Segment ab; oder eines auswählen und Return drücken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
@@ -2011,7 +2011,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
             <source>Compare the marked preset with the one in use (Ctrl+Return)</source>
-            <translation>Das markierte Preset mit dem verwendeten vergleichen (Strg+Eingabe)</translation>
+            <translation>Das markierte Preset mit dem verwendeten vergleichen (Strg+Return)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
@@ -3637,7 +3637,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
             <source>In bins of 21.53 Hz, as in a PhonemeData file</source>
-            <translation>In Bins von 21,53 Hz, wie in einer PhonemeData-Datei</translation>
+            <translation>In Bins von 21.53 Hz, wie in einer PhonemeData-Datei</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/pitch_set_words.py" />
@@ -3792,7 +3792,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/x_file.py" />
             <source>it has more than {most_meshes} meshes; join them</source>
-            <translation>Mehr als {most_meshes} Netze; zusammenfassen</translation>
+            <translation>Mehr als {most_meshes} Meshs; zusammenfassen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
@@ -4397,7 +4397,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/obj.py" />
             <source>line {number} holds {line}, which is no number of a mesh; correct it</source>
-            <translation>Zeile {number} enthält {line}, keine Zahl eines Netzes; korrigieren</translation>
+            <translation>Zeile {number} enthält {line}, keine Zahl eines Meshs; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/threedma.py" />
@@ -5157,12 +5157,12 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
             <source>movestate {name} moves vertex {numbers}, and the mesh has {self}; choose the mesh that it was made for</source>
-            <translation>Blendshape {name} bewegt Eckpunkt {numbers}, das Netz hat nur {self}; das zugehörige Netz wählen</translation>
+            <translation>Blendshape {name} bewegt Eckpunkt {numbers}, das Mesh hat nur {self}; das zugehörige Mesh wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
             <source>movestate {name} names vertex {numbers}, and a mesh has at most {most_vertices}; export it again</source>
-            <translation>Blendshape {name} nennt Eckpunkt {numbers}, ein Netz hat höchstens {most_vertices}; neu exportieren</translation>
+            <translation>Blendshape {name} nennt Eckpunkt {numbers}, ein Mesh hat höchstens {most_vertices}; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
@@ -5507,7 +5507,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_writing.py" />
             <source>no vertex moves, so there is nothing to show; name its mesh with --mesh</source>
-            <translation>Kein Eckpunkt bewegt sich, daher gibt es nichts zu zeigen; Netz mit --mesh angeben</translation>
+            <translation>Kein Eckpunkt bewegt sich, daher gibt es nichts zu zeigen; Mesh mit --mesh angeben</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/text/espeak.py" />
@@ -6247,7 +6247,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Play the trimmed part of the take (Return or double-click)</source>
-            <translation>Zugeschnittenen Teil des Takes abspielen (Eingabe oder Doppelklick)</translation>
+            <translation>Zugeschnittenen Teil des Takes abspielen (Return oder Doppelklick)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -7897,7 +7897,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Start recording after a two-second countdown (Return)</source>
-            <translation>Aufnahme nach zwei Sekunden Countdown starten (Eingabe)</translation>
+            <translation>Aufnahme nach zwei Sekunden Countdown starten (Return)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -8472,17 +8472,17 @@
         <message>
             <location filename="../../../phonemeanalyser/rendering/renderer.py" />
             <source>the mesh has no triangles, so there is nothing to be seen; choose another one</source>
-            <translation>Das Netz hat keine Dreiecke, daher ist nichts zu sehen; anderes wählen</translation>
+            <translation>Das Mesh hat keine Dreiecke, daher ist nichts zu sehen; anderes wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/mesh.py" />
             <source>the mesh has the vertices 0..{len}, got {worst}; choose one of them</source>
-            <translation>Das Netz hat die Eckpunkte 0..{len}, gefunden {worst}; einen davon wählen</translation>
+            <translation>Das Mesh hat die Eckpunkte 0..{len}, gefunden {worst}; einen davon wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>the mesh is a damaged glTF file; export it anew from your modelling program</source>
-            <translation>Das Netz ist eine beschädigte glTF-Datei; im Modellierprogramm neu exportieren</translation>
+            <translation>Das Mesh ist eine beschädigte glTF-Datei; im Modellierprogramm neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -8542,7 +8542,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
             <source>the movestates move vertex {numbers}, and the mesh has {mesh}; choose the mesh of theirs</source>
-            <translation>Die Blendshapes bewegen Eckpunkt {numbers}, das Netz hat nur {mesh}; das zugehörige Netz wählen</translation>
+            <translation>Die Blendshapes bewegen Eckpunkt {numbers}, das Mesh hat nur {mesh}; das zugehörige Mesh wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
@@ -9117,7 +9117,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>there is no mesh in it; export one with it</source>
-            <translation>Kein Netz enthalten; mit Netz exportieren</translation>
+            <translation>Kein Mesh enthalten; mit Mesh exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
@@ -9662,7 +9662,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Use the new preset; Ctrl+Z restores the old one (Return)</source>
-            <translation>Neues Preset verwenden; Strg+Z stellt das alte wieder her (Eingabe)</translation>
+            <translation>Neues Preset verwenden; Strg+Z stellt das alte wieder her (Return)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
@@ -10457,7 +10457,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
             <source>{lost} of the {counts} vertices that move are not in the mesh within {tolerance}: {n_named}{more}; choose the mesh of theirs, or a larger tolerance</source>
-            <translation>{lost} von {counts} bewegten Eckpunkten fehlen im Netz, Toleranz {tolerance}: {n_named}{more}; das zugehörige Netz oder eine größere Toleranz wählen</translation>
+            <translation>{lost} von {counts} bewegten Eckpunkten fehlen im Mesh, Toleranz {tolerance}: {n_named}{more}; das zugehörige Mesh oder eine größere Toleranz wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
@@ -10612,7 +10612,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
             <source>{name} is a number, such as 0.25; found {text}</source>
-            <translation>{name} ist eine Zahl, etwa 0,25; gefunden: {text}</translation>
+            <translation>{name} ist eine Zahl, etwa 0.25; gefunden: {text}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/features/variables.py" />
@@ -10662,7 +10662,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
             <source>{name} moves no mesh; leave {name_2} out, or choose gltf</source>
-            <translation>{name} bewegt kein Netz; {name_2} weglassen oder gltf wählen</translation>
+            <translation>{name} bewegt kein Mesh; {name_2} weglassen oder gltf wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/table.py" />
@@ -11087,7 +11087,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
             <source>{name}: this is a mesh without morph targets; use 'movestates export'</source>
-            <translation>{name}: Dies ist ein Netz ohne Morph-Targets; 'movestates export' verwenden</translation>
+            <translation>{name}: Dies ist ein Mesh ohne Morph-Targets; 'movestates export' verwenden</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
@@ -11467,7 +11467,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/x_file.py" />
             <source>{place}: a mesh has at most {most_triangles} triangles; make it coarser</source>
-            <translation>{place}: Ein Netz hat höchstens {most_triangles} Dreiecke; gröber machen</translation>
+            <translation>{place}: Ein Mesh hat höchstens {most_triangles} Dreiecke; gröber machen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/x_file.py" />
@@ -11492,12 +11492,12 @@
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/x_file.py" />
             <source>{place}: the faces of normals are not those of the mesh; export it again</source>
-            <translation>{place}: Die Flächen der Normalen sind nicht die des Netzes; neu exportieren</translation>
+            <translation>{place}: Die Flächen der Normalen sind nicht die des Meshs; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/x_file.py" />
             <source>{place}: the mesh is not closed; it is cut off, export it again</source>
-            <translation>{place}: Das Netz ist nicht abgeschlossen; abgeschnitten, neu exportieren</translation>
+            <translation>{place}: Das Mesh ist nicht abgeschlossen; abgeschnitten, neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/spoken.py" />
