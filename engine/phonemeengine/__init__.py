@@ -71,7 +71,7 @@ What is said in a sound, with how loud and high that is, is said by such a face:
 
 A preset learns a voice from labelled recordings of it, and is judged on others::
 
-    result = calibrate(preset, read_recordings("takes"), held_back=read_recordings("sentence.flac"))
+    result = calibrate(preset, read_recordings("takes"), held_out=read_recordings("sentence.flac"))
     save_preset(result.preset, "my-voice.toml")
     score(result.preset, read_recordings("corpus")).overall.scores.macro_f1
 

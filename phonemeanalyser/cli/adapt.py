@@ -98,10 +98,10 @@ def run(options: argparse.Namespace) -> int:
 
 def _calibrated(preset: Preset, room: Float32Array | None, options: argparse.Namespace) -> Preset:
     mapping = load_phoneme_map(options.map) if options.map else PhonemeMap()
-    held_back = _read(options.held_out, mapping, options.channel)
+    held_out = _read(options.held_out, mapping, options.channel)
     takes = _read_aloud(options) or _read(options.folders, mapping, options.channel)
-    say_cut_off([*takes, *held_back])
-    result = calibrate(preset, takes, held_back=held_back, room=room)
+    say_cut_off([*takes, *held_out])
+    result = calibrate(preset, takes, held_out=held_out, room=room)
     seconds = sum(utterance.labels[-1].end for utterance in takes if utterance.labels)
     several = "s" if len(takes) != 1 else ""
     print(f"{options.out}: {len(takes)} recording{several}, {seconds:.0f} s; {_gain_in_words(result)}")

@@ -1,7 +1,7 @@
 """Mouths that move by labelled phones: when vowels are widest, the lip leaves the teeth, and which lips are shut.
 
 The corpus of the tests is cut into two halves by speaker, each with German and English. The mouth tables and
-`phonemeengine.mouth.cues` were tuned on `TUNED_ON` alone; the figures are of `HELD_BACK`, with the recorded man among
+`phonemeengine.mouth.cues` were tuned on `TUNED_ON` alone; the figures are of `HELD_OUT`, with the recorded man among
 them. Labels bear no stress, so all full vowels count, of which the stressed ones are most.
 """
 
@@ -26,7 +26,7 @@ from tools.bench.performance import SHUT, Lips
 
 CORPUS = ROOT / "tests" / "data" / "corpus"
 TUNED_ON = frozenset({"de", "de_klatt", "kal", "nsh"})
-HELD_BACK = frozenset({"de_f1", "de_m3", "slt", "cards"})
+HELD_OUT = frozenset({"de_f1", "de_m3", "slt", "cards"})
 REDUCED = frozenset("əɐɜɨᵻʉɚ")
 LABIODENTALS, ROUNDED, BILABIALS = frozenset("fv"), frozenset("uʊw"), frozenset("pbm")
 FINE, PICTURES, SMOOTH = 200.0, 30.0, 60.0
@@ -67,7 +67,7 @@ Found = dict[str, list[bool | float]]
 
 def figures() -> list[Figure]:
     """Measure on the held-out speakers."""
-    found = measured(HELD_BACK)
+    found = measured(HELD_OUT)
     rows: tuple[tuple[str, str, float], ...] = (
         ("full vowels that are widest in their first 60 %", "widest", WIDEST_EARLY),
         ("f and v with the lip at the teeth", "rolled", 1.0),

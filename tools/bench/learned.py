@@ -142,7 +142,7 @@ def main() -> None:
 def _adapting(preset: Preset) -> Figure:
     said = _said()
     began = time.perf_counter()
-    calibrate(preset, [said] * COPIES, held_back=[said])
+    calibrate(preset, [said] * COPIES, held_out=[said])
     seconds = [time.perf_counter() - began]
     ratio = seconds[0] / ADAPTED_WITHIN
     return Figure("calibrating to 10 s of takes", shown(seconds), "5 s", ratio, 1.0, absolute=Absolute.TIME)

@@ -2,7 +2,7 @@
 
 The window, the command line and games do it by one function, and so get the same preset::
 
-    result = calibrate(preset, read_recordings(takes), held_back=read_recordings(sentence))
+    result = calibrate(preset, read_recordings(takes), held_out=read_recordings(sentence))
     save_preset(result.preset, path)
 
 What is learned from is never what it is judged by. Where nothing is held out, each quarter of all takes is, in
@@ -18,10 +18,10 @@ from datetime import UTC, datetime
 from functools import lru_cache
 
 from phonemeengine.arrays import Float32Array
-from phonemeengine.calibration.held_back import (
+from phonemeengine.calibration.held_out import (
     N_PARTS,
     counts,
-    held_back_scores,
+    held_out_scores,
     loss_of,
     paired_answers,
     parts_of,
@@ -105,7 +105,7 @@ def calibrate(
     preset: Preset,
     takes: Takes,
     *,
-    held_back: Takes = (),
+    held_out: Takes = (),
     room: Float32Array | None = None,
     progress: Progress = no_progress,
 ) -> CalibrationResult:
@@ -115,7 +115,7 @@ def calibrate(
     ----------
     preset : what is calibrated; its recogniser says how.
     takes : labelled recordings of the voice; those of silence alone tell what the room sounds like.
-    held_back : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
+    held_out : labelled recordings of the same voice from which nothing is learned, such as a sentence that was
         read (`phonemeengine.calibration.alignment` labels it); labels whose certainty is ``trimmed`` do not count.
     room : seconds of background noise, float32, shape (n,), 44.1 kHz; where it is None, the takes' silence.
     progress : called with the share that is done, 0..1.
@@ -129,16 +129,16 @@ def calibrate(
     adapt = _adapt_of(preset)
     if not takes:
         raise CorpusError("there are no takes to calibrate with; record some first")
-    judged = held_back or takes
+    judged = held_out or takes
     if not any(counts(utterance.labels) for utterance in judged):
         raise CorpusError(
             "there is nothing to measure the result on; give takes or recordings whose labels are certain"
         )
     trials = _Trials(preset, adapt, room)
-    found, trial = trials.on(takes, held_back, progress) if held_back else trials.cross_validated(takes, progress)
+    found, trial = trials.on(takes, held_out, progress) if held_out else trials.cross_validated(takes, progress)
     if trial.index is not None:
         found = _with_model_for_files(found, judged, trial.small)
-        found = _judged(preset, found, trial, _seconds(judged), cross_validated=not held_back)
+        found = _judged(preset, found, trial, _seconds(judged), cross_validated=not held_out)
     report_progress(progress, 1.0)
     accuracy = _silence_accuracy(trials.models.in_use(found), takes, room)
     return CalibrationResult(
@@ -147,7 +147,7 @@ def calibrate(
         trial.before,
         trial.after,
         _seconds(judged),
-        not held_back,
+        not held_out,
         trial.cost,
         accuracy,
         trial.gained,
@@ -238,10 +238,10 @@ class _Trials:
         self._adapt = adapt
         self._room = room
 
-    def on(self, takes: Takes, held_back: Takes, progress: Progress) -> tuple[Preset, _Trial]:
+    def on(self, takes: Takes, held_out: Takes, progress: Progress) -> tuple[Preset, _Trial]:
         """Learn from all takes, and try that on other speech."""
         adapted = self._adapted(takes, subrange(progress, 0.0, 0.9))
-        trial = self._tried([adapted], [held_back], held_back)
+        trial = self._tried([adapted], [held_out], held_out)
         return self._preset if trial.index is None else adapted[trial.index], trial
 
     def cross_validated(self, takes: Takes, progress: Progress) -> tuple[Preset, _Trial]:
@@ -270,11 +270,11 @@ class _Trials:
         kinds, first_cost = self.models.kinds, ""
         used, small = kinds[0], self.models.small
         old = {kind: self.models.predictions(kind, [(self._preset, judged)]) for kind in kinds}
-        before = {kind: held_back_scores(old[kind]) for kind in kinds}
+        before = {kind: held_out_scores(old[kind]) for kind in kinds}
         for index, presets in enumerate(zip(*adapted, strict=True)):
             cases = list(zip(presets, kept, strict=True))
             new = {kind: self.models.predictions(kind, cases) for kind in kinds}
-            after = {kind: held_back_scores(new[kind]) for kind in kinds}
+            after = {kind: held_out_scores(new[kind]) for kind in kinds}
             gains = after[used].macro_f1 > before[used].macro_f1
             cost = next((loss for kind in kinds if (loss := loss_of(before[kind], after[kind]))), "") if gains else ""
             if gains and not cost:
@@ -308,7 +308,7 @@ def _with_model_for_files(preset: Preset, judged: Takes, small: Scores) -> Prese
     """Return the preset without its model for files, which learned nothing, where the small network is better now."""
     if preset.offline_model is None:
         return preset
-    with_offline_model = held_back_scores(predictions_on([(for_files(preset, ModelKind.OFFLINE), judged)]))
+    with_offline_model = held_out_scores(predictions_on([(for_files(preset, ModelKind.OFFLINE), judged)]))
     if with_offline_model.macro_f1 >= small.macro_f1:
         return preset
     return replace(preset, offline_model=None)

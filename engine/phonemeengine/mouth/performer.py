@@ -316,24 +316,24 @@ class Performer:
 
     @property
     def inhibition(self) -> float:
-        """How far speech holds expressions back, 0..1, at the last look."""
-        return self._held_back
+        """By what share speech reduces expressions, 0..1, at the last look."""
+        return self._reduction
 
     # -- inside -------------------------------------------------------------------------------------------
 
     def _express(self, before: Expression | None) -> None:
-        """Express something else; what holds it back goes on unless it has other times."""
+        """Express something else; the reduction by speech goes on unless it has other times."""
         expression = self.idle.expression
         self._composer = None if expression is None else Composer(expression)
         if before is None or expression is None or before.times != expression.times:
-            self._inhibition, self._held_back = Inhibition(expression.times if expression else None), 0.0
+            self._inhibition, self._reduction = Inhibition(expression.times if expression else None), 0.0
 
     def _expressed(self, weights: Float32Array, time: float) -> Float32Array:
         if self._composer is None or self.table.movestates[: len(ARKIT)] != ARKIT:
             return weights
-        self._held_back = self._inhibition.at(time)
+        self._reduction = self._inhibition.at(time)
         shown = weights.copy()
-        shown[: len(ARKIT)] = self._composer.composed(weights[: len(ARKIT)], time, self._held_back)
+        shown[: len(ARKIT)] = self._composer.composed(weights[: len(ARKIT)], time, self._reduction)
         return shown
 
     def _restart(self) -> None:

@@ -12,7 +12,7 @@ from PySide6.QtCore import Qt
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS, Phase
 from phonemeengine.calibration.calibrate import CalibrationResult, calibrate
-from phonemeengine.calibration.held_back import loss_of
+from phonemeengine.calibration.held_out import loss_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, read_recordings
 from phonemeengine.calibration.scores.gains import Gain, Gains
 from phonemeengine.calibration.sentences import LANGUAGES, SENTENCES
@@ -198,12 +198,12 @@ def test_window_api_and_command_line_make_the_same_of_a_voice(
     hint = by_sounds.page.guide.hint.text()
     assert "Measured on the test sentence only (" in hint
     assert " s), whose labels were aligned with its known text." in hint
-    takes, held_back = read_recordings(folder), read_recordings(spoken.path)
+    takes, held_out = read_recordings(folder), read_recordings(spoken.path)
     for name in ("learned", "templates", "brightness"):  # rules are compared in test_calibrate_learning
         start, mine = tmp_path / "start.toml", tmp_path / f"{name}.toml"
         preset.set_recogniser(name)
         save_preset(preset.preset, start)
-        found = outcome if name == "learned" else calibrate(preset.preset, takes, held_back=held_back)
+        found = outcome if name == "learned" else calibrate(preset.preset, takes, held_out=held_out)
         assert loss_of(found.before, found.after) == ""
         words = ["adapt", str(folder), "--preset", str(start), "--held-out", str(spoken.path), "-o", str(mine)]
         assert main(words) == 0

@@ -12,7 +12,7 @@ from phonemeanalyser.cli.main import main
 from phonemeanalyser.desktop.calibrate.guide.guide_model import QUIET, SOUNDS
 from phonemeengine.calibration.calibrate import calibrate
 from phonemeengine.calibration.fits.templates import adapt_to_takes
-from phonemeengine.calibration.held_back import MOST_LOSS, loss_of
+from phonemeengine.calibration.held_out import MOST_LOSS, loss_of
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import predict
 from phonemeengine.calibration.scores.scoring import Scores, scores_of
@@ -33,7 +33,7 @@ from tests.sounds import silence
 
 P = Phoneme
 ORDER = (P.SILENCE, P.M, P.A, P.SZ, P.I, P.SCH, P.E, P.SILENCE, P.O, P.M, P.U, P.SZ, P.A, P.SILENCE)
-"""What the voice says in the sentence that is held back."""
+"""What the voice says in the sentence that is held out."""
 
 
 @pytest.fixture(scope="module")
@@ -61,7 +61,7 @@ def sentence(tmp_path_factory: pytest.TempPathFactory) -> LabelledUtterance:
         labels.append(Label(at, at + seconds, phoneme.label, phoneme))
         at += seconds
     soundfile.write(path, in_room(np.concatenate(parts)), SAMPLE_RATE, subtype="FLOAT")
-    return LabelledUtterance(path, tuple(labels), "Ann", "held back")
+    return LabelledUtterance(path, tuple(labels), "Ann", "held out")
 
 
 def scores(preset: Preset, utterance: LabelledUtterance) -> Scores:
@@ -73,7 +73,7 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, name: str
 ):
     preset = load_preset(FACTORY / f"{name}.toml")
-    outcome = calibrate(preset, takes, held_back=[sentence])
+    outcome = calibrate(preset, takes, held_out=[sentence])
     assert outcome.gains
     before, after = (for_live_use(used) if name == "learned" else used for used in (preset, outcome.preset))
     assert outcome.before == scores(before, sentence)  # the figures are of the sentence alone
@@ -93,7 +93,7 @@ def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     assert outcome.silence_accuracy.room_silent.value > 0.9
 
 
-def test_without_a_sentence_quarters_of_the_takes_are_held_back(takes: tuple[LabelledUtterance, ...]):
+def test_without_a_sentence_quarters_of_the_takes_are_held_out(takes: tuple[LabelledUtterance, ...]):
     outcome = calibrate(load_preset(FACTORY / "templates.toml"), takes)
     assert outcome.cross_validated
     assert outcome.gains
@@ -120,17 +120,17 @@ def learn_by(monkeypatch: pytest.MonkeyPatch, adapt: Callable[..., object]) -> N
     monkeypatch.setitem(BUILT_IN, "templates", replace(TEMPLATES, adapt=f"{__name__}:{adapt.__name__}"))
 
 
-@pytest.mark.parametrize("held_back", [True, False])
+@pytest.mark.parametrize("held_out", [True, False])
 def test_what_gains_by_losing_speech_is_refused_and_something_milder_taken(
     takes: tuple[LabelledUtterance, ...],
     sentence: LabelledUtterance,
     monkeypatch: pytest.MonkeyPatch,
-    held_back: bool,
+    held_out: bool,
 ):
     learn_by(monkeypatch, deaf_or_half)
     preset = load_preset(FACTORY / "templates.toml")
-    others = [sentence] if held_back else []
-    outcome = calibrate(preset, takes, held_back=others)
+    others = [sentence] if held_out else []
+    outcome = calibrate(preset, takes, held_out=others)
     assert "false silence rises from" in outcome.refusal
     assert "a weaker one was chosen" in outcome.refusal
     assert outcome.gains
@@ -143,7 +143,7 @@ def test_where_only_what_costs_gains_the_preset_stays_as_it_was(
 ):
     learn_by(monkeypatch, deaf)
     preset = load_preset(FACTORY / "templates.toml")
-    outcome = calibrate(preset, takes, held_back=[sentence])
+    outcome = calibrate(preset, takes, held_out=[sentence])
     assert outcome.preset is preset
     assert not outcome.gains
     assert outcome.after == outcome.before
@@ -178,7 +178,7 @@ def test_the_command_line_gives_the_same_preset(
 ):
     sentence.path.with_suffix(".csv").write_text(format_table(sentence.labels), encoding="utf-8")
     preset = load_preset(FACTORY / "extended.toml")
-    expected = calibrate(preset, takes, held_back=[sentence]).preset
+    expected = calibrate(preset, takes, held_out=[sentence]).preset
     out = tmp_path / "mine.toml"
     arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / "extended.toml")]
     assert main(["adapt", *arguments, "--held-out", str(sentence.path)]) == 0
@@ -192,15 +192,15 @@ def test_the_command_line_gives_the_same_preset(
 def test_the_room_sets_the_silence_of_rules(takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance):
     preset = load_preset(FACTORY / "thesis.toml")
     room = measure_room(in_room(silence(2.0)), preset)
-    found = calibrate(preset, takes, held_back=[sentence], room=in_room(silence(2.0))).preset
+    found = calibrate(preset, takes, held_out=[sentence], room=in_room(silence(2.0))).preset
     assert found.settings.denoise_threshold == room.set_silence(preset).settings.denoise_threshold
 
 
 def test_what_gains_nothing_leaves_the_preset_as_it_was(
     takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance
 ):
-    preset = calibrate(load_preset(FACTORY / "templates.toml"), takes, held_back=[sentence]).preset
-    outcome = calibrate(preset, takes, held_back=[sentence])
+    preset = calibrate(load_preset(FACTORY / "templates.toml"), takes, held_out=[sentence]).preset
+    outcome = calibrate(preset, takes, held_out=[sentence])
     assert outcome.preset is preset
     assert not outcome.gains
 

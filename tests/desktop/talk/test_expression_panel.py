@@ -52,9 +52,9 @@ def test_speech_holds_a_smile_back_and_the_meter_tells(stage: Stage, panel: Expr
         seen.append((panel.meter.value(), shown(stage, SMILE)))
 
     stage.play(10, look)
-    held_back, free = [smile for held, smile in seen if held == 100], [smile for held, smile in seen if held == 0]
+    reduced, free = [smile for held, smile in seen if held == 100], [smile for held, smile in seen if held == 0]
     assert max(free) == pytest.approx(75, abs=1)
-    assert min(held_back) < 45
+    assert min(reduced) < 45
     stage.wait(1.5, look)
     assert panel.meter.value() == 0
 

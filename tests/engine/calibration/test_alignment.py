@@ -103,8 +103,8 @@ def test_what_was_read_lies_beside_the_takes_and_is_none_of_them(
             for teaches in (False, False, True)
         ]
     assert [str(k.path.relative_to(tmp_path).as_posix()) for k in kept] == [
-        "held-back/Ann/english-1.flac",
-        "held-back/Ann/english-1 (2).flac",
+        "held-out/Ann/english-1.flac",
+        "held-out/Ann/english-1 (2).flac",
         "read/Ann/english-1.flac",
     ]
     (again,) = read_recordings(kept[0].path)

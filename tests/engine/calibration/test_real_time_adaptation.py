@@ -119,7 +119,7 @@ def test_anchors_hold_what_is_said_of_others(read):
 
 def test_both_models_learn_and_what_recognises_live_sound_is_judged(read, asked):
     preset = preset_of()
-    outcome = calibrate(preset, [read], held_back=[asked])
+    outcome = calibrate(preset, [read], held_out=[asked])
     model = outcome.preset.model
     assert outcome.gains
     assert model is not None
@@ -135,7 +135,7 @@ def test_both_models_learn_and_what_recognises_live_sound_is_judged(read, asked)
 
 def test_where_the_small_network_is_chosen_it_is_judged_and_both_learn(read, asked):
     preset = preset_of(live_model=ModelKind.REAL_TIME)
-    outcome = calibrate(preset, [read], held_back=[asked])
+    outcome = calibrate(preset, [read], held_out=[asked])
     assert outcome.before == scores_of([predict(asked, preset).answers])
     assert outcome.after == scores_of([predict(asked, outcome.preset).answers])
     assert outcome.preset.model is not None
@@ -144,7 +144,7 @@ def test_where_the_small_network_is_chosen_it_is_judged_and_both_learn(read, ask
 
 def test_who_asked_for_the_real_time_model_is_judged_by_it_as_far_ahead_as_he_asked(read, asked):
     preset = for_files(preset_of(), ModelKind.ENCODER)
-    outcome = calibrate(preset, [read], held_back=[asked])
+    outcome = calibrate(preset, [read], held_out=[asked])
     assert outcome.before == scores_of([predict(asked, preset).answers])
     assert outcome.after == scores_of([predict(asked, outcome.preset).answers])
 
@@ -152,8 +152,8 @@ def test_who_asked_for_the_real_time_model_is_judged_by_it_as_far_ahead_as_he_as
 def test_without_its_library_the_small_network_learns_alone_and_one_sentence_says_so(read, asked, monkeypatch):
     monkeypatch.setitem(sys.modules, "onnxruntime", None)
     open_live_encoder.cache_clear()
-    outcome = calibrate(preset_of(), [read], held_back=[asked])
-    alone = calibrate(preset_of(live_encoder=None), [read], held_back=[asked])
+    outcome = calibrate(preset_of(), [read], held_out=[asked])
+    alone = calibrate(preset_of(live_encoder=None), [read], held_out=[asked])
     assert outcome.preset.model == alone.preset.model
     assert outcome.after == alone.after
     assert "onnxruntime, which is not installed" in outcome.warning

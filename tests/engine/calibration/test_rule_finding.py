@@ -22,7 +22,7 @@ def utterances(tmp_path_factory: pytest.TempPathFactory) -> tuple[LabelledUttera
     return recordings(tmp_path_factory.mktemp("recordings"))
 
 
-def test_rules_over_bands_are_few_and_hold_for_a_speaker_who_was_held_back(utterances, tmp_path):
+def test_rules_over_bands_are_few_and_hold_for_a_speaker_who_was_held_out(utterances, tmp_path):
     shares: list[float] = []
     report = rules_from(utterances, THESIS, lambda share: shares.append(share) or True)
     assert report.left_out == "speaker"
@@ -52,7 +52,7 @@ def test_rules_over_what_the_preset_measures_keep_its_front_end(utterances):
     assert report.after.macro_f1 > report.before.macro_f1
 
 
-def test_takes_are_held_back_where_one_speaks_and_parts_where_there_is_one_recording(utterances):
+def test_takes_are_held_out_where_one_speaks_and_parts_where_there_is_one_recording(utterances):
     ada = [u for u in utterances if u.speaker == "ada"]
     assert rules_from(ada, THESIS, bands=False).left_out == "take"
     alone = rules_from(ada[:1], THESIS, bands=False)

@@ -299,7 +299,7 @@ WRONG_LESSONS: dict[str, tuple[str, str]] = {
 def test_a_plug_in_that_cannot_learn_is_one_sentence(adapt: str, what: str, shelf: Shelf, takes):
     preset = offer(shelf, adapt=adapt)
     with pytest.raises(EngineError, match=what):
-        calibrate(preset, takes, held_back=takes[:1])
+        calibrate(preset, takes, held_out=takes[:1])
 
 
 def test_a_plug_in_that_fits_no_preset_is_one_sentence(shelf: Shelf, takes):

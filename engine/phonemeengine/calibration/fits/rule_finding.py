@@ -162,8 +162,8 @@ def find_rules(
     predicted = np.zeros(len(parts), np.uint8)
     for part in range(n_parts := int(parts.max()) + 1 if kind else 0):
         rules = search.part(parts != part).list_within(most_conditions)
-        held_back = parts == part
-        predicted[held_back] = labelled.predict(replace(found, rules=rules))[held_back]
+        held_out = parts == part
+        predicted[held_out] = labelled.predict(replace(found, rules=rules))[held_out]
         report_progress(progress, 0.2 + 0.8 * (part + 1) / n_parts)
     unseen = confusion_between(labelled.labels, predicted, labelled.edges).scores() if kind else None
     return FitReport(_without_unused(found), before, labelled.confusion(found).scores(), unseen, kind)

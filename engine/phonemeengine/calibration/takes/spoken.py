@@ -60,7 +60,7 @@ def _loud(sound: Float32Array, rate: int, threshold: float) -> BoolArray:
     return np.asarray(levels >= threshold)
 
 
-HELD_BACK = "held-back"
+HELD_OUT = "held-out"
 """The folder of sentences from which nothing is learned, in a project of takes; that of the others is `SPOKEN`."""
 
 
@@ -91,7 +91,7 @@ def keep_sentence(
     RecordingError, CorpusError : the disk refuses.
     """
     labels = aligned(mono, sentence)
-    part = SPOKEN if teaches else HELD_BACK
+    part = SPOKEN if teaches else HELD_OUT
     place = folder / part / folder_for(speaker)
     try:
         place.mkdir(parents=True, exist_ok=True)

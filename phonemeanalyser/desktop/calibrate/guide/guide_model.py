@@ -447,9 +447,9 @@ class GuideModel(QObject):
         takes = [u for u in self._takes.utterances() if u.path in sounds]
         preset = self._preset.preset
         takes += [said for k, said in self.sentences.items() if self.steps[k].teaches]
-        held_back = [said for k, said in self.sentences.items() if not self.steps[k].teaches]
+        held_out = [said for k, said in self.sentences.items() if not self.steps[k].teaches]
         self._work.replace(
-            lambda progress: self.learn(preset, takes, held_back=held_back, progress=progress), self._take_outcome
+            lambda progress: self.learn(preset, takes, held_out=held_out, progress=progress), self._take_outcome
         )
 
     def _take_outcome(self, outcome: CalibrationResult) -> None:

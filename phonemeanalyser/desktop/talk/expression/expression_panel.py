@@ -96,9 +96,9 @@ class ExpressionPanel(QWidget):
 
     def refresh(self) -> None:
         """Show what changes by itself."""
-        held_back = round(100 * self._talking.performer.inhibition)
-        if held_back != self.meter.value():
-            self.meter.setValue(held_back)
+        reduced = round(100 * self._talking.performer.inhibition)
+        if reduced != self.meter.value():
+            self.meter.setValue(reduced)
         words = self._model.input.words
         if words != self.state.text():
             self.state.setText(words)
@@ -118,11 +118,11 @@ class ExpressionPanel(QWidget):
             others.addWidget(widget, 1, place)
         others.setColumnStretch(1, 1)
         others.setColumnStretch(2, 1)
-        priority, held_back = label(tr("Speech priority"), theme.faint), label(tr("Reduced by speech"), theme.faint)
+        priority, reduced = label(tr("Speech priority"), theme.faint), label(tr("Reduced by speech"), theme.faint)
         column(
             row((heading(tr("Expression")), 1), self.neutral),
             shares,
-            row(priority, (self.priority, 1), held_back, (self.meter, 1), spacing=8),
+            row(priority, (self.priority, 1), reduced, (self.meter, 1), spacing=8),
             others,
             on=self,
             spacing=4,

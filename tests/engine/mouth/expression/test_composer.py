@@ -206,7 +206,7 @@ def test_an_expression_of_nothing_is_refused():
 
 
 @pytest.mark.parametrize("stop", [Performer.close_mouth, Performer.forget_coming])
-def test_nothing_is_held_back_after_speech_was_stopped(stop):
+def test_nothing_is_reduced_after_speech_was_stopped(stop):
     performer = Performer(load_table("arkit"), IdleMotion(blinks=False, head=False, expression=smiling()))
     performer.hear([TimedFrame(k / 100, Phoneme.A, 1.0) for k in range(300)], 0.0)
     performer.at(1.0)

@@ -75,7 +75,7 @@ def predictions_on(cases: Iterable[tuple[Preset, Sequence[LabelledUtterance]]]) 
     return [predict(utterance, preset) for preset, utterances in cases for utterance in utterances]
 
 
-def held_back_scores(predictions: Sequence[Predictions]) -> Scores:
+def held_out_scores(predictions: Sequence[Predictions]) -> Scores:
     """Score recordings, all together; labels that are ``trimmed`` do not count, but for the flicker."""
     scores = scores_of([_counted(prediction) for prediction in predictions])
     flicker = scores_of([prediction.answers for prediction in predictions])
