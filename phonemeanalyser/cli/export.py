@@ -29,8 +29,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.formatter_class = argparse.RawDescriptionHelpFormatter
     parser.epilog = _formats()
     add_sounds(parser)
-    add_options(parser, *HEARD, *SAID, "format", "table", "fps", "minimum", *MOVED, *DRIVEN, "mesh", "longest")
-    add_options(parser, "overwrite")
+    add_options(parser, *HEARD, *SAID, "format", "table", "fps", "minimum", *MOVED, *DRIVEN, "mesh", "keys")
+    add_options(parser, "longest", "overwrite")
     add_batch(parser)
 
 

@@ -29,7 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("inputs", type=Path, nargs="+", metavar="FILE", help="audio files, or folders of them")
     add_clip(parser)
     parser.add_argument("--format", choices=CLIPS, dest="kind", help=f"format of several clips (default: {CLIPS[0]})")
-    add_options(parser, *SAID, *HEARD, "table", *MOVED, *DRIVEN, "beside", "mesh", "movestates", "overwrite")
+    add_options(parser, *SAID, *HEARD, "table", *MOVED, *DRIVEN, "beside", "mesh", "movestates", "keys", "overwrite")
     add_batch(parser)
 
 

@@ -1,8 +1,8 @@
 """Clips: heads that move, one or several side by side, as a film with sound, a .gif, or a folder of pictures."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -33,12 +33,13 @@ from phonemeengine.arrays import Float32Array, UInt8Array
 from phonemeengine.batch.work import Act, Job, Made, Say, fingerprint_of, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.options import ConversionOptions
-from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, edited_keys, made_of, open_sound
 from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.mouth.cues import MOST_ANTICIPATION
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.model_choice import for_files
@@ -333,6 +334,7 @@ class ClipWork:
     faces : what is seen.
     look : of the clips.
     ending : of those that are printed.
+    keys : an animator's edits of the movement, by the sound's file; both heads have them.
     overwrite : whether to replace whatever is there; files that the same work made, as noted, are replaced anyway.
     """
 
@@ -344,6 +346,7 @@ class ClipWork:
     faces: FaceFiles = SHIPPED_FACE
     look: ClipOptions = USUAL_CLIP
     ending: str = ""
+    keys: Mapping[Path, KeyLayer] = field(default_factory=dict)
     overwrite: bool = False
 
     @classmethod
@@ -375,7 +378,8 @@ class ClipWork:
         face_of(faces)
         texts, driver = SpokenTexts.of(options, sounds, say), DriverChoice.of(options)
         by_rules = replace(written, mesh=None, rate=None)
-        return cls(by_rules, preset, options.channel, texts, driver, faces, look, ending, options.overwrite)
+        keys = edited_keys(options.keys, sounds)
+        return cls(by_rules, preset, options.channel, texts, driver, faces, look, ending, keys, options.overwrite)
 
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
@@ -384,8 +388,8 @@ class ClipWork:
         return fingerprint_of("preview", table, options, heard, self.driver, self.faces, self.look)
 
     def known_of(self, job: Job) -> str:
-        """Return what is said in a sound."""
-        return self.texts.known_of(job.sound)
+        """Return what is said in a sound, and how its movement was edited."""
+        return fingerprint_of(self.texts.known_of(job.sound), self.keys.get(job.sound))
 
     @contextmanager
     def opened(self) -> Iterator[Act]:
@@ -404,6 +408,7 @@ class ClipWork:
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
             utterance, speech = self.texts.said(reader, job.sound, analyses, say)
             animations, captions = self._faces_of(utterance, speech, printable_name(job.source), driving, say)
+            animations = [made.edited(self.keys.get(job.sound, NO_KEYS)) for made in animations]
             with output_path(job.target, self.ending) as path:
                 write_clip(path, head, animations, self.look, captions, sound_track(reader), shown, guard)
             return made_of(reader, utterance, self.texts.language)

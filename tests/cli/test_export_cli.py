@@ -13,9 +13,12 @@ from pygltflib import GLTF2
 
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.cli.window import DEMO
+from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.key_layer import KeyCurve, KeyLayer, keys_beside, write_keys
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import ODD_FILES
@@ -62,6 +65,22 @@ def test_a_face_is_animated(sound: Path, tmp_path: Path) -> None:
     assert 0 <= n_frames - int(soundfile.info(sound).duration * 25) - 1 < 0.3 * 25  # until the mouth is at rest
     assert gltf.accessors[sampler.output].count == n_frames * 52
     assert gltf.meshes[0].extras["targetNames"] == list(ARKIT)
+
+
+def test_edited_keys_beside_a_sound_move_its_blend_shapes_and_a_clip_of_it(sound: Path, tmp_path: Path) -> None:
+    keys = KeyLayer({"mouthPucker": KeyCurve(np.array([0.1, 0.2, 0.3]), np.array([0, 0.8, 0.0]))})
+    write_keys(keys, keys_beside(sound))
+    found = {}
+    for name, words in (("plain", []), ("edited", ["--keys", "auto"])):
+        exported(sound, "--format", "curves-json", *words, "-o", tmp_path / f"{name}.json")
+        curves = read_curves(tmp_path / f"{name}.json")
+        found[name] = Animation(curves.rate, curves.movestates, curves.weights, curves.head)
+    assert found["edited"].weights == pytest.approx(found["plain"].edited(keys).weights, abs=2e-4)
+    assert np.any(found["edited"].weights != found["plain"].weights)
+    clips = [tmp_path / name for name in ("plain.gif", "edited.gif")]
+    for clip, words in zip(clips, ([], ["--keys", "auto"]), strict=True):
+        assert main(["preview", str(sound), "-o", str(clip), "--size", "64x64", "--fps", "10", *words]) == 0
+    assert clips[0].read_bytes() != clips[1].read_bytes()
 
 
 def test_the_programs_own_head_is_animated_where_no_other_is_named(sound: Path, tmp_path: Path) -> None:
@@ -179,6 +198,8 @@ def test_two_sounds_of_one_name_do_not_overwrite_each_other(
             ("--format", "gltf", "--mesh", "a.glb", "-o", "o.glb"),
             "a.glb: cannot be read (No such file or directory)",
         ),
+        (("--format", "anno", "--keys", "auto"), "anno holds no edited keys; leave them out, or choose livelink-csv"),
+        (("--format", "gltf", "-o", "o.glb", "--keys", "gone.keys.toml"), "gone.keys.toml: cannot be read"),
         (("--format", "anno", "--fps", "25"), "anno counts no frames, so it has no frame rate; leave it out"),
         (("--format", "anno", "--minimum", "7"), "minimum must lie in 0..1 s, got 7; choose another"),
         (("--format", "anno", "--anticipation", "1"), "anticipation must lie in 0..0.12 s, got 1; choose another"),
@@ -193,6 +214,7 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.chdir(tmp_path)
+    write_keys(KeyLayer({"jawOpen": KeyCurve(np.array([0.1, 0.2]), np.zeros(2))}), keys_beside(sound))
     assert refused(capsys, "export", sound, *words).startswith(sentence)
 
 

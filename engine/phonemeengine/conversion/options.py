@@ -287,6 +287,7 @@ class ConversionOptions:
     units: Path | None = _file("write which recording each unit comes from", "OUT.csv", needs=_TABLE)
     mesh: Path | None = _file("your own face: .glb, .gltf, .obj or .x", "M")
     movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")
+    keys: Path | None = _file("edited keys of blend shapes, or auto: x.keys.toml beside x.wav")
     overwrite: bool = _switch("replace existing files, however they were made", elsewhere=False)
 
     def __post_init__(self) -> None:
@@ -372,6 +373,7 @@ FACIAL = (
     "without",
     "keywords",
     "units",
+    "keys",
 )
 """Those that say what a whole face does."""
 OPTIONS: dict[str, Option] = {

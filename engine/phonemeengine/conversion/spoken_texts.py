@@ -13,6 +13,7 @@ from phonemeengine.batch.work import Made, Say, fingerprint_of
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.errors import AudioError, EngineError, OptionError
 from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.key_layer import KeyLayer, keys_beside, read_keys
 from phonemeengine.mouth.transcript import Script, Transcript, scripted_transcript_of, transcript_of
 from phonemeengine.settings import Channel
 from phonemeengine.storage.files import is_folder, printable, printable_name
@@ -178,6 +179,26 @@ class SpokenTexts:
 
 NO_TEXTS: SpokenTexts = SpokenTexts()
 """Nothing is known of what is said."""
+
+
+def edited_keys(path: Path | None, sounds: Sequence[Path]) -> dict[Path, KeyLayer]:
+    """Return the keys that an animator edited, by the sound's file; a sound without such a file has none.
+
+    Parameters
+    ----------
+    path : a file of keys of the only sound, `BESIDE` for those beside the sounds, or None for no keys.
+
+    Raises
+    ------
+    EngineError : a file cannot be read, or there are several sounds for one.
+    """
+    if path is None:
+        return {}
+    if path == BESIDE:
+        return {sound: read_keys(keys_beside(sound)) for sound in sounds if keys_beside(sound).is_file()}
+    if len(sounds) != 1:
+        raise EngineError(f"{path.name}: it has the keys of one sound, and there are {len(sounds)}; use --keys auto")
+    return {sounds[0]: read_keys(path)}
 
 
 @contextmanager

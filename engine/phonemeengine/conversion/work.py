@@ -2,9 +2,9 @@
 
 import math
 import os
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
@@ -13,12 +13,13 @@ from phonemeengine.batch.runner import BatchOptions, run_batch
 from phonemeengine.batch.work import Act, Job, JobState, Made, Say, fingerprint_of, say_nothing
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice, Driving
 from phonemeengine.conversion.options import FACIAL, WEIGHTED, ConversionOptions
-from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, made_of, open_sound
+from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts, edited_keys, made_of, open_sound
 from phonemeengine.errors import ExportError, remedy
 from phonemeengine.execution import Progress, no_progress
 from phonemeengine.inspection.analysis_tables import TABLES
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS, Format
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.transcript import Script
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
@@ -134,6 +135,7 @@ class ConversionWork:
     texts : what is said in the sounds.
     driver : what moves a face.
     longest : seconds that a sound may last.
+    keys : an animator's edits of the movement, by the sound's file.
     overwrite : whether to replace whatever is there; files that the same work made, as noted, are replaced anyway.
 
     Raises
@@ -148,12 +150,15 @@ class ConversionWork:
     texts: SpokenTexts = NO_TEXTS
     driver: DriverChoice = USUAL_DRIVER
     longest: float = math.inf
+    keys: Mapping[Path, KeyLayer] = field(default_factory=dict)
     overwrite: bool = False
 
     def __post_init__(self) -> None:
         check_options(self.kind, self.options)
         if not CONVERSIONS[self.kind].has_words and self.texts != NO_TEXTS:
             raise ExportError("a table of frames has no place for words; leave the text out, or choose phonemes")
+        if self.keys and "keys" not in CONVERSIONS[self.kind].options:
+            raise ExportError(f"{self.kind} holds no edited keys; leave them out, or choose livelink-csv or gltf")
 
     @classmethod
     def of(
@@ -179,7 +184,8 @@ class ConversionWork:
         """
         written, driver = options.written(), DriverChoice.of(options)
         texts = SpokenTexts.of(options, sounds, say)
-        return cls(kind, preset, written, options.channel, texts, driver, options.longest, options.overwrite)
+        keys, longest = edited_keys(options.keys, sounds), options.longest
+        return cls(kind, preset, written, options.channel, texts, driver, longest, keys, options.overwrite)
 
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
@@ -191,8 +197,8 @@ class ConversionWork:
         return fingerprint_of("convert", self.kind, table, written, for_files(self.preset), self.channel, driver)
 
     def known_of(self, job: Job) -> str:
-        """Return what is said in a sound."""
-        return self.texts.known_of(job.sound)
+        """Return what is said in a sound, and how its movement was edited."""
+        return fingerprint_of(self.texts.known_of(job.sound), self.keys.get(job.sound))
 
     @contextmanager
     def opened(self) -> Iterator[Act]:
@@ -234,7 +240,7 @@ class ConversionWork:
             track = driving.track(driver, utterance, speech, say)
             movement = driving.movement(track, speech, exporter, say)
             made = made_of(reader, utterance, self.texts.language)
-        parts = exporter.chunks_of(speech, movement)
+        parts = exporter.chunks_of(speech, movement, self.keys.get(job.sound, NO_KEYS))
         write_guarded(job.target, parts, guard, is_text=not exporter.format.moves_mesh)
         return made
 

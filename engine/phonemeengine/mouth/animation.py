@@ -11,6 +11,7 @@ from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, check_seconds
+from phonemeengine.mouth.key_layer import KeyLayer
 from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
 from phonemeengine.mouth.table import LIMITS, MouthTable
 from phonemeengine.mouth.transcript import Transcript
@@ -50,6 +51,11 @@ class Animation(ShortRepr):
         """Return the animation of some of its movestates, in their order."""
         columns = [self.movestates.index(name) for name in movestates]
         return replace(self, movestates=movestates, weights=self.weights[:, columns])
+
+    def edited(self, keys: KeyLayer, first: int = 0) -> "Animation":
+        """Return the animation with an animator's edits; its first frame is that of this number in the sound."""
+        times = (first + np.arange(len(self.weights))) / self.rate
+        return replace(self, weights=keys.over(self.weights, self.movestates, times)) if keys else self
 
     def held(self, n_frames: int) -> "Animation":
         """Return the animation with this many frames, no fewer than it has: the last one stays."""

@@ -21,6 +21,7 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, PlannedMovement, joined_runs, planned_movements
 from phonemeengine.mouth.expression.composer import Composer, Expression, Inhibition
 from phonemeengine.mouth.idle_motion import Blinker, HeadMotion, HeadPose
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.morpher import Detail, Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
@@ -173,6 +174,7 @@ class Performer:
         self._closes_at, self._rests_from = math.inf, -math.inf
         self._track: MouthTrack | None = None
         self._track_start = 0.0
+        self._keys, self._keys_start = NO_KEYS, 0.0
         self._express(None)
         self._columns: list[int] = []  # where the movestates of the table are in those of the track
         self._restart()
@@ -231,6 +233,11 @@ class Performer:
                 self._track = track
                 self._columns = self._columns_of_track()
             self._track_start = start
+
+    def edit(self, keys: KeyLayer, start: float = 0.0) -> None:
+        """Show an animator's edits over all that moves the face; time 0 of the keys is at `start`."""
+        with self._lock:
+            self._keys, self._keys_start = keys, start
 
     def expect_loudness(self, time: float, intensity: float) -> None:
         """Take how loud a frame is that will begin at a time, 0..1; given early, since the mouth lags."""
@@ -293,6 +300,7 @@ class Performer:
         with self._lock:
             self._advance(time)
             weights = self._expressed(self.visemes.apply(self._spoken(time), time), time)
+            weights = self._keys.over_one(weights, self.table.movestates, time - self._keys_start)
             blink = self.visemes.blinks * self._blinker.closure(time) if self.idle.blinks else 0.0
             return FaceState(self.table, weights, blink, self._pose(time) if self.idle.head else STILL)
 

@@ -404,6 +404,11 @@
             <translation>A, wenn beide gelten, E, wenn nur die erste</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>a key lies at 0..{latest} s, found {times} s; correct it</source>
+            <translation>Ein Keyframe liegt bei 0..{latest} s, gefunden {times} s; korrigieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/labels/tiers.py" />
             <source>a label lasts {shortest} ms at least; select a longer segment</source>
             <translation>Eine Beschriftung dauert mindestens {shortest} ms; ein längeres Segment auswählen</translation>
@@ -1079,6 +1084,11 @@
             <translation>Ein Analysepuffer hat die Form ({window},), gefunden {shape}; einen in Mono übergeben</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>an edited blend shape has 2..{most_keys} keys, got {self}; correct them</source>
+            <translation>Ein bearbeiteter Blendshape hat 2..{most_keys} Keyframes, gefunden {self}; korrigieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/text/cleaning.py" />
             <source>an empty text</source>
             <translation>ein leerer Text</translation>
@@ -1097,6 +1107,11 @@
             <location filename="../../../engine/phonemeengine/mouth/expression/composer.py" />
             <source>an expression needs a stream; name a preset such as smile</source>
             <translation>Ein Ausdruck braucht einen Kanal; einen vorgegebenen wie smile angeben</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>an offset lies in -1..1, found {offsets}; correct it</source>
+            <translation>Ein Versatz liegt in -1..1, gefunden {offsets}; korrigieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/osc.py" />
@@ -2533,6 +2548,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Dutch</source>
             <translation>Niederländisch</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>each key follows the one before, found {early} s; sort them, one at each time</source>
+            <translation>Jeder Keyframe folgt auf den vorigen, gefunden {early} s; sortieren, je Zeit nur einer</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/mesh.py" />
@@ -4078,6 +4098,11 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Keyboard Shortcuts</source>
             <translation>Tastenkürzel</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>keys lie one after the other within the sound, 0..{end} s, got {shown} s; move them</source>
+            <translation>Keyframes liegen nacheinander innerhalb der Aufnahme, 0..{end} s, gefunden {shown} s; verschieben</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
@@ -10415,6 +10440,11 @@
             <translation>{kind} [{names}] aus {recording}, {start:.2f} bis {end:.2f} s.</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/conversion/work.py" />
+            <source>{kind} holds no edited keys; leave them out, or choose livelink-csv or gltf</source>
+            <translation>{kind} nimmt keine bearbeiteten Keyframes auf; weglassen oder livelink-csv oder gltf wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>{kind} over {low:.0f}–{high:.0f} Hz of the {source} spectrum; separation {separation:.0%}</source>
             <translation>{kind} über {low:.0f}–{high:.0f} Hz, Spektrum: {source}; Trennung {separation:.0%}</translation>
@@ -10585,6 +10615,11 @@
             <translation>{name} hat keine Beschriftung.</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>{name} has two curves; join them</source>
+            <translation>{name} hat zwei Kurven; zusammenfassen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/speech/pinyin/table.py" />
             <source>{name} has {letter}, which is no letter; give it a single character</source>
             <translation>{name} enthält {letter}, keinen Buchstaben; ein einzelnes Zeichen angeben</translation>
@@ -10598,6 +10633,11 @@
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
             <source>{name} has {rate} frames per second, the movement {rate_2}; make it with these</source>
             <translation>{name} hat {rate} Bilder je Sekunde, die Bewegung {rate_2}; mit dieser Rate erstellen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
+            <source>{name} has {times} times and {offsets} offsets; give as many of each</source>
+            <translation>{name} hat {times} Zeiten und {offsets} Versätze; gleich viele angeben</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/exporter.py" />
@@ -10823,6 +10863,11 @@
             <location filename="../../../engine/phonemeengine/speech/program.py" />
             <source>{name}: it has not spoken within {timeout} s; try it by itself</source>
             <translation>{name}: Hat in {timeout} s nicht gesprochen; für sich ausprobieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/conversion/spoken_texts.py" />
+            <source>{name}: it has the keys of one sound, and there are {sounds}; use --keys auto</source>
+            <translation>{name}: Enthält die Keyframes einer Audiodatei, es sind {sounds}; --keys auto verwenden</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/files.py" />

@@ -11,6 +11,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.animation import Animation, animation_blocks, animation_by, performer_of
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, joined_by_shape, joined_runs
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
@@ -36,6 +37,7 @@ class Export:
     mesh : the file of the face that shall move, where the format holds one; None for the program's own head.
     movement : how the face moves, where the mouth table does not say that.
     anticipation : by how much a movement may begin before its sound at most, seconds.
+    keys : an animator's edits of the movement.
     """
 
     speech: Transcript
@@ -46,6 +48,7 @@ class Export:
     mesh: Path | None = None
     movement: Animation | None = None
     anticipation: float = MOST_ANTICIPATION
+    keys: KeyLayer = NO_KEYS
 
     @cached_property
     def drawings(self) -> tuple[Cue, ...]:
@@ -55,16 +58,16 @@ class Export:
     @cached_property
     def animation(self) -> Animation:
         """The movement of the face."""
-        if self.movement is not None:
-            return self.movement
-        return animation_by(self._performer(), self.speech, self.rate)
+        made = self.movement or animation_by(self._performer(), self.speech, self.rate)
+        return made.edited(self.keys)
 
     def animation_blocks(self) -> Iterator[Animation]:
         """Return the movement of the face in consecutive parts, for formats that have a row a frame."""
-        if self.movement is not None:
-            yield self.movement
-            return
-        yield from animation_blocks(self._performer(), self.speech, self.rate)
+        made = [self.movement] if self.movement else animation_blocks(self._performer(), self.speech, self.rate)
+        first = 0
+        for block in made:
+            yield block.edited(self.keys, first)
+            first += len(block.weights)
 
     def _performer(self) -> Performer:
         return performer_of(self.speech, self.table, self.rate, self.idle, self.anticipation)

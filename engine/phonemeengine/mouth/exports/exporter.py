@@ -11,6 +11,7 @@ from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import NEARLY, Export
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
@@ -94,7 +95,7 @@ class Exporter:
         self._check_expression()
         self.export_of(Transcript("", 0.0))
 
-    def export_of(self, speech: Transcript, movement: Animation | None = None) -> Export:
+    def export_of(self, speech: Transcript, movement: Animation | None = None, keys: KeyLayer = NO_KEYS) -> Export:
         """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""
         movement = None if movement is None else self._held(movement)
         options = self._options
@@ -102,9 +103,11 @@ class Exporter:
         cues: tuple[Cue, ...] = ()
         if self.format.has_cues:
             cues = cues_of(speech.runs, self._table, minimum=self._minimum(), anticipation=anticipation)
-        return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement, anticipation)
+        return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement, anticipation, keys)
 
-    def chunks_of(self, speech: Transcript, movement: Animation | None = None) -> Iterator[bytes]:
+    def chunks_of(
+        self, speech: Transcript, movement: Animation | None = None, keys: KeyLayer = NO_KEYS
+    ) -> Iterator[bytes]:
         """Return the file, in parts as they are made.
 
         Parameters
@@ -112,12 +115,13 @@ class Exporter:
         speech : what was said, of which the cues are made.
         movement : how the face moves, at the exporter's rate, where the cues do not say that; for formats that hold
             the pose of a head.
+        keys : an animator's edits of the movement, for the same formats.
 
         Raises
         ------
         ExportError : the format cannot hold the movement, or that has another rate.
         """
-        written = self.format.write(self.export_of(speech, movement))
+        written = self.format.write(self.export_of(speech, movement, keys))
         if isinstance(written, bytes):
             yield written
         else:
