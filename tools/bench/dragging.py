@@ -1,9 +1,9 @@
 """A threshold is dragged over one hour of labelled sound: all figures and the confusion matrix anew, on one core."""
 
 import tempfile
-import time
 from collections.abc import Iterator
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +18,8 @@ from phonemeengine.presets.files import FACTORY, load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.spec import recogniser_of
 from phonemeengine.settings import SAMPLE_RATE
-from tools.bench.figures import ROOT, Absolute, Figure, shown
+from tools.bench.figures import ROOT, Figure, shown
+from tools.bench.speed import scaled_work
 
 SECONDS = 3600
 N_DIFFERENT = 20
@@ -40,15 +41,14 @@ def figures() -> list[Figure]:
         labelled = _labelled(preset)
         for hysteresis in dict.fromkeys((preset.settings.hysteresis, 0.1)):
             base = replace(preset, settings=replace(preset.settings, hysteresis=hysteresis))
-            wall, process = _dragged(labelled, base)
+            scaled = _dragged(labelled, base)
             found.append(
                 Figure(
                     f"{labelled.edges[-1] / 100 / 3600:.1f} h scored anew, {name} dragged, hysteresis {hysteresis:g}",
-                    f"{shown(process)} ({shown(wall)} by the clock)",
+                    f"{shown(scaled)}, scaled",
                     "50 ms",
-                    float(np.median(process)) / LIMIT,
+                    float(np.median(scaled)) / LIMIT,
                     1.0,
-                    absolute=Absolute.WORK,
                 )
             )
     return found
@@ -74,21 +74,22 @@ def _noisy_copies(folder: Path) -> Iterator[LabelledUtterance]:
         yield LabelledUtterance(folder / f"{k}.wav", labels, f"noise {k}", "bench")
 
 
-def _dragged(labelled: LabelledFeatures, preset: Preset) -> tuple[list[float], list[float]]:
-    """Give the seconds of each step, by the clock and of this process alone."""
-    wall, process = [], []
+def _dragged(labelled: LabelledFeatures, preset: Preset) -> list[float]:
+    """Give the seconds of the processor of each step, scaled."""
+    scaled = []
     labelled.confusion(preset)
     for control in _most_asked(preset):
         value = control.read(preset)
         for step in STEPS:
             moved = control.write(preset, value + step * (abs(value) or 1.0))
-            began, worked = time.perf_counter(), time.process_time()
-            agreement = labelled.confusion(moved).agreement
-            assert 0 <= agreement.macro_f1 <= 1
-            agreement.worst_confusions(2)
-            wall.append(time.perf_counter() - began)
-            process.append(time.process_time() - worked)
-    return wall, process
+            scaled.append(scaled_work(partial(_score, labelled, moved)))
+    return scaled
+
+
+def _score(labelled: LabelledFeatures, preset: Preset) -> None:
+    agreement = labelled.confusion(preset).agreement
+    assert 0 <= agreement.macro_f1 <= 1
+    agreement.worst_confusions(2)
 
 
 def _most_asked(preset: Preset) -> list[Control]:

@@ -1,10 +1,12 @@
 """A file that is opened in the window: until it is seen, until it is known, scrolled, tuned, and its memory."""
 
 import json
+import statistics
 import tempfile
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from math import sin
 from pathlib import Path
 
@@ -22,9 +24,12 @@ from phonemeengine.presets.files import THESIS_PRESET, preset_path
 from tools.bench.desktop import live_for, shown_desktop, written_speech
 from tools.bench.figures import DEMO, Absolute, Figure, answer_of
 from tools.bench.memory import Highest, resident_megabytes
+from tools.bench.speed import scaled_work
 
 TEN_MINUTES, HOUR = 600.0, 3600.0
 FIRST, WHOLE, SHARE, LANE, COURSE, MOST_MB = 0.3, 4.0, 0.3, 0.05, 0.03, 150
+N_STEPS = 25
+"""Of a drag."""
 PICTURES = 60
 """A second."""
 PATIENCE = 600.0
@@ -37,6 +42,8 @@ def figures() -> list[Figure]:
     times = (
         ("10 minutes opened while they play, first picture", found["first"], FIRST),
         ("10 minutes, all known", found["whole"], WHOLE),
+    )
+    drags = (
         ("an hour, threshold of the thesis dragged, lane redrawn", found["lane"], LANE),
         ("an hour, the same, courses of its rule redrawn", found["course"], COURSE),
         ("an hour of labelled file, the same, score redrawn", found["score"], LANE),
@@ -47,6 +54,10 @@ def figures() -> list[Figure]:
         *(
             Figure(name, f"{seconds:.3f} s", f"{limit:g} s", seconds / limit, 1.0, absolute=Absolute.TIME)
             for name, seconds, limit in times
+        ),
+        *(
+            Figure(name, f"{1e3 * seconds:.0f} ms, scaled", f"{1e3 * limit:g} ms", seconds / limit, 1.0)
+            for name, seconds, limit in drags
         ),
         Figure(
             "an hour scrolled and zoomed at 60 fps",
@@ -114,37 +125,36 @@ def _opened(desktop: Desktop, path: Path) -> tuple[float, float]:
 
 
 def _tuned(desktop: Desktop) -> float:
-    """Drag a threshold with the whole hour in view; the median of the seconds until the lane is drawn anew."""
+    """Drag a threshold with the whole hour in view; what it takes until the lane is drawn anew."""
     preset, view = desktop.preset, desktop.window.analysis.file.view
-    seconds = []
-    for k in range(9):
-        thresholds = replace(preset.preset.thresholds, silence_energy=0.2 + 0.05 * k)
-        began = time.perf_counter()
+
+    def move(k: int) -> None:
+        thresholds = replace(preset.preset.thresholds, silence_energy=0.2 + 0.01 * k)
         preset.edit(replace(preset.preset, thresholds=thresholds), "bench")
         assert not desktop.session.whole.busy, "the hour is analysed anew"
         view.repaint()
-        seconds.append(time.perf_counter() - began)
-    return sorted(seconds)[len(seconds) // 2]
+
+    return _work_of(move)
 
 
 def _drawn(desktop: Desktop) -> float:
-    """Drag a threshold with the whole hour in view; the median of the seconds until its courses are drawn anew."""
+    """Drag a threshold with the whole hour in view; what it takes until its courses are drawn anew."""
     analysis, view = desktop.window.analysis, desktop.window.analysis.file.view
     analysis.courses.touch("silence_energy")
     view.repaint()
-    seconds = []
-    for k in range(9):
-        began = time.perf_counter()
-        analysis.courses.lines.move("silence_energy", 0.2 + 0.05 * k)
+
+    def move(k: int) -> None:
+        analysis.courses.lines.move("silence_energy", 0.2 + 0.01 * k)
         rows = [*view.course_rows().values()]
         view.repaint(rows[0].united(rows[-1]).toAlignedRect())
-        seconds.append(time.perf_counter() - began)
+
+    taken = _work_of(move)
     analysis.courses.lines.end_move()
-    return sorted(seconds)[len(seconds) // 2]
+    return taken
 
 
 def _scored(desktop: Desktop, preset: Path) -> float:
-    """Drag a control over the hour, which is labelled; the median of the seconds until the score is drawn anew."""
+    """Drag a control over the hour, which is labelled; what it takes until all that shows it is drawn anew."""
     model, session = desktop.preset, desktop.session
     model.load(preset)
     with SoundReader(DEMO) as reader:
@@ -157,14 +167,20 @@ def _scored(desktop: Desktop, preset: Path) -> float:
     _until(lambda: not session.busy and not session.score.busy)
     controls = [control for control in model.controls.values() if control.variable]
     control = max(controls, key=lambda control: len(control.places))
-    strip, seconds = desktop.window.analysis.score, []
-    for k in range(9):
-        began = time.perf_counter()
-        model.tune(control.name, control.read(model.preset) * (1.02 + 0.001 * k))
+    strip, value = desktop.window.analysis.score, control.read(model.preset)
+
+    def move(k: int) -> None:
+        model.tune(control.name, value * (1.02 + 0.001 * k))
         _until(lambda: not session.score.busy)
         strip.repaint()
-        seconds.append(time.perf_counter() - began)
-    return sorted(seconds)[len(seconds) // 2]
+
+    return _work_of(move)
+
+
+def _work_of(move: Callable[[int], None]) -> float:
+    """Return the seconds of the processor that a step of a drag takes, scaled: the median of many."""
+    move(0)  # the first one begins the drag
+    return statistics.median(scaled_work(partial(move, k)) for k in range(1, N_STEPS + 1))
 
 
 def _scrolled(desktop: Desktop) -> tuple[float, float]:

@@ -2,16 +2,19 @@
 
 import statistics
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 import numpy as np
 import scipy.fft
 
+from tests.sounds import Sound
 from tools.bench.figures import Absolute
 
 NAMED = 4.5e-6
 """What `scipy.fft.rfft` of 512 values takes where the limits were set, seconds."""
 N_ROUNDS, N_TRANSFORMS = 200, 1000
+N_BESIDE = 400
+"""Transforms before and after an act whose work is scaled by itself."""
 Speed = Mapping[Absolute, float]
 """What one transform takes, seconds."""
 
@@ -27,6 +30,27 @@ def bare_transform() -> Speed:
         taken[Absolute.TIME].append(time.perf_counter() - began)
         taken[Absolute.WORK].append(time.process_time() - worked)
     return {kind: statistics.median(seconds) / N_TRANSFORMS for kind, seconds in taken.items()}
+
+
+def scaled_work(act: Callable[[], object]) -> float:
+    """Return the seconds of the processor that an act takes, as where the limits were set.
+
+    The speed is that of transforms right before and after it, so that other programs, which come and go, count less.
+    """
+    wave = np.random.default_rng(0).standard_normal(512, np.float32)
+    began = time.process_time()
+    _transform(wave)
+    before = time.process_time()
+    act()
+    after = time.process_time()
+    _transform(wave)
+    beside = before - began + time.process_time() - after
+    return (after - before) * NAMED * 2 * N_BESIDE / beside
+
+
+def _transform(wave: Sound) -> None:
+    for _ in range(N_BESIDE):
+        scipy.fft.rfft(wave)
 
 
 def slowness(speed: Speed) -> Mapping[Absolute, float]:

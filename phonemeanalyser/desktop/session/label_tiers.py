@@ -294,7 +294,7 @@ class LabelTiers(QObject):
 
     def said_frames(self) -> FrameLabels | None:
         """Return what is said in each frame, as far as names are phonemes; None where it is unknown."""
-        if self._said[0] != self.state:
+        if self._said[0] is not self.state:  # an hour of labels takes long to compare
             self._said = self.state, self._find_said()
         return self._said[1]
 
