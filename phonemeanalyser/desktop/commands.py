@@ -20,7 +20,13 @@ from phonemeanalyser.desktop.menus import Command, Menus
 from phonemeanalyser.desktop.session.preset import A, PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.settings import read
+from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
+from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.words.text_model import TextModel
+from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
@@ -186,6 +192,28 @@ def connect_score(score: ScoreStrip, show_page: Callable[[int], None], labels: L
     score.script_asked.connect(lambda: show_page(pages["Talk"]))
 
 
+def connect_cards(
+    cards: WelcomeCards,
+    session: Session,
+    dialogs: Dialogs,
+    show_page: Callable[[int], None],
+    calibrate: Callable[[], object],
+) -> None:
+    """Have the cards of the first start lead somewhere; the window plays the demo itself."""
+
+    def listen() -> None:
+        show_page(PAGES.index("Analyse"))
+        session.set_source(SourceKind.MICROPHONE)
+
+    def animate() -> None:
+        show_page(PAGES.index("Talk"))
+        dialogs.ask_sound()
+
+    cards.microphone_asked.connect(listen)
+    cards.calibration_asked.connect(calibrate)
+    cards.animation_asked.connect(animate)
+
+
 def record_commands(session: Session, dialogs: Dialogs) -> Commands:
     """Return what belongs to the microphone."""
     return (
@@ -226,6 +254,66 @@ def allow_second(menus: Menus, preset: PresetModel) -> None:
     """Allow what can be done with A and B now."""
     menus.actions["Set Current as B"].setEnabled(preset.letter == A)
     menus.actions["Clear B"].setEnabled(preset.other is not None)
+
+
+def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
+    """Return what belongs to the head: its text, its pictures, its face and what is saved of it."""
+    texts = talking.text
+    return (
+        Command(tr_noop("Align Text with Recording"), "Ctrl+Shift+Return", texts.align),
+        Command(tr_noop("Align Even If the Text Seems Different"), "", texts.align_anyway),
+        Command(tr_noop("Speak Text"), "Ctrl+Return", texts.say),
+        None,
+        Command(tr_noop("Open Script…"), "", dialogs.ask_script),
+        Command(tr_noop("Load Lexicon…"), "", dialogs.ask_lexicon),
+        Command(tr_noop("Remove Lexicon"), "", partial(texts.set_lexicon, None)),
+        Command(tr_noop("Read Notation Literally"), "", texts.set_literal, checkable=True),
+        None,
+        Command(tr_noop("Next Picture (Right)"), "", partial(talking.step_picture, 1)),
+        Command(tr_noop("Previous Picture (Left)"), "", partial(talking.step_picture, -1)),
+        Command(tr_noop("Next Poor Match"), "", partial(texts.edits.show_poor, 1)),
+        Command(tr_noop("Previous Poor Match"), "", partial(texts.edits.show_poor, -1)),
+        None,
+        Command(tr_noop("Load Face…"), "", dialogs.ask_mesh),
+        Command(tr_noop("Load Mouth Table…"), "", dialogs.ask_table),
+        Command(tr_noop("Load Face Capture…"), "", dialogs.ask_expression),
+        Command(tr_noop("Open Recorded Faces…"), "", dialogs.ask_performance),
+        None,
+        Command(tr_noop("Save Words and Phones…"), "", dialogs.ask_save_words),
+        Command(tr_noop("Save Spoken Text as Audio File…"), "", dialogs.ask_save_speech),
+        None,
+    )
+
+
+KEYS_OF_TALK = ("Align Text with Recording", "Speak Text")
+"""The commands whose keys count on the page Talk only."""
+
+
+def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window: QWidget) -> None:
+    """Add the menu of the head."""
+    menu = menus.add(tr("&Talk"), *talk_commands(talking, dialogs))
+    menu.addMenu(ComparisonMenu(talking.text.drivers, window))
+
+
+def lend_keys(menus: Menus, page: str, *, is_used: bool) -> None:
+    """Leave keys to what is seen; `is_used` says whether Escape ends something there.
+
+    Elsewhere than on the page Analyse, letters have other uses or none.
+    """
+    menus.lend_key("Stop", lent=is_used)
+    menus.lend_key("Select All", lent=page != "Analyse")
+    for text in KEYS_OF_TALK:
+        menus.lend_key(text, lent=page != "Talk")
+    menus.lend_keys_of_views(lent=page != "Analyse")
+
+
+def show_talk(menus: Menus, texts: TextModel) -> None:
+    """Allow what can be done with the text now, and show what is switched on."""
+    menus.show_checked("Read Notation Literally", texts.literal)
+    menus.actions["Remove Lexicon"].setEnabled(texts.lexicon_path is not None)
+    menus.actions["Save Words and Phones…"].setEnabled(texts.edits.possible)
+    for text in ("Next Poor Match", "Previous Poor Match"):
+        menus.actions[text].setEnabled(bool(texts.edits.poor))
 
 
 def help_commands(*acts: Callable[[], object]) -> Commands:

@@ -147,11 +147,6 @@ class Dialogs(QObject):
         path = self._files.ask_file(tr("Open Audio File"), tr("All files (*)"), "sound")
         return path is not None and self.open_sound(path)
 
-    def ask_and_play(self) -> None:
-        """Let the user choose a sound file, and play it at once."""
-        if self.ask_sound():
-            self._session.play()
-
     def recent_sounds(self) -> list[Path]:
         """Return the sounds that were opened last, newest first."""
         return read_paths(self._settings, "recent")

@@ -13,11 +13,7 @@ HEAD = [
     (tr_noop("Move light"), tr_noop("Comma, full stop")),
     (tr_noop("Hold mouth shape"), "Q S H M P I A E U O"),
 ]
-TEXT = [
-    (tr_noop("Speak text"), tr_noop("Ctrl+Return")),
-    (tr_noop("Stop speaking"), tr_noop("Esc")),
-    (tr_noop("Align text with recording"), tr_noop("Ctrl+Shift+Return")),
-]
+LANES = [(tr_noop("Next picture"), tr_noop("Right")), (tr_noop("Previous picture"), tr_noop("Left"))]
 CALIBRATE = [
     (tr_noop("Guided calibration"), "G"),
     (tr_noop("Record take while held"), "Q S H M P I A E U O"),
@@ -54,7 +50,7 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("Calibrate page"), CALIBRATE))
         blocks.append(_block(tr("Guided calibration"), GUIDE))
         blocks.append(_block(tr("Head, while it has the focus"), HEAD))
-        blocks.append(_block(tr("Text field on the Talk page"), TEXT))
+        blocks.append(_block(tr("Time line on the Talk page"), LANES))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
         scope = label(
             tr(

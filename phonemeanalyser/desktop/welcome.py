@@ -1,4 +1,4 @@
-"""Three cards for the first start of the program."""
+"""Four cards for the first start of the program."""
 
 from collections.abc import Callable
 
@@ -18,6 +18,10 @@ CARDS = (
         tr_noop("Calibrate My Voice"),
         tr_noop("Read two sentences aloud; the preset is adapted to your voice in a minute."),
     ),
+    (
+        tr_noop("Animate a Recording"),
+        tr_noop("Open a recording, paste its text, align both, and export the animation of a face."),
+    ),
 )
 
 
@@ -31,14 +35,15 @@ class WelcomeCards(QFrame):
 
     Signals
     -------
-    demo_asked, microphone_asked, calibration_asked : what the user chose.
+    demo_asked, microphone_asked, calibration_asked, animation_asked : what the user chose.
 
     Attributes
     ----------
-    cards : the three buttons.
+    cards : the four buttons.
     """
 
-    demo_asked, microphone_asked, calibration_asked = Signal(), Signal(), Signal()
+    demo_asked, microphone_asked = Signal(), Signal()
+    calibration_asked, animation_asked = Signal(), Signal()
 
     def __init__(self, theme: Theme, window: QWidget, page: QWidget) -> None:
         super().__init__(window)
@@ -53,7 +58,7 @@ class WelcomeCards(QFrame):
         self.dismiss = tool_button(
             "✕", tr("Close the cards; Help shows them again"), tr("Close cards"), self.hide, flat=True
         )
-        asked = (self.demo_asked, self.microphone_asked, self.calibration_asked)
+        asked = (self.demo_asked, self.microphone_asked, self.calibration_asked, self.animation_asked)
         cards = [
             self._card(tr(title), tr(words), signal.emit) for (title, words), signal in zip(CARDS, asked, strict=True)
         ]

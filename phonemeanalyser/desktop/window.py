@@ -28,14 +28,13 @@ from phonemeanalyser.desktop.rule_dialogs import RuleDialogs
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.state import WindowState
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import Heads, TalkPage
-from phonemeanalyser.desktop.talk.words.words_view import spoken_lanes
+from phonemeanalyser.desktop.talk.words.spoken_lanes import spoken_lanes
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
@@ -170,10 +169,8 @@ class MainWindow(QMainWindow):
         page = TalkPage(self._talking, self.theme)
         self.talking_dialogs.join(page)
         self.heads.add("page", page.head, page)
-        page.sound_asked.connect(self.dialogs.ask_and_play)
-        page.preset_asked.connect(self.preset_box.open_list)
+        page.export_asked.connect(self.dialogs.show_export)
         page.picture_asked.connect(self.dialogs.ask_save_picture)
-        page.text.lanes.menu.save_asked.connect(self.dialogs.ask_save_picture)
         focus_buttons_by_tab(page)
         self.installEventFilter(page.keys)
         return page
@@ -227,6 +224,7 @@ class MainWindow(QMainWindow):
         freeze = Command(tr_noop("Freeze Views"), "F", self.set_frozen, checkable=True)
         mark = self.analysis.averaged.measure.toggle
         add(tr("&Analysis"), freeze, *commands.analysis_commands(session, preset, dialogs, mark, box.choose_other))
+        commands.add_talk_menu(self.menus, self._talking, self.talking_dialogs, self)
         self._make_view_menu()
         pages = self.show_shortcuts, self.what_is_this.begin, self.show_manual, self.welcome.show_cards
         add(tr("&Help"), *commands.help_commands(*pages, lambda: LicencesDialog(self).open(), dialogs.show_about))
@@ -288,11 +286,11 @@ class MainWindow(QMainWindow):
 
     def _connect_cards(self) -> None:
         """Have the cards of the first start lead somewhere, and go when the user begins something else."""
-        self.welcome.demo_asked.connect(self.demo_asked)
-        self.welcome.microphone_asked.connect(self._listen)
-        self.welcome.calibration_asked.connect(self._begin_calibration)
-        self._session.transport_changed.connect(self.welcome.hide)
-        self._focus.clicked.connect(self.welcome.leave_for)
+        cards = self.welcome
+        cards.demo_asked.connect(self.demo_asked)
+        commands.connect_cards(cards, self._session, self.dialogs, self.show_page, self._begin_calibration)
+        self._session.transport_changed.connect(cards.hide)
+        self._focus.clicked.connect(cards.leave_for)
 
     def show_page(self, number: int) -> None:
         """Show a page; the docks belong to the first one, and the cards of the first start go."""
@@ -315,16 +313,14 @@ class MainWindow(QMainWindow):
         """Return what has the focus when a page is shown; makes the page if it is not there yet."""
         if number == CALIBRATE:
             return self.calibration.takes.list
-        return self.talk.head if number == TALK else self.analysis.main_view
+        return self.talk.lanes.line if number == TALK else self.analysis.main_view
 
     def _lend_keys(self) -> None:
         """Leave keys to what the user is in the middle of: the guide, or a region that becomes a variable."""
         page = self.pages.currentIndex()
         guided = page == CALIBRATE and self._calibration is not None and self._calibration.guide.running
         marking = page == ANALYSE and self.analysis.averaged.measure.isChecked()
-        self.menus.lend_key("Stop", lent=guided or marking)
-        self.menus.lend_key("Select All", lent=page != ANALYSE)
-        self.menus.lend_keys_of_views(lent=page != ANALYSE)  # elsewhere, letters have other uses or none
+        commands.lend_keys(self.menus, commands.PAGES[page], is_used=guided or marking)
 
     def set_frozen(self, frozen: bool) -> None:
         """Hold the views still while sound goes on, or let them go on."""
@@ -376,6 +372,7 @@ class MainWindow(QMainWindow):
 
     def _show_spoken(self) -> None:
         self.analysis.file.view.show_spoken(spoken_lanes(self._talking.text))
+        commands.show_talk(self.menus, self._talking.text)
 
     def _begin_calibration(self) -> None:
         self.show_page(CALIBRATE)
@@ -384,10 +381,6 @@ class MainWindow(QMainWindow):
     def _find_rules(self) -> None:
         self.show_page(CALIBRATE)
         self.calibration.workbench.find_rules()
-
-    def _listen(self) -> None:
-        self.show_page(ANALYSE)
-        self._session.set_source(SourceKind.MICROPHONE)
 
     # -- files --------------------------------------------------------------------------------------------
 

@@ -62,6 +62,13 @@ class TimeView(QObject):
         self.select(None)
         self._show(0.0, min(USUAL, self.duration))
 
+    def grow(self, duration: float) -> None:
+        """Have the sound become longer while it is made; all of a short one is seen, else what was seen before."""
+        sees_all = self.seen.seconds >= self.duration
+        self.duration = duration
+        if sees_all:
+            self._show(self.seen.start, min(USUAL, duration))
+
     def show_all(self) -> None:
         """See the whole file."""
         self._show(0.0, self.duration)

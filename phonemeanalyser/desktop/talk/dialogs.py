@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QObject, QSettings
+from PySide6.QtCore import QByteArray, QObject, QSettings
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -36,9 +36,15 @@ class TalkDialogs(QObject):
         self._window = window
         self._talking = talking
         self._settings, self._files = settings, files
+        self._page: TalkPage | None = None
 
     def join(self, page: TalkPage) -> None:
-        """Answer what a page asks."""
+        """Answer what a page asks, and lay it out as at the last start."""
+        self._page = page
+        for name, splitter in page.splitters.items():
+            if isinstance(state := self._settings.value(name), QByteArray):
+                splitter.restoreState(state)
+        page.tabs.setCurrentIndex(read(self._settings, "talk/tab", 0))
         page.choices.mesh_asked.connect(self.ask_mesh)
         page.choices.table_asked.connect(self.ask_table)
         page.text.script_asked.connect(self.ask_script)
@@ -121,6 +127,10 @@ class TalkDialogs(QObject):
         """Keep what was chosen for the next start."""
         for choice in self._kept():
             choice.save(self._settings)
+        if self._page is not None:
+            for name, splitter in self._page.splitters.items():
+                self._settings.setValue(name, splitter.saveState())
+            keep(self._settings, "talk/tab", self._page.tabs.currentIndex())
         files, performance = self._talking.face.files, self._talking.text.drivers.performance
         keep(self._settings, "talk/mesh", files.mesh or "")
         keep(self._settings, "talk/movestates", files.movestates or "")
@@ -148,6 +158,7 @@ class TalkDialogs(QObject):
             Kept("talk/mode", lambda: talking.mode, talking.set_mode),
             Kept("talk/blinks", lambda: talking.idle.blinks, talking.set_blinks),
             Kept("talk/head", lambda: talking.idle.head, talking.set_head_motion),
+            Kept("talk/pictures", lambda: talking.picture_rate, talking.set_picture_rate),
             Kept("talk/random", lambda: talking.random, talking.set_random),
             _kept_percent(
                 "talk/attack_percent",

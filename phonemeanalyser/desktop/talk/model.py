@@ -1,5 +1,6 @@
 """The head that talks: joins the current sound to a mouth, a face, and the network."""
 
+import math
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -35,6 +36,10 @@ from phonemeengine.performance.driver import FACE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
+PICTURE_RATES = (24, 25, 30, 50, 60)
+"""Pictures a second of an animation, of which one is chosen."""
+IN_PICTURE = 0.01
+"""Pictures by which a time, rounded to samples, may lie before the picture that it belongs to."""
 HALF_FRAME = (HOP - HOP // 2) / SAMPLE_RATE
 """Seconds: a block of a file is due in the middle of its last frame."""
 FOLLOWED = 60
@@ -59,6 +64,7 @@ class TalkModel(QObject):
     mode : what becomes of everything else when a slider asks for a shape.
     attack_factor, release_factor : by how much all attacks and releases of the table are longer.
     random : whether the mouth varies as mouths do.
+    picture_rate : pictures of the animation a second, one of `PICTURE_RATES`.
     head : shows on the face what its performer says.
     beside : the second head, of the same face, that shows what another driver makes of the sound.
     performer : that of the head.
@@ -82,6 +88,7 @@ class TalkModel(QObject):
         self.watched = False
         self.random = True
         self.attack_factor = self.release_factor = 1.0
+        self.picture_rate = 30
         self.mode = Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
@@ -162,6 +169,31 @@ class TalkModel(QObject):
         """Have the head move with the voice, or not."""
         self.idle = replace(self.idle, head=on)
         self._use(self.table)
+
+    # -- pictures -----------------------------------------------------------------------------------------
+
+    @property
+    def picture(self) -> int:
+        """The number of the picture that belongs to the place in the sound, from 0."""
+        return math.floor(self.session.source.position * self.picture_rate + IN_PICTURE)
+
+    def set_picture_rate(self, rate: int) -> None:
+        """Count the pictures of the animation at another rate; one that is not offered changes nothing."""
+        if rate in PICTURE_RATES and rate != self.picture_rate:
+            self.picture_rate = rate
+            self.changed.emit()
+
+    def step_picture(self, step: int) -> None:
+        """Hold still some pictures further on, or back: in the first frame of the sound that lies in that picture."""
+        source = self.session.source
+        if not source.seekable:
+            return
+        if source.playing:
+            self.session.pause()
+        last = math.ceil(source.duration * self.picture_rate) - 1
+        picture = min(max(self.picture + step, 0), max(last, 0))
+        frame = math.ceil(picture / self.picture_rate / FRAME_PERIOD - IN_PICTURE)
+        self.session.seek((frame + IN_PICTURE) * FRAME_PERIOD)
 
     # -- what is asked for --------------------------------------------------------------------------------
 

@@ -1,34 +1,38 @@
-"""The page of the head: the head and its text at the left, what it does at the right; and the heads of a window."""
+"""The page of the head: head, script and time line at the left, tabs at the right; and the heads of a window."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QMenu, QScrollArea, QSizePolicy, QSplitter, QToolButton, QWidget
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
 
-from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
-from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.painting import format_clock
+from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
 from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
-from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.model import PICTURE_RATES, TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.talk.words.lanes_panel import LanesPanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import (
+    Wrapping,
+    choice,
     column,
     heading,
     label,
     leave_wheel,
     line,
-    open_at_once,
+    named,
+    open_without_arrow,
     row,
     scrolling,
     spoken_button,
 )
-from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
-from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.phonemes import Phoneme
 
 WIDTH, HEIGHT, EDGE = 96, 24, 4
@@ -75,35 +79,73 @@ class PhonemeChip(QWidget):
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, sound_name(self.phoneme))
 
 
-PANEL_WIDTH = 480
-COMPARISONS = {
-    None: tr_noop("No Comparison"),
-    FaceDriver.RULES: tr_noop("With Phonemes (Rules)"),
-    FaceDriver.PINYIN: tr_noop("With Pinyin Letters"),
-    FaceDriver.TABLE: tr_noop("With Recorded Faces"),
-}
-"""What a second head can be moved by."""
+PANEL_WIDTH = 400
+"""Of the tabs at first, pixels."""
+HEIGHTS = (10_000, 130, 190)
+"""Of head, script and time line at first: the head takes what the others leave, pixels."""
 BARS_EVERY = 2
 """The bars are drawn at every second picture."""
 
 
+class PictureCounter(QWidget):
+    """Says at which time and in which picture of the animation the sound is, and how many of these a second has.
+
+    Attributes
+    ----------
+    rate : the choice of the pictures of a second.
+    place : the time, and the number of the picture, from 0.
+    """
+
+    def __init__(self, talking: TalkModel) -> None:
+        super().__init__()
+        self._talking = talking
+        self.place = label()
+        self.place.setToolTip(tr("Time, and number of the picture, counted from 0"))
+        self.rate = choice(
+            ((tr("{rate}/s").format(rate=rate), rate) for rate in PICTURE_RATES),
+            tr("Pictures a second"),
+            tr("Pictures a second of the animation; Left and Right in the time line go one picture back or forward"),
+        )
+        row(self.place, self.rate, on=self, spacing=6)
+        self.place.setMinimumWidth(self.place.fontMetrics().horizontalAdvance(self._words(3599.999, 215_999)))
+        self.rate.activated.connect(lambda k: talking.set_picture_rate(self.rate.itemData(k)))
+        talking.changed.connect(self._show_rate)
+        self._show_rate()
+
+    def refresh(self) -> None:
+        """Show where the sound is."""
+        words = self._words(self._talking.session.source.position, self._talking.picture)
+        if words != self.place.text():
+            self.place.setText(words)
+
+    def _words(self, seconds: float, picture: int) -> str:
+        clock = f"{format_clock(seconds - seconds % 60, False)[:-2]}{int(seconds % 60 * 1000 + 1e-6) / 1000:06.3f}"
+        return tr("{clock} · picture {picture}").format(clock=clock, picture=picture)
+
+    def _show_rate(self) -> None:
+        self.rate.setCurrentIndex(self.rate.findData(self._talking.picture_rate))
+        self.refresh()
+
+
 class TalkPage(QWidget):
-    """Lays out head, text, mouth shapes, bars and choices.
+    """Lays out head, script and time line at the left, and at the right what the face is, does, sends and shows.
 
     Signals
     -------
-    sound_asked, preset_asked : the user wants the head to say another sound, or to load phoneme data.
     words_asked, speech_asked : the user wants to save what is said, or to have the text said into a file.
+    export_asked : the user wants to export animation.
+    picture_asked : the user wants to save a picture of a view, of this name.
 
     Attributes
     ----------
     keys : to be installed as an event filter of the window.
+    tabs : what stands at the right.
+    split, stack : the splitters between both sides, and between what is one above the other at the left.
     """
 
-    sound_asked = Signal()
-    preset_asked = Signal()
     words_asked = Signal()
     speech_asked = Signal()
+    export_asked = Signal()
     picture_asked = Signal(QWidget, str)
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
@@ -117,136 +159,103 @@ class TalkPage(QWidget):
         self.visemes = VisemePanel(talking, theme)
         self.expression = ExpressionPanel(talking, theme)
         self.bars = MovestateBars(talking, theme)
-        for view in (self.heads.main.view, self.heads.beside.view, self.bars):
-            view.menu.save_asked.connect(self.picture_asked)
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
+        self.lanes = LanesPanel(talking, theme)
         self.keys = HeldKeys(talking, self)
-        self.open = spoken_button(tr("Open Audio File…"), tr("Open an audio file and play it at once"))
-        self.play = spoken_button(tr("Play"), tr("Play or pause (Space)"))
-        self.stop = spoken_button(tr("Stop"), tr("Stop (Escape)"))
-        self.preset = spoken_button(tr("Load Preset…"), tr("Load a preset or PhonemeData file (Ctrl+Shift+O)"))
-        self.save = spoken_button(tr("Save ▾"), tr("Save words and phones, or the spoken text"))
+        for view in (self.heads.main.view, self.heads.beside.view, self.bars, self.lanes.line):
+            view.menu.save_asked.connect(self.picture_asked)
+        self.save_words = spoken_button(
+            tr("Save Words and Phones…"),
+            tr("Save the words and phones of the audio file as a TextGrid, which Export can use"),
+        )
+        self.save_speech = spoken_button(
+            tr("Save Spoken Text…"),
+            tr("Save the spoken text as WAV, with its words and phones in a TextGrid beside it"),
+        )
+        self.export = spoken_button(
+            tr("Export…"), tr("Export the animation for other programs, as the head shows it (Ctrl+Shift+E)")
+        )
         self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in sync, moved by another driver"))
-        self.said = ElidedLabel()
+        self.comparisons = ComparisonMenu(talking.text.drivers, self)
+        open_without_arrow(self.compare, self.comparisons)
         self.heard = PhonemeChip(talking, theme)
-        self._fill_save_menu()
-        self._fill_compare_menu()
+        self.pictures = PictureCounter(talking)
+        self.tabs = QTabWidget()
+        self.split, self.stack = QSplitter(Qt.Orientation.Horizontal), QSplitter(Qt.Orientation.Vertical)
         self._lay_out()
         self._connect()
         self._show_state()
 
+    @property
+    def splitters(self) -> dict[str, QSplitter]:
+        """What the user may have moved, by the names under which it is kept."""
+        return {"talk/split": self.split, "talk/stack": self.stack}
+
     def refresh(self) -> None:
         """Show what changes by itself."""
         self.heads.refresh()
-        self.text.refresh()
+        self.lanes.refresh()
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
-            self.bars.refresh()
-            self.expression.refresh()
-            self.heard.refresh()
-            self.osc.refresh()
-
-    def _fill_save_menu(self) -> None:
-        menu = QMenu(self)
-        menu.setToolTipsVisible(True)
-        self.save_words = menu.addAction(tr("Words and Phones…"), self.words_asked.emit)
-        self.save_words.setToolTip(
-            tr("Save the words and phones of the audio file as a TextGrid, which Export can use")
-        )
-        self.save_speech = menu.addAction(tr("Spoken Text as Audio File…"), self.speech_asked.emit)
-        self.save_speech.setToolTip(
-            tr("Save the spoken text as WAV, with its words and phones in a TextGrid beside it")
-        )
-        _without_arrow(self.save, menu)
-
-    def _fill_compare_menu(self) -> None:
-        menu = QMenu(self)
-        self.comparisons = QActionGroup(menu)
-        for driver, words in COMPARISONS.items():
-            action = self.comparisons.addAction(tr(words))
-            action.setCheckable(True)
-            action.setData(driver)
-            menu.addAction(action)
-        self.comparisons.triggered.connect(self._choose_comparison)
-        _without_arrow(self.compare, menu)
-
-    def _choose_comparison(self, action: QAction) -> None:
-        driver = action.data()
-        self._talking.text.drivers.compare(None if driver is None else FaceDriver(driver))
+            for part in (self.bars, self.expression, self.heard, self.osc, self.pictures):
+                part.refresh()
 
     def _connect(self) -> None:
         session = self._talking.session
-        self.open.clicked.connect(lambda _checked: self.sound_asked.emit())
-        self.preset.clicked.connect(lambda _checked: self.preset_asked.emit())
-        self.play.clicked.connect(lambda _checked: session.toggle())
-        self.stop.clicked.connect(lambda _checked: session.stop())
+        self.save_words.clicked.connect(lambda _checked: self.words_asked.emit())
+        self.save_speech.clicked.connect(lambda _checked: self.speech_asked.emit())
+        self.export.clicked.connect(lambda _checked: self.export_asked.emit())
         self._talking.text.changed.connect(self._show_state)
-        session.transport_changed.connect(self._show_state)
         session.opened.connect(self._show_state)
 
     def _show_state(self) -> None:
-        session = self._talking.session
-        self.play.setText(tr("Pause") if session.source.playing else tr("Play"))
         texts = self._talking.text
-        compared = texts.drivers.compared
-        for action in self.comparisons.actions():
-            action.setChecked(action.data() == compared)
-            by_table = action.data() == FaceDriver.TABLE
-            action.setEnabled(not by_table or texts.drivers.performance.table is not None)
         self.save_words.setEnabled(texts.editable and texts.utterance is not None)
         self.save_speech.setEnabled(bool(texts.text.strip()))
-        self.said.setText(session.source.name)
-        self.said.setToolTip(f"{session.source.name}: {tr_engine(session.source.description)}")
 
     def _lay_out(self) -> None:
-        below = column(
-            row(self.open, self.play, self.stop, self.preset, self.save, 1, spacing=6),
-            row(self.heard, (self.said, 1), self.compare, *self.heads.looks, spacing=6),
-            self.text,
-            margins=(8, 5, 8, 5),
-            spacing=4,
+        where, looks = (
+            row(self.heard, self.pictures, 1, spacing=6),
+            row(1, self.compare, *self.heads.looks, spacing=6),
         )
-        left = QWidget()
-        column((self.heads, 1), below, on=left, spacing=0)
-        split = QSplitter(Qt.Orientation.Horizontal)
-        split.addWidget(left)
-        split.addWidget(self._panel())
-        split.setStretchFactor(0, 1)
-        split.setStretchFactor(1, 0)
-        split.setSizes([10_000, PANEL_WIDTH])
-        split.setChildrenCollapsible(False)
-        row(split, on=self)
-
-    def _panel(self) -> QWidget:
-        def part(*widgets: QWidget) -> tuple[QWidget, ...]:
-            return (line(self._theme.line), *widgets)
-
-        body = QWidget()
-        column(
-            self.choices,
-            *part(self.visemes),
-            *part(self.expression),
-            *part(heading(tr("Blend shapes")), self.bars),
-            *part(heading(tr("Network")), self.osc),
-            1,
-            label(f"{tr(HINT)}.", self._theme.faint, wraps=True),
-            on=body,
-            margins=(10, 8, 10, 8),
-            spacing=8,
-        )
-        leave_wheel(body)
-        scroll = QScrollArea()
-        scroll.setMinimumWidth(scrolling(scroll, body))
-        scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        scroll.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
-        return scroll
+        bar = Wrapping(where, looks, (8, 4, 8, 4))
+        above = QWidget()
+        column((self.heads, 1), bar, on=above, spacing=0)
+        for part in (above, self.text, self.lanes):
+            self.stack.addWidget(part)
+        self.stack.setStretchFactor(0, 1)
+        self.stack.setSizes(list(HEIGHTS))
+        self.split.addWidget(self.stack)
+        self.split.addWidget(self.tabs)
+        self.split.setStretchFactor(0, 1)
+        self.split.setStretchFactor(1, 0)
+        self.split.setSizes([10_000, PANEL_WIDTH])
+        for splitter in (self.split, self.stack):
+            splitter.setChildrenCollapsible(False)
+        self.tabs.setDocumentMode(True)
+        named(self.tabs.tabBar(), tr("Parts of the page"))
+        saved = column(*(row(button, 1) for button in (self.export, self.save_words, self.save_speech)), spacing=6)
+        hint = label(f"{tr(HINT)}.", self._theme.faint, wraps=True)
+        for name, parts in (
+            (tr("Face"), (self.choices, line(self._theme.line), self.visemes, 1, hint)),
+            (tr("Expression"), (self.expression, 1)),
+            (tr("Output"), (heading(tr("Files")), saved, heading(tr("Network")), self.osc, 1)),
+            (tr("Inspect"), (heading(tr("Blend shapes")), self.bars, 1)),
+        ):
+            body = QWidget()
+            column(*parts, on=body, margins=(10, 8, 10, 8), spacing=8)
+            self.tabs.addTab(_scrolled(body), name)
+        row(self.split, on=self)
 
 
-def _without_arrow(button: QToolButton, menu: QMenu) -> None:
-    """Have a button open a menu; the arrow of the style would lie on its text."""
-    open_at_once(button, menu)
-    button.setStyleSheet("QToolButton::menu-indicator { image: none }")
+def _scrolled(body: QWidget) -> QScrollArea:
+    """Return an area that scrolls a body downwards."""
+    leave_wheel(body)
+    scroll = QScrollArea()
+    scroll.setMinimumWidth(scrolling(scroll, body))
+    scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    return scroll
 
 
 class Heads:

@@ -54,6 +54,11 @@
             <translation>A&amp;uswahl</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>&amp;Talk</source>
+            <translation>&amp;Sprechen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>&amp;View</source>
             <translation>A&amp;nsicht</translation>
@@ -964,8 +969,13 @@
             <translation>Trotzdem ausrichten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Align text with recording</source>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Align Even If the Text Seems Different</source>
+            <translation>Trotz abweichenden Textes ausrichten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Align Text with Recording</source>
             <translation>Text an Aufnahme ausrichten</translation>
         </message>
         <message>
@@ -1142,6 +1152,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>anger</source>
             <translation>Ärger</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/welcome.py" />
+            <source>Animate a Recording</source>
+            <translation>Aufnahme animieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
@@ -1894,17 +1909,17 @@
             <translation>Klick spielt ein Segment ab; Mausrad zoomt, Ziehen verschiebt</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Click a word to play it, drag a boundary to move it; the wheel zooms at the pointer, dragging scrolls</source>
-            <translation>Klick spielt ein Wort, Ziehen verschiebt eine Grenze; das Mausrad zoomt am Zeiger, Ziehen scrollt</translation>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
+            <source>Click a word to play it, drag a boundary to move it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll.</source>
+            <translation>Wort anklicken: abspielen. Grenze ziehen: verschieben. Links, Rechts: ein Bild. Auf, Ab oder Mausrad: zoomen. Ziehen: scrollen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Click a word to play it; the wheel zooms at the pointer, dragging scrolls. The voice sets the boundaries: to move them, save the spoken text and open that file</source>
-            <translation>Klick spielt ein Wort; das Mausrad zoomt am Zeiger, Ziehen scrollt. Die Grenzen gibt die Stimme vor: Um sie zu verschieben, den gesprochenen Text speichern und diese Datei öffnen</translation>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
+            <source>Click a word to play it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll. The voice sets the boundaries: to move them, save the spoken text and open that file.</source>
+            <translation>Wort anklicken: abspielen. Links, Rechts: ein Bild. Auf, Ab oder Mausrad: zoomen. Ziehen: scrollen. Die Stimme legt die Grenzen fest: zum Verschieben den gesprochenen Text speichern und diese Datei öffnen.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/spoken_lanes.py" />
             <source>Click to play the original with its face, double-click for the whole recording.</source>
             <translation>Klick spielt das Original mit seinem Gesicht, Doppelklick die ganze Aufnahme.</translation>
         </message>
@@ -2137,16 +2152,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Croatian</source>
             <translation>Kroatisch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Ctrl+Return</source>
-            <translation>Strg+Return</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Ctrl+Shift+Return</source>
-            <translation>Strg+Umschalt+Return</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
@@ -2820,6 +2825,11 @@
             <translation>Nur die anderen exportieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Export the animation for other programs, as the head shows it (Ctrl+Shift+E)</source>
+            <translation>Animation für andere Programme exportieren, wie der Kopf sie zeigt (Strg+Umschalt+E)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Export…</source>
             <translation>Exportieren…</translation>
@@ -2950,7 +2960,7 @@
             <translation>Datei über der Zeit</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/settings.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Files</source>
             <translation>Dateien</translation>
         </message>
@@ -3375,6 +3385,16 @@
             <translation>Zum Anfang</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <source>Go to the next poor match</source>
+            <translation>Zum nächsten schlecht passenden Wort</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <source>Go to the previous poor match</source>
+            <translation>Zum vorigen schlecht passenden Wort</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
             <source>good</source>
             <translation>gut</translation>
@@ -3723,6 +3743,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
             <source>insert label</source>
             <translation>Beschriftung einfügen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Inspect</source>
+            <translation>Prüfen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -4280,7 +4305,7 @@
             <translation>Länge des Analysefensters: Ein kurzes (breitbandig, 6 ms) zeigt einzelne Stimmimpulse, ein langes (schmalbandig, 30 ms) die Teiltöne</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/spoken_lanes.py" />
             <source>Letters</source>
             <translation>Buchstaben</translation>
         </message>
@@ -4540,11 +4565,6 @@
             <translation>Datei mit der Aussprache von Wörtern laden; andere Wörter werden nach den Regeln der Sprache ausgesprochen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Load a preset or PhonemeData file (Ctrl+Shift+O)</source>
-            <translation>Preset oder PhonemeData-Datei laden (Strg+Umschalt+O)</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
             <source>Load a TextGrid, or labels of Audacity or CSV</source>
             <translation>TextGrid, Audacity-Textmarken oder CSV laden</translation>
@@ -4570,9 +4590,19 @@
             <translation>Gesichtsaufzeichnung laden</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Load Face Capture…</source>
+            <translation>Gesichtsaufzeichnung laden…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Load face capture…</source>
             <translation>Gesichtsaufzeichnung laden…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Load Face…</source>
+            <translation>Gesicht laden…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
@@ -4605,9 +4635,19 @@
             <translation>Lexikon laden</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Load Lexicon…</source>
+            <translation>Lexikon laden…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Load Mouth Table</source>
             <translation>Mundtabelle laden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Load Mouth Table…</source>
+            <translation>Mundtabelle laden…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
@@ -5145,7 +5185,7 @@
             <translation>Licht bewegen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
             <source>move of a boundary ({unit})</source>
             <translation>Verschieben einer Grenze ({unit})</translation>
         </message>
@@ -5225,7 +5265,7 @@
             <translation>Name</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_editor.py" />
+            <location filename="../../../phonemeanalyser/desktop/widgets/label_editor.py" />
             <source>Name of the label</source>
             <translation>Name der Beschriftung</translation>
         </message>
@@ -5315,6 +5355,21 @@
             <translation>Nächste Beschriftung</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Next picture</source>
+            <translation>Nächstes Bild</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Next Picture (Right)</source>
+            <translation>Nächstes Bild (Rechts)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Next Poor Match</source>
+            <translation>Nächstes schlecht passendes Wort</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>No audio device (silent playback)</source>
             <translation>Kein Audiogerät (stumme Wiedergabe)</translation>
@@ -5380,7 +5435,7 @@
             <translation>nicht übersteuert</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>No Comparison</source>
             <translation>Kein Vergleich</translation>
         </message>
@@ -5840,14 +5895,19 @@
             <translation>Öffnen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
+            <source>Open a recording with Ctrl+O, or write a text above and press Say</source>
+            <translation>Mit Strg+O eine Aufnahme öffnen oder oben einen Text schreiben und „Vorlesen“ klicken</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/welcome.py" />
+            <source>Open a recording, paste its text, align both, and export the animation of a face.</source>
+            <translation>Eine Aufnahme öffnen, ihren Text einfügen, beides aneinander ausrichten und die Animation eines Gesichts exportieren.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Open an audio file (Ctrl+O)</source>
             <translation>Audiodatei öffnen (Strg+O)</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Open an audio file and play it at once</source>
-            <translation>Eine Audiodatei öffnen und sofort abspielen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
@@ -5890,9 +5950,19 @@
             <translation>Zuletzt geöffnet</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Open Recorded Faces…</source>
+            <translation>Aufgezeichnete Gesichter öffnen…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Open Script</source>
             <translation>Skript öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Open Script…</source>
+            <translation>Skript öffnen…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
@@ -6006,8 +6076,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Pause</source>
-            <translation>Pause</translation>
+            <source>Parts of the page</source>
+            <translation>Teile der Seite</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
@@ -6178,6 +6248,16 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_layout.py" />
             <source>Phones</source>
             <translation>Phone</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Pictures a second</source>
+            <translation>Bilder pro Sekunde</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Pictures a second of the animation; Left and Right in the time line go one picture back or forward</source>
+            <translation>Bilder pro Sekunde der Animation; Links und Rechts in der Zeitleiste gehen ein Bild zurück oder weiter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/rendering/offscreen.py" />
@@ -6415,6 +6495,21 @@
             <translation>Vorherige Beschriftung</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Previous picture</source>
+            <translation>Voriges Bild</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Previous Picture (Left)</source>
+            <translation>Voriges Bild (Links)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Previous Poor Match</source>
+            <translation>Voriges schlecht passendes Wort</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>probability of {phoneme}</source>
             <translation>Wahrscheinlichkeit von {phoneme}</translation>
@@ -6498,6 +6593,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Read names of speakers, [directions], *emphasis*, &lt;tags&gt; and &amp;entities; in a script as words; otherwise they are left out</source>
             <translation>Sprechernamen, [Regieanweisungen], *Betonung*, &lt;tags&gt; und &amp;Entitäten; in einem Skript als Wörter lesen; sonst werden sie ausgelassen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Read Notation Literally</source>
+            <translation>Notation wörtlich lesen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/welcome.py" />
@@ -6733,6 +6833,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Remove Deleted Takes…</source>
             <translation>Gelöschte Takes entfernen…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Remove Lexicon</source>
+            <translation>Lexikon entfernen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
@@ -7175,6 +7280,16 @@
             <translation>Gesprochenen Text speichern</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Save Spoken Text as Audio File…</source>
+            <translation>Gesprochenen Text als Audiodatei speichern…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Save Spoken Text…</source>
+            <translation>Gesprochenen Text speichern…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Save the averaged spectrum as a curve, or load saved curves to compare with</source>
             <translation>Das gemittelte Spektrum als Kurve speichern oder gespeicherte Kurven zum Vergleich laden</translation>
@@ -7210,14 +7325,9 @@
             <translation>Wörter und Phone speichern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Save words and phones, or the spoken text</source>
-            <translation>Wörter und Phone oder den gesprochenen Text speichern</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Save ▾</source>
-            <translation>Speichern ▾</translation>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Save Words and Phones…</source>
+            <translation>Wörter und Phone speichern…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
@@ -7243,6 +7353,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Saving spoken text…</source>
             <translation>Gesprochener Text wird gespeichert …</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
+            <source>Say</source>
+            <translation>Vorlesen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
@@ -7770,18 +7885,13 @@
             <translation>Spanisch (Spanien)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Speak</source>
-            <translation>Vorlesen</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/welcome.py" />
             <source>Speak and watch the phonemes; nothing is recorded until you press R.</source>
             <translation>Sprechen und die Phoneme mitlesen; aufgenommen wird erst mit der Taste R.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Speak text</source>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Speak Text</source>
             <translation>Text vorlesen</translation>
         </message>
         <message>
@@ -7885,11 +7995,6 @@
             <translation>Beschriftung am Cursor teilen (Eingabetaste)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Spoken Text as Audio File…</source>
-            <translation>Gesprochener Text als Audiodatei…</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Stability</source>
             <translation>Stabilität</translation>
@@ -7945,14 +8050,14 @@
             <translation>Stopp</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Stop (Escape)</source>
-            <translation>Stopp (Esc)</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Stop (Escape); a file returns to its start</source>
             <translation>Stopp (Esc); eine Datei springt an ihren Anfang</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
+            <source>Stop aligning</source>
+            <translation>Ausrichten abbrechen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
@@ -7963,11 +8068,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Stop recording (R)</source>
             <translation>Aufnahme beenden (R)</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Stop speaking</source>
-            <translation>Vorlesen beenden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
@@ -8163,11 +8263,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>text</source>
             <translation>Text</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Text field on the Talk page</source>
-            <translation>Textfeld der Seite Sprechen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
@@ -8456,8 +8551,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
-            <source>The language isn’t set, and it isn’t detected; choose it below the text.</source>
-            <translation>Die Sprache ist nicht eingestellt und wird nicht erkannt; unter dem Text auswählen.</translation>
+            <source>The language isn’t set, and it isn’t detected; choose it beside the text.</source>
+            <translation>Die Sprache ist nicht gewählt und wird nicht erkannt; neben dem Text wählen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/text/espeak.py" />
@@ -9256,8 +9351,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
-            <source>These labels have several speakers; choose one below the text.</source>
-            <translation>Diese Beschriftungen enthalten mehrere Sprecher; einen davon unter dem Text wählen.</translation>
+            <source>These labels have several speakers; choose one beside the text.</source>
+            <translation>Diese Beschriftungen haben mehrere Sprecher; einen neben dem Text wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
@@ -9405,9 +9500,24 @@
             <translation>Zeit im Fenster</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Time line on the Talk page</source>
+            <translation>Zeitleiste der Seite „Sprechen“</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
+            <source>Time line: words and phones over time</source>
+            <translation>Zeitleiste: Wörter und Phone über der Zeit</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Time smoothing</source>
             <translation>Zeitglättung</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Time, and number of the picture, counted from 0</source>
+            <translation>Zeit und Nummer des Bildes, ab 0 gezählt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/position_slider.py" />
@@ -9575,7 +9685,7 @@
             <translation>Auswahl der Einheiten</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/spoken_lanes.py" />
             <source>Units</source>
             <translation>Einheiten</translation>
         </message>
@@ -10060,17 +10170,17 @@
             <translation>Drahtgitter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Phonemes (Rules)</source>
             <translation>Mit Phonemen (Regeln)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Pinyin Letters</source>
             <translation>Mit Pinyin-Buchstaben</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Recorded Faces</source>
             <translation>Mit aufgezeichneten Gesichtern</translation>
         </message>
@@ -10090,14 +10200,9 @@
             <translation>Wörter</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
-            <source>Words and phones over time</source>
-            <translation>Wörter und Phone im Zeitverlauf</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Words and Phones…</source>
-            <translation>Wörter und Phone…</translation>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <source>Words that fit the recording badly; choose one to play it</source>
+            <translation>Wörter, die schlecht zur Aufnahme passen; eines wählen, um es abzuspielen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
@@ -10175,7 +10280,7 @@
             <translation>Auf die ganze Datei zoomen (Umschalt+A)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>Zoom to the whole length</source>
             <translation>Auf die ganze Länge zoomen</translation>
         </message>
@@ -10213,6 +10318,11 @@
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
             <source>{chunk} claims {size} bytes, {chunk_2} are there</source>
             <translation>{chunk} gibt {size} Byte an, vorhanden sind {chunk_2}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>{clock} · picture {picture}</source>
+            <translation>{clock} · Bild {picture}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
@@ -10435,7 +10545,7 @@
             <translation>{key} nennt {twice} zweimal; Kurven neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/words_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/spoken_lanes.py" />
             <source>{kind} [{names}] from {recording}, {start:.2f} to {end:.2f} s.</source>
             <translation>{kind} [{names}] aus {recording}, {start:.2f} bis {end:.2f} s.</translation>
         </message>
@@ -11335,6 +11445,11 @@
             <translation>Auf Zeile {begin} müssen {n} Zeilen mit Eckpunktnummer und Vektor folgen; korrigieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <source>{n} more</source>
+            <translation>{n} weitere</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>{n} of 10 phonemes</source>
             <translation>{n} von 10 Phonemen</translation>
@@ -11345,12 +11460,12 @@
             <translation>{n} Punkte</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>{n} poor match</source>
             <translation>{n} passt schlecht</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>{n} poor matches</source>
             <translation>{n} passen schlecht</translation>
         </message>
@@ -11595,6 +11710,11 @@
             <translation>{preset} (aktuelle Einstellungen)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>{rate}/s</source>
+            <translation>{rate}/s</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{recogniser}, look-ahead {ms} ms</source>
             <translation>{recogniser}, Vorausschau {ms} ms</translation>
@@ -11663,6 +11783,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
             <source>{seconds:.2f} s, {n} frames</source>
             <translation>{seconds:.2f} s, {n} Frames</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <source>{seconds:.2f} s: {word}</source>
+            <translation>{seconds:.2f} s: {word}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/batch/record.py" />

@@ -111,6 +111,12 @@ def open_at_once(button: QToolButton, menu: QMenu) -> None:
     button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
 
 
+def open_without_arrow(button: QToolButton, menu: QMenu) -> None:
+    """Have a button open its menu when it is pressed; the arrow of the style would lie on its text."""
+    open_at_once(button, menu)
+    button.setStyleSheet("QToolButton::menu-indicator { image: none }")
+
+
 def toggle_button(text: str, tip: str) -> QToolButton:
     """Make a small button that stays down while it is on."""
     button = tool_button(text, tip)
@@ -147,14 +153,12 @@ def slider_of_percent(name: str, tip: str) -> QSlider:
     return slider
 
 
-def fill_columns(grid: QGridLayout, rows: Sequence[Sequence[QWidget]], n_columns: int = 2) -> None:
-    """Fill a grid with rows of three widgets, column by column; the second ones take what is left."""
-    n_rows = -(-len(rows) // n_columns)
+def fill_rows(grid: QGridLayout, rows: Iterable[Sequence[QWidget]]) -> None:
+    """Fill a grid with rows of widgets, of which the second one takes the room that is left."""
     for k, widgets in enumerate(rows):
-        first = len(widgets) * (k // n_rows)
-        for offset, widget in enumerate(widgets):
-            grid.addWidget(widget, k % n_rows, first + offset)
-        grid.setColumnStretch(first + 1, 1)
+        for place, widget in enumerate(widgets):
+            grid.addWidget(widget, k, place)
+    grid.setColumnStretch(1, 1)
 
 
 def label(text: str = "", colour: str = "", *, wraps: bool = False, width: int = 0) -> QLabel:

@@ -249,7 +249,7 @@ def test_a_boundary_that_is_dragged_while_the_sound_plays_leaves_the_mouth_movin
     desk.align()
     jaws: list[float] = []
     desk.stage.play(0.4)
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.95)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.95)
     desk.stage.play(10, lambda: jaws.append(desk.stage.jaw))
     assert max(jaws) > 5
 
@@ -261,7 +261,7 @@ def test_a_dragged_boundary_is_undone_and_done_again(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
     stack = desk.session.preset.undo_stack
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
     assert stack.undoText() == "move of a boundary (word)"
     assert spans_of(desk.texts.utterance, LabelUnit.WORD)[0] == pytest.approx((0.6, 0.8))
     stack.undo()
@@ -290,7 +290,7 @@ def test_an_edit_of_a_sound_that_is_no_longer_in_hand_changes_nothing(desk, tmp_
 def test_a_boundary_cannot_leave_nothing_of_a_word(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.5)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.5)
     assert desk.texts.utterance is SAID
     assert "leave nothing" in desk.failed[0]
 
@@ -298,7 +298,7 @@ def test_a_boundary_cannot_leave_nothing_of_a_word(desk, tmp_path):
 def test_what_was_dragged_is_what_is_saved(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
     assert desk.texts.save_words(tmp_path / "said.TextGrid")
     written = read_utterance(tmp_path / "said.TextGrid", DURATION)
     assert np.allclose(spans_of(written, LabelUnit.WORD), spans_of(desk.texts.utterance, LabelUnit.WORD), atol=1e-6)
@@ -309,21 +309,21 @@ def test_what_was_moved_by_hand_is_unsaved_until_it_is_saved_or_taken_back(desk,
     desk.open(tmp_path)
     desk.align()
     assert not desk.texts.words.has_unsaved_changes  # the program finds it again
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
     assert desk.texts.words.has_unsaved_changes
     desk.session.preset.undo_stack.undo()
     assert not desk.texts.words.has_unsaved_changes
     desk.session.preset.undo_stack.redo()
     assert desk.texts.save_words(tmp_path / "said.TextGrid")
     assert not desk.texts.words.has_unsaved_changes
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.7)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.7)
     assert desk.texts.words.has_unsaved_changes
 
 
 def test_words_that_cannot_be_saved_stay_unsaved(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
     assert not desk.texts.save_words(tmp_path / "gone" / "said.TextGrid")
     assert "said.TextGrid" in desk.failed[0]
     assert desk.texts.words.has_unsaved_changes
@@ -332,7 +332,7 @@ def test_words_that_cannot_be_saved_stay_unsaved(desk, tmp_path):
 def test_a_text_that_is_spoken_meanwhile_leaves_moved_boundaries_as_they_are(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    desk.texts.move_boundary(LabelUnit.WORD, 2, 0.8)
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
     moved = desk.texts.utterance
     desk.say("Hello.")
     desk.say("You there.")
@@ -367,7 +367,7 @@ def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
     desk.align()
     heard: list[Analysis] = []
     desk.session.heard.connect(heard.extend)
-    desk.texts.play(0.6, 0.9)
+    desk.texts.edits.play(0.6, 0.9)
     assert desk.session.source.playing
     desk.stage.play(2.0)
     assert not desk.session.source.playing

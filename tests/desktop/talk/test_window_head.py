@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
+from phonemeanalyser.desktop.talk.model import PICTURE_RATES
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
@@ -97,6 +98,7 @@ def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot
 
 
 def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
+    window.talk.head.setFocus()
     press(window, Qt.Key.Key_Right)
     press(window, Qt.Key.Key_W)
     window.talk.visemes.sliders["o"].setValue(40)
@@ -163,6 +165,7 @@ def _moved(head, to, mouse, modifier):
 
 def test_the_wheel_and_plus_and_minus_come_nearer_and_go_away(window):
     head = window.talk.head
+    head.setFocus()
     far = head.camera.distance
     turn_wheel(head, 1)
     near = head.camera.distance
@@ -176,6 +179,7 @@ def test_the_wheel_and_plus_and_minus_come_nearer_and_go_away(window):
 
 def test_arrows_go_round_and_with_shift_move_and_the_dots_move_the_light(window):
     head = window.talk.head
+    head.setFocus()
     light = head.light.azimuth
     press(window, Qt.Key.Key_Left)
     press(window, Qt.Key.Key_Up)
@@ -196,6 +200,7 @@ def desktop_mesh(window: MainWindow):
 
 def test_w_and_the_box_show_the_wireframe(window):
     head = window.talk.head
+    head.setFocus()
     solid = picture(head)
     press(window, Qt.Key.Key_W)
     assert window.talk.heads.wireframe.isChecked()
@@ -208,19 +213,18 @@ def test_w_and_the_box_show_the_wireframe(window):
 
 
 def test_the_mouth_opens_when_the_file_says_an_a_and_silence_closes_it(window, desktop, qtbot):
-    click(window.talk.play)
-    assert window.talk.play.text() == "Pause"
+    press(window, Qt.Key.Key_Space)
     open_mouth(desktop, qtbot)
     bars = window.talk.bars
     qtbot.waitUntil(lambda: max(map(max, bars._shown), default=0) > 10)
     closed_mouth(desktop, qtbot)
-    qtbot.waitUntil(lambda: window.talk.play.text() == "Play")
+    qtbot.waitUntil(lambda: not desktop.session.source.playing)
 
 
 def test_stop_closes_the_mouth(window, desktop, qtbot):
     press(window, Qt.Key.Key_Space)
     open_mouth(desktop, qtbot)
-    click(window.talk.stop)
+    press(window, Qt.Key.Key_Escape)
     closed_mouth(desktop, qtbot)
     assert desktop.session.source.position == 0
 
@@ -297,31 +301,34 @@ def test_another_table_brings_its_own_shapes(window, desktop, qtbot):
     window.talk.keys.settling.timeout.emit()
 
 
-def test_a_sound_that_is_loaded_beside_the_head_is_said_at_once(window, desktop, tmp_path, qtbot):
+def test_a_card_opens_a_recording_beside_the_head(window, desktop, tmp_path):
     other = wav(tmp_path, AN_A, "other.wav")
     window.files.show = FileAnswers(other)
-    click(window.talk.open)
+    window.show_page(0)
+    window.welcome.show_cards()
+    window.welcome.cards[3].click()
     assert desktop.session.path == other
-    assert window.talk.said.text() == "other.wav"
-    assert desktop.session.source.playing
-    open_mouth(desktop, qtbot)
+    assert window.talk.isVisible()
 
 
-@pytest.mark.parametrize("chosen", ["", "none.wav"])
-def test_nothing_is_said_where_no_sound_was_loaded(window, desktop, tmp_path, chosen):
-    before = desktop.session.path
-    window.files.show = FileAnswers(*(tmp_path / name for name in (chosen,) if name))
-    click(window.talk.open)
-    assert desktop.session.path == before
-    assert not desktop.session.source.playing
-
-
-def test_a_button_loads_phoneme_data(window, desktop):
-    window.files.show = FileAnswers(THESIS_PRESET.parent / "extended.toml")
-    click(window.talk.preset)
-    QTest.keyClicks(window.preset_box.list.search, "nothing has these words")  # but the entry for files
-    QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Return)
-    assert desktop.preset.path.name == "extended.toml"
+@pytest.mark.parametrize("rate", PICTURE_RATES)
+def test_left_and_right_go_one_picture_at_every_rate(window, desktop, rate):
+    box = window.talk.pictures.rate
+    box.setCurrentIndex(box.findData(rate))
+    box.activated.emit(box.currentIndex())
+    window.talk.lanes.line.setFocus()
+    session = desktop.session
+    for picture in range(1, 20):
+        press(window, Qt.Key.Key_Right)
+        assert desktop.talking.picture == picture
+        assert picture / rate <= session.source.position + 1e-6 < (picture + 1) / rate
+    window.talk.pictures.refresh()
+    assert window.talk.pictures.place.text().endswith("picture 19")
+    press(window, Qt.Key.Key_Left)
+    assert desktop.talking.picture == 18
+    session.seek(0.0)
+    press(window, Qt.Key.Key_Left)
+    assert desktop.talking.picture == 0
 
 
 def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):

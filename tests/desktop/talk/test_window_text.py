@@ -17,7 +17,6 @@ from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE, TextPanel
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeanalyser.desktop.talk.words.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
-from phonemeanalyser.desktop.widgets.timeline import HEADING
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
@@ -81,12 +80,17 @@ def aligned(window: MainWindow, qtbot: QtBot) -> None:
     choose(window, "English")
     panel(window).field.setFocus()
     press(window, Qt.Key.Key_Return, CONTROL | SHIFT)
-    qtbot.waitUntil(panel(window).lanes.isVisible)
+    qtbot.waitUntil(lambda: spoken(window))
+
+
+def spoken(window: MainWindow) -> bool:
+    """Say whether the time line shows words."""
+    return bool(len(window.talk.lanes.line.lanes[0].starts))
 
 
 def place(window: MainWindow, lane: int, seconds: float) -> QPoint:
-    lanes = panel(window).lanes.lanes
-    return lanes.mapTo(panel(window).lanes, QPoint(round(lanes.x_of(seconds)), HEADING + 10 + 22 * lane))
+    line = window.talk.lanes.line
+    return QPoint(round(line.x_of(seconds)), round(line.rows()[lane][0].center().y()))
 
 
 def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(window, voice, qtbot):
@@ -96,11 +100,11 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
     press(window, Qt.Key.Key_Return, CONTROL)
     qtbot.waitUntil(lambda: window.transport.source.currentData() == SourceKind.TEXT)
     assert voice.asked == [("hello", "de")]
-    qtbot.waitUntil(panel(window).lanes.isVisible)
-    assert not panel(window).align.isEnabled()
+    qtbot.waitUntil(lambda: spoken(window))
+    assert panel(window).act.text() == "Say"
     assert not window.talk.save_words.isEnabled()
     assert window.talk.save_speech.isEnabled()
-    assert "fixed by the voice" in panel(window).lanes.lanes.chapters[0].name
+    assert "fixed by the voice" in window.talk.lanes.summary.text()
 
 
 def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qtbot):
@@ -123,13 +127,13 @@ def test_letters_and_space_that_are_typed_hold_no_mouth_shape_and_play_nothing(w
 def test_without_a_language_a_sentence_says_what_to_do(window):
     write(window, "so oh")
     assert panel(window).language.currentText() == NO_LANGUAGE
-    panel(window).align.click()
-    assert "choose it below the text" in window.banner.findChild(QLabel).text()
+    panel(window).act.click()
+    assert "choose it beside the text" in window.banner.findChild(QLabel).text()
 
 
 def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(window, qtbot):
     aligned(window, qtbot)
-    lanes = panel(window).lanes.lanes.lanes
+    lanes = window.talk.lanes.line.lanes
     assert [(lane.name, list(lane.texts)) for lane in lanes] == [
         ("Words", ["so", "oh"]),
         ("Syllables", ["so", "so"]),
@@ -140,7 +144,7 @@ def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(wind
 
 def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
     aligned(window, qtbot)
-    QTest.mouseClick(panel(window).lanes, LEFT, pos=place(window, 0, 0.8))
+    QTest.mouseClick(window.talk.lanes.line, LEFT, pos=place(window, 0, 0.8))
     assert desktop.session.source.playing
     heard: list[Analysis] = []
     desktop.session.heard.connect(heard.extend)
@@ -152,7 +156,7 @@ def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
 
 def drag_boundary(window: MainWindow) -> None:
     """Drag the end of the first word from 0.6 s to 0.7 s."""
-    lanes = panel(window).lanes
+    lanes = window.talk.lanes.line
     QTest.mousePress(lanes, LEFT, pos=place(window, 0, 0.6))
     for seconds in (0.65, 0.7):
         QTest.mouseMove(lanes, place(window, 0, seconds))
@@ -200,11 +204,11 @@ def test_a_spoken_text_is_saved_by_the_menu_and_opened_from_the_banner(window, d
     write(window, "hello")
     choose(window, "German")
     window.files.show = FileAnswers(tmp_path / "spoken")
-    window.talk.save_speech.trigger()
+    window.talk.save_speech.click()
     qtbot.waitUntil(lambda: "spoken.wav" in window.banner.label.text())
     window.banner.action.click()
     assert desktop.session.path == tmp_path / "spoken.wav"
-    qtbot.waitUntil(panel(window).lanes.isVisible)
+    qtbot.waitUntil(lambda: spoken(window))
 
 
 # -- the voice ----------------------------------------------------------------------------------------
@@ -281,9 +285,9 @@ def test_a_text_whose_place_a_script_has_taken_comes_back_by_undo(window, qtbot,
 def test_labels_beside_the_sound_are_shown_at_once(window, desktop, qtbot, tmp_path):
     other = wav(tmp_path, AN_A, "other.wav")
     other.with_suffix(".TextGrid").write_text(format_utterance(SAID), encoding="utf-8")
-    assert not panel(window).lanes.isVisible()
+    assert not spoken(window)
     window.dialogs.open_sound(other)
-    qtbot.waitUntil(panel(window).lanes.isVisible)
+    qtbot.waitUntil(lambda: spoken(window))
     assert window.talk.save_words.isEnabled()
 
 
@@ -295,7 +299,7 @@ def test_the_page_fits_on_a_small_screen_with_lanes_and_a_sentence(window, qtbot
     qtbot.waitUntil(lambda: (window.width(), window.height()) == SMALLEST)
     settle()
     assert window.talk.head.height() > 100
-    for part in (panel(window).field, panel(window).language, panel(window).say, panel(window).lanes):
+    for part in (panel(window).field, panel(window).language, panel(window).act, window.talk.lanes):
         assert window.rect().contains(part.mapTo(window, part.rect().bottomRight()))
 
 
@@ -338,11 +342,11 @@ def performed(window: MainWindow, desktop: Desktop, table: Path, qtbot: QtBot) -
 
 
 def lane_named(window: MainWindow, name: str) -> int:
-    return [lane.name for lane in panel(window).lanes.lanes.lanes].index(name)
+    return [lane.name for lane in window.talk.lanes.line.lanes].index(name)
 
 
 def middle_of(window: MainWindow, lane: int, span: int) -> QPoint:
-    timeline = panel(window).lanes.lanes
+    timeline = window.talk.lanes.line
     spans = timeline.lanes[lane]
     x = timeline.x_of(float(spans.starts[span] + spans.ends[span]) / 2)
     return QPoint(round(x), round(timeline.rows()[lane][0].top()) + 8)
@@ -374,7 +378,7 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
 
 def test_units_tell_where_they_are_from_and_are_played_by_a_click(window, desktop, qtbot, table):
     performed(window, desktop, table, qtbot)
-    timeline, lane = panel(window).lanes.lanes, lane_named(window, "Units")
+    timeline, lane = window.talk.lanes.line, lane_named(window, "Units")
     units = timeline.lanes[lane]
     assert (np.diff(units.starts) > 0).all()
     syllable = next(k for k, tip in enumerate(units.tips) if tip.startswith("syllable"))
@@ -384,7 +388,7 @@ def test_units_tell_where_they_are_from_and_are_played_by_a_click(window, deskto
     QTest.mouseClick(timeline, LEFT, Qt.KeyboardModifier.NoModifier, middle_of(window, lane, syllable))
     qtbot.waitUntil(lambda: bool(told))
     assert told[0].startswith("so so.so, original recording")
-    window.talk.play.click()
+    press(window, Qt.Key.Key_Space)
     assert original.face is None
 
 
@@ -395,7 +399,7 @@ def test_units_are_played_by_a_click_in_german_too(window, desktop, qtbot, qapp,
     try:
         performed(window, desktop, table, qtbot)
         lane = lane_named(window, "Einheiten")
-        QTest.mouseClick(panel(window).lanes.lanes, LEFT, pos=middle_of(window, lane, 0))
+        QTest.mouseClick(window.talk.lanes.line, LEFT, pos=middle_of(window, lane, 0))
         qtbot.waitUntil(lambda: bool(told))
     finally:
         use_language(qapp, "en")

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, HeldLine
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.file_painter import FilePainter
-from phonemeanalyser.desktop.analyse.lanes.label_editor import LabelEditor
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
@@ -20,6 +19,7 @@ from phonemeanalyser.desktop.session.label_tiers import Boundary, ChosenLabel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane
 from phonemeengine.arrays import UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     choice,
     column,
-    fill_columns,
+    fill_rows,
     grid,
     heading,
     label,
@@ -108,7 +108,7 @@ class ExpressionPanel(QWidget):
 
     def _lay_out(self, theme: Theme) -> None:
         shares = grid(across=5, down=3)
-        fill_columns(
+        fill_rows(
             shares,
             [(label(tr(name).capitalize()), self.sliders[name], self._percents[name]) for name in self.sliders],
         )
@@ -153,7 +153,7 @@ class ExpressionPanel(QWidget):
         for name, share in self._model.shares.items():
             with silent(self.sliders[name]):
                 self.sliders[name].setValue(round(100 * share))
-            self._percents[name].setText(f"{100 * share:.0f} %" if share else "")
+            self._percents[name].setText(f"{100 * share:.0f} %")
         with silent(self.priority):
             self.priority.setValue(round(100 * self._model.priority))
         self.neutral.setEnabled(any(self._model.shares.values()))

@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     choice,
     column,
-    fill_columns,
+    fill_rows,
     grid,
     heading,
     label,
@@ -121,7 +121,7 @@ class VisemePanel(QWidget):
         self.buttons, self.sliders, self._percents = {}, {}, {}
         keys = keys_of(table)
         rows = [self._row_of(shape, keys.get(shape, "")) for shape in table.shapes]
-        fill_columns(grid(body, across=5, down=3), rows)
+        fill_rows(grid(body, across=8, down=3), rows)
 
     def _row_of(self, shape: str, keys: str) -> tuple[QWidget, QWidget, QWidget]:
         talking = self._talking
@@ -144,7 +144,7 @@ class VisemePanel(QWidget):
             with silent(self.sliders[shape]):
                 self.sliders[shape].setValue(round(100 * share))
             self.buttons[shape].setDown(shape == visemes.held)
-            self._percents[shape].setText(f"{100 * share:.0f} %" if share else "")
+            self._percents[shape].setText(f"{100 * share:.0f} %")
         self.leave.setEnabled(any(visemes.shares.values()))
 
 

@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.session.export_kinds import TextToSay
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind, SpokenSource
-from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
 from phonemeanalyser.desktop.talk.drivers.original_model import OriginalModel
 from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound
@@ -26,6 +26,7 @@ from phonemeanalyser.desktop.talk.words.scripts import (
 )
 from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords, fits_badly
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
+from phonemeanalyser.desktop.talk.words.word_edits import WordEdits
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.dsp.waveform_peaks import Peaks, WaveformPeaks
@@ -33,7 +34,7 @@ from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress
 from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord
-from phonemeengine.labels.utterance import LabelUnit, Utterance, with_boundary
+from phonemeengine.labels.utterance import Utterance
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.performance.driver import UsedUnit
@@ -79,6 +80,8 @@ class TextModel(QObject):
     drivers : by what the mouth moves.
     original : plays what a unit of a recorded face is from.
     words : of the current sound file.
+    edits : changes them, and goes from one to another.
+    speech_view : which seconds are seen of what a voice speaks.
     known : what is said in the current sound; None where that is not known.
     text : the script of the current sound, or what is to be spoken.
     language : of the text; empty where none is chosen.
@@ -109,6 +112,8 @@ class TextModel(QObject):
         self.drivers = drivers or DriverModel()
         self.original = OriginalModel(session)
         self.words = SoundWords(session.preset.undo_stack)
+        self.edits = WordEdits(session, self.words)
+        self.speech_view = TimeView()
         self.known: Transcript | None = None
         self.text = self.language = ""
         self.lexicon_path: Path | None = None
@@ -131,6 +136,7 @@ class TextModel(QObject):
         self.original.error.connect(self.error)
         self.drivers.info.connect(self.info)
         self.words.changed.connect(self._take_words)
+        self.edits.error.connect(self.error)
         session.say = self.say
 
     # -- what is known ------------------------------------------------------------------------------------
@@ -141,6 +147,11 @@ class TextModel(QObject):
         if self.editable:
             return self.words.utterance
         return None if self._speech is None else self._speech.utterance
+
+    @property
+    def view(self) -> TimeView:
+        """Which seconds of the current sound are seen."""
+        return self._session.view if self.editable else self.speech_view
 
     def outline_in(self, seen: TimeSpan, n_columns: int) -> Peaks | None:
         """Return the waveform of a part of the current sound, a point for each column, as far as it is known."""
@@ -240,8 +251,13 @@ class TextModel(QObject):
 
     # -- what is done -------------------------------------------------------------------------------------
 
-    def align(self) -> None:
-        """Find the words of the text in the current sound, in the background; or end that."""
+    def align(self, *, accepted: bool = False) -> None:
+        """Find the words of the text in the current sound, in the background; or end that.
+
+        Parameters
+        ----------
+        accepted : whether that is done even where another text seems to be said.
+        """
         session, sound = self._session, self._session.source.path
         if self.busy:
             self._work.cancel()
@@ -257,15 +273,18 @@ class TextModel(QObject):
                     self.language,
                     self._lexicon,
                     self.literal,
-                    timed=self._timed if self.text == self._timed_text else (),
+                    accepted,
+                    self._timed if self.text == self._timed_text else (),
                 )
             )
 
     def align_anyway(self) -> None:
-        """Find the words of the text that was refused in its sound, since the user knows that they are said."""
+        """Find the words of the text in the sound, though another one seems to be said; of what was refused first."""
         if self.refused is not None and not self.busy:
             self.error.emit("")
             self._align(replace(self.refused, accepted=True))
+        elif not self.busy:
+            self.align(accepted=True)
 
     def say(self) -> None:
         """Have the voice speak the text, as soon as it can."""
@@ -300,33 +319,18 @@ class TextModel(QObject):
         self.info.emit(tr("Saved words and phones as {path}.").format(path=path))
         return True
 
-    def move_boundary(self, unit: LabelUnit, boundary: int, seconds: float) -> None:
-        """Move a boundary; see `with_boundary`."""
-        if self.utterance is None or not self.editable:
-            return
-        try:
-            moved = with_boundary(self.utterance, unit, boundary, seconds)
-        except CorpusError as error:
-            self.error.emit(str(error))
-            self.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
-        else:
-            self.words.edit(moved, tr("move of a boundary ({unit})").format(unit=tr(unit.value)), by_hand=True)
-
     def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
         """Play what a unit of the face was taken from, or the whole recording."""
         table = self.drivers.performance.table
         if table is not None:
             self.original.play(table, unit, whole=whole)
 
-    def play(self, start: float, end: float) -> None:
-        """Play a segment of the current sound, in seconds; it stands at the segment's beginning afterwards."""
-        self._session.play_stretch(TimeSpan(start, end))
-
     def follow_sound(self) -> None:
         """Look what is known of the current sound, since another one is open now."""
         session = self._session
         if session.source.kind is not SourceKind.TEXT:
             self._speech = None
+            self.speech_view.open(0.0)
         if self.editable and not self.words.is_of(session.path, session.source.duration):
             another = session.path != self.words.sound
             self.refused = None
@@ -372,7 +376,7 @@ class TextModel(QObject):
         if not self.text.strip():
             self.error.emit(tr("There is no text; type it into the field below the head."))
         elif not self._language_of_text and not (by_voice and self.voice.choice.by_program):
-            self.error.emit(tr("The language isn’t set, and it isn’t detected; choose it below the text."))
+            self.error.emit(tr("The language isn’t set, and it isn’t detected; choose it beside the text."))
         else:
             self.error.emit("")  # what was wrong before is right now
             return True
@@ -393,7 +397,7 @@ class TextModel(QObject):
             self.speaker = ""
         self.speakers, self._script = found.speakers, found.script
         if len(found.speakers) > 1 and not self.speaker:
-            self.info.emit(tr("These labels have several speakers; choose one below the text."))
+            self.info.emit(tr("These labels have several speakers; choose one beside the text."))
         if found.text:
             self._timed, self._timed_text = found.timed, found.text
             self.set_text(found.text)
@@ -446,6 +450,7 @@ class TextModel(QObject):
 
     def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:
         session, self._speech = self._session, speech
+        self.speech_view.open(0.0)
 
         def speak_again() -> SpooledSpeech:
             return SpooledSpeech(self.tools.speak(text, speech.language, voice))
@@ -459,6 +464,7 @@ class TextModel(QObject):
         if speech is not None:
             before = speech.utterance
             if speech.follow(self._session.source.position):
+                self.speech_view.grow(0.0 if speech.utterance is None else speech.utterance.duration)
                 self._tell(grown=before is not None)
 
     def _take_words(self) -> None:

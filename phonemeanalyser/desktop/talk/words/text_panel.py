@@ -1,15 +1,13 @@
-"""The text below the head: what is said in the current sound, or what a voice is to say."""
+"""The script below the head: what is said in the current sound, or what a voice is to say."""
 
-from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QTextCursor
+from PySide6.QtCore import QSize, Signal
+from PySide6.QtGui import QTextCursor
 from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
-from phonemeanalyser.desktop.talk.words.words_view import WordsTimeline
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     choice,
@@ -20,10 +18,11 @@ from phonemeanalyser.desktop.widgets.builders import (
     show_removable,
     silent,
     spoken_button,
+    tool_button,
 )
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
-N_LINES = 2
+N_LINES = 4
 NARROWEST = 90
 """Of the choice of a language, pixels, where the window is small."""
 NO_LANGUAGE = tr_noop("Choose language…")
@@ -39,35 +38,19 @@ NOTATION = tr_noop(
 LEXICON = tr_noop(
     "Load a file with the pronunciation of words; other words are pronounced by the rules of the language"
 )
-EDITABLE = tr_noop(
-    "Click a word to play it, drag a boundary to move it; the wheel zooms at the pointer, dragging scrolls"
-)
-FIXED = tr_noop(
-    "Click a word to play it; the wheel zooms at the pointer, dragging scrolls. The voice sets the "
-    "boundaries: to move them, save the spoken text and open that file"
-)
 
 
 class TextField(QPlainTextEdit):
-    """A text of some lines; Tab goes on to the next control.
-
-    Signals
-    -------
-    say_asked, align_asked : by Ctrl+Return, and with Shift.
-    """
-
-    say_asked = Signal()
-    align_asked = Signal()
+    """A text of some lines; Tab goes on to the next control."""
 
     def __init__(self) -> None:
         super().__init__()
         self.setTabChangesFocus(True)
         self.setPlaceholderText(tr(INVITATION))
         self.setAccessibleName(tr("Text"))
-        self.setFixedHeight(self.sizeHint().height())
 
     def sizeHint(self) -> QSize:
-        """Ask for two lines."""
+        """Ask for four lines."""
         edges = 2 * (self.frameWidth() + round(self.document().documentMargin()))
         return QSize(200, N_LINES * self.fontMetrics().lineSpacing() + edges + 2)
 
@@ -81,23 +64,17 @@ class TextField(QPlainTextEdit):
         cursor.select(QTextCursor.SelectionType.Document)
         cursor.insertText(text)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Take the keys that say or align the text."""
-        control = event.modifiers() & Qt.KeyboardModifier.ControlModifier
-        if not (control and event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}):
-            super().keyPressEvent(event)
-        elif event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
-            self.align_asked.emit()
-        else:
-            self.say_asked.emit()
-
 
 class TextPanel(QWidget):
-    """The text, its language and lexicon, what is done with it, and the lanes of what is said.
+    """The text, and beside it its language, voice and lexicon, and the button that does what it is there for.
 
     Signals
     -------
     script_asked, lexicon_asked : the user wants to choose a script, or a lexicon.
+
+    Attributes
+    ----------
+    act : aligns the text with the recording that is open; without one it has the text said.
     """
 
     script_asked = Signal()
@@ -124,55 +101,55 @@ class TextPanel(QWidget):
             ),
         )
         self.literal = named(QCheckBox(tr("Literal")), tip=tr(NOTATION))
-        self.align = spoken_button(tr("Align"), tr("Find the words of the text in the recording (Ctrl+Shift+Return)"))
+        self.act = tool_button("")
+        self.act.setStyleSheet(
+            f"QToolButton {{ color: {theme.on_colour}; background: {theme.accent}; border: 1px solid {theme.accent};"
+            " border-radius: 4px; padding: 4px 14px; font-weight: bold }"
+            f"QToolButton:focus {{ border-color: {theme.text} }}"
+            f"QToolButton:disabled {{ color: {theme.faint}; background: {theme.raised}; border-color: {theme.line} }}"
+        )
         self.anyway = spoken_button(
             tr("Align anyway"), tr("Align the text, though it doesn’t seem to match the recording")
         )
         self.refusal = ElidedLabel(tr("The recording doesn’t match this text."))
-        self.say = spoken_button(
-            tr("Speak"), tr("Speak the text with a synthetic voice (Ctrl+Return); Escape stops it")
-        )
         self.state = ElidedLabel()
-        self.lanes = WordsTimeline(self._texts, theme)
-        self.whole = spoken_button(tr("Fit all"), tr("Zoom to the whole length"), self.lanes.show_whole)
         self._lay_out()
         self._connect()
         self._show_state()
         self._texts.voice.wake()
         self._texts.drivers.performance.wake()
 
-    def refresh(self) -> None:
-        """Show where the sound is."""
-        self.lanes.show_position(self._talking.session.source.position)
-
     def _lay_out(self) -> None:
-        column(
-            self.field,
-            row(self.script, self.speaker, self.language, self.lexicon, self.literal, 1, spacing=6),
-            row(self.voice, self.align, self.say, (self.state, 1), self.whole, spacing=6),
-            row(self.anyway, (self.refusal, 1), spacing=6),
-            self.lanes,
-            on=self,
+        written = column(self.field, row(self.anyway, (self.refusal, 1), spacing=6), spacing=4)
+        beside = column(
+            row(self.language, self.speaker, 1, spacing=6),
+            row(self.voice, self.script, self.lexicon, 1, spacing=6),
+            row(self.literal, 1, spacing=6),
+            row(self.act, (self.state, 1), spacing=6),
+            1,
             spacing=4,
         )
+        row((written, 1), beside, on=self, margins=(8, 4, 8, 4), spacing=8)
 
     def _connect(self) -> None:
         texts, session = self._texts, self._talking.session
         self.field.textChanged.connect(lambda: texts.set_text(self.field.toPlainText()))
-        self.field.say_asked.connect(texts.say)
-        self.field.align_asked.connect(texts.align)
         self.script.clicked.connect(lambda _checked: self.script_asked.emit())
         self.speaker.textActivated.connect(self._choose_speaker)
         self.language.activated.connect(lambda k: texts.set_language(self.language.itemData(k)))
         self.lexicon.clicked.connect(lambda _checked: self._choose_lexicon())
         self.literal.clicked.connect(texts.set_literal)
-        self.align.clicked.connect(lambda _checked: texts.align())
+        self.act.clicked.connect(lambda _checked: texts.align() if self._aligns else texts.say())
         self.anyway.clicked.connect(lambda _checked: texts.align_anyway())
-        self.say.clicked.connect(lambda _checked: texts.say())
         texts.changed.connect(self._show_state)
         texts.voice.changed.connect(self._show_state)
         session.transport_changed.connect(self._show_state)
-        session.whole.changed.connect(self.lanes.lanes.update)
+        session.opened.connect(self._show_state)
+
+    @property
+    def _aligns(self) -> bool:
+        """Whether there is a recording to align the text with."""
+        return self._talking.session.source.path is not None
 
     def _choose_speaker(self, name: str) -> None:
         if name in self._texts.speakers:
@@ -193,17 +170,23 @@ class TextPanel(QWidget):
         self._show_speakers()
         self._show_languages()
         self._show_lexicon()
-        self.align.setText(tr("Cancel") if texts.busy else tr("Align"))
-        self.align.setEnabled(self._talking.session.source.kind is SourceKind.FILE)
+        self._show_act()
         for part in (self.anyway, self.refusal):
             part.setVisible(texts.refused is not None and not texts.busy)
         self.literal.setChecked(texts.literal)
         lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
         self.state.setText(texts.progress or lack)
         self.state.setToolTip(self.state.text())
-        self.lanes.setVisible(texts.utterance is not None)
-        self.whole.setVisible(texts.utterance is not None)
-        self.lanes.setToolTip(tr(EDITABLE if texts.editable else FIXED))
+
+    def _show_act(self) -> None:
+        """Show what the button does now; while that goes on, it ends it."""
+        name, tip = tr("Say"), tr("Speak the text with a synthetic voice (Ctrl+Return); Escape stops it")
+        if self._aligns:
+            name, tip = tr("Align"), tr("Find the words of the text in the recording (Ctrl+Shift+Return)")
+        if self._aligns and self._texts.busy:
+            name, tip = tr("Cancel"), tr("Stop aligning")
+        self.act.setText(name)
+        named(self.act, tip, tip)
 
     def _show_speakers(self) -> None:
         speakers = self._texts.speakers

@@ -1,0 +1,312 @@
+"""The time line below the head: the waveform, what is said when, and the time; words are played and moved there."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QHelpEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+    QPixmap,
+    QResizeEvent,
+    QWheelEvent,
+)
+from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+
+from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.painting import CENTRED, draw_text
+from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
+from phonemeanalyser.desktop.talk.model import TalkModel
+from phonemeanalyser.desktop.talk.words.spoken_lanes import NAMES, PERFORMED, in_a_row, lane_of_units, lanes_of
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.lanes import (
+    GRAB,
+    TIME_HEIGHT,
+    BoundaryDrag,
+    Lane,
+    TimeAxis,
+    paint_lane,
+    paint_name,
+    paint_times,
+    paint_wave,
+)
+from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeengine.labels.utterance import LabelUnit
+from phonemeengine.performance.driver import UsedUnit
+
+LEFT, GAP, HEIGHT = 66, 1, 20
+"""Pixels of the names at the left, between lanes, and of a lane."""
+LEAST_WAVE = 24
+"""Pixels of the waveform at least; it takes what the lanes leave."""
+UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
+WHEEL_STEP = 0.8
+"""How much less is seen after a notch of the wheel."""
+CLICK = 3
+"""Pixels by which a press may move and still be a click."""
+EDITABLE = tr_noop(
+    "Click a word to play it, drag a boundary to move it. Left, Right: one picture. Up, Down or the wheel: zoom. "
+    "Drag: scroll."
+)
+FIXED = tr_noop(
+    "Click a word to play it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll. The voice sets "
+    "the boundaries: to move them, save the spoken text and open that file."
+)
+NOTHING = tr_noop("Open a recording with Ctrl+O, or write a text above and press Say")
+
+
+class SpeechTimeline(QWidget):
+    """Paints waveform, lanes and times of the current sound, as much of it as the page Analyse shows.
+
+    A click plays a word, a syllable or a phone, or what a unit of a recorded face was taken from, and a double click
+    all of its recording; elsewhere it goes to that time. A boundary can be dragged. Left and Right go one picture.
+
+    Attributes
+    ----------
+    lanes : what is said when, from above.
+    menu : copies and saves what is painted.
+    """
+
+    def __init__(self, talking: TalkModel, theme: Theme) -> None:
+        super().__init__()
+        self._talking, self._texts, self._session = talking, talking.text, talking.session
+        self._theme = theme
+        self.lanes: tuple[Lane, ...] = ()
+        self._units: list[UsedUnit] = []
+        self._shown: tuple[object, ...] = ()
+        self._picture: QPixmap | None = None
+        self._playhead = 0.0
+        self._drag = BoundaryDrag()
+        self._pressed: tuple[QPointF, TimeSpan] | None = None
+        self.menu = PlotMenu(self, "what is said", lambda _at: table_of(self._columns()))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setMouseTracking(True)
+        self.setAccessibleName(tr("Time line: words and phones over time"))
+        self._texts.changed.connect(self.show_words)
+        for signal in (self._session.whole.changed, self._session.view.moved, self._texts.speech_view.moved):
+            signal.connect(self._touch)
+        self._session.opened.connect(self._touch)
+        self.show_words()
+
+    def show_words(self) -> None:
+        """Show what is known now."""
+        texts = self._texts
+        letters, units = texts.drivers.letters, texts.drivers.performance.units
+        known = (texts.utterance, letters, units, texts.editable)
+        if not self._shown or any(one is not other for one, other in zip(known, self._shown, strict=True)):
+            self._shown = known
+            self._drag.release()
+            self.setToolTip(tr(EDITABLE if texts.editable else FIXED))
+            lanes = [Lane(tr(name)) for name in NAMES]
+            if texts.utterance is not None:
+                lanes = lanes_of(texts.utterance, letters, movable=texts.editable)
+            self._units = in_a_row(units)
+            self.lanes = (*lanes, *([lane_of_units(self._units)] if units else ()))
+            self.setMinimumHeight(LEAST_WAVE + len(self.lanes) * (HEIGHT + GAP) + TIME_HEIGHT + 2 * GAP)
+        self._touch()
+
+    def refresh(self) -> None:
+        """Go along with what is playing."""
+        position = self._session.source.position
+        if self._session.source.playing:
+            self.view.follow(position)
+        if position != self._playhead:
+            self._playhead = position
+            self.update()
+
+    @property
+    def view(self) -> TimeView:
+        """Which seconds are seen."""
+        return self._texts.view
+
+    @property
+    def axis(self) -> TimeAxis:
+        """Where times lie."""
+        seen = self.view.seen
+        return TimeAxis(LEFT, max(1, self.width() - LEFT), seen.start, max(seen.seconds, 1e-9))
+
+    def x_of(self, seconds: float) -> float:
+        """Return the pixel of a time."""
+        return self.axis.x_of(seconds)
+
+    def rows(self) -> list[tuple[QRectF, Lane]]:
+        """Return where the lanes lie."""
+        top = self._wave_row().bottom() + GAP
+        width = max(1, self.width() - LEFT)
+        return [(QRectF(LEFT, top + k * (HEIGHT + GAP), width, HEIGHT), lane) for k, lane in enumerate(self.lanes)]
+
+    def _wave_row(self) -> QRectF:
+        height = self.height() - len(self.lanes) * (HEIGHT + GAP) - TIME_HEIGHT - 2 * GAP
+        return QRectF(LEFT, 0, max(1, self.width() - LEFT), max(LEAST_WAVE, height))
+
+    # -- painting -----------------------------------------------------------------------------------------
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Paint what stands still, which is drawn once, and on it the playhead and the boundary in the hand."""
+        painter = QPainter(self)
+        if self._picture is None:
+            self._picture = self._drawn()
+        painter.drawPixmap(0, 0, self._picture)
+        if self.view.duration <= 0:
+            return
+        bottom = self.height() - TIME_HEIGHT
+        x = self.x_of(self._playhead)
+        if LEFT <= x <= self.width():
+            painter.fillRect(QRectF(x - 0.5, 0, 1.5, bottom), QColor(self._theme.accent))
+        if self._drag.held is not None:
+            row = self.rows()[self._drag.held.lane][0]
+            held = QRectF(self.x_of(self._drag.held.seconds) - 1, row.top() - 2, 2, row.height() + 4)
+            painter.fillRect(held, QColor(self._theme.text))
+
+    def _drawn(self) -> QPixmap:
+        scale = self.devicePixelRatioF()
+        picture = QPixmap(self.size() * scale)
+        picture.setDevicePixelRatio(scale)
+        picture.fill(QColor(self._theme.base))
+        painter = QPainter(picture)
+        painter.setFont(self.font())
+        try:
+            self._paint(painter)
+        finally:
+            painter.end()  # whatever went wrong: Qt crashes where two paint one picture
+        return picture
+
+    def _paint(self, painter: QPainter) -> None:
+        if self.view.duration <= 0:
+            draw_text(painter, QRectF(self.rect()), tr(NOTHING), self._theme.faint, 13, CENTRED)
+            return
+        axis = self.axis
+        peaks = self._texts.outline_in(TimeSpan(axis.start, axis.end), round(axis.width))
+        if peaks is not None:
+            paint_wave(painter, self._wave_row(), peaks, self._theme)
+        for row, lane in self.rows():
+            paint_name(painter, row, lane.name, self._theme)
+            paint_lane(painter, row, lane, axis, self._theme)
+        paint_times(painter, self.height() - TIME_HEIGHT, axis, self._theme, self.width())
+
+    def _touch(self) -> None:
+        self._picture = None
+        self.update()
+
+    # -- the user's hand ----------------------------------------------------------------------------------
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Draw anew."""
+        super().resizeEvent(event)
+        self._touch()
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Zoom at the pointer; with Shift, or a sideways wheel, scroll."""
+        turned = event.angleDelta()
+        if turned.x() or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.view.scroll(-(turned.x() or turned.y()) / 1200 * self.view.seen.seconds)
+        else:
+            self.view.zoom(self.axis.time_at(event.position().x()), WHEEL_STEP ** (turned.y() / 120))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Take a boundary in the hand, else what is seen, to scroll it."""
+        place = event.position()
+        if event.button() != Qt.MouseButton.LeftButton or place.x() < LEFT - GRAB:
+            return
+        if self._drag.press(self.rows(), self.axis, place, self.view.duration) is None:
+            self._pressed = place, self.view.seen
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Drag the boundary or what is seen along; show which boundaries can be dragged."""
+        place = event.position()
+        if self._drag.move(self.axis.time_at(place.x())) is not None:
+            self.update()
+        elif self._pressed is not None:
+            before, moved = self._pressed[1], place.x() - self._pressed[0].x()
+            if abs(moved) > CLICK:
+                start = before.start - moved / self.axis.width * before.seconds
+                self.view.show(TimeSpan(start, start + before.seconds))
+        else:
+            over = self._drag.boundary_at(self.rows(), self.axis, place)
+            self.setCursor(Qt.CursorShape.ArrowCursor if over is None else Qt.CursorShape.SplitHCursor)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """Let the boundary go; it has moved, unless it is where it was. Else go to what was clicked."""
+        if event.button() != Qt.MouseButton.LeftButton:
+            return
+        moved, pressed, self._pressed = self._drag.release(), self._pressed, None
+        self.update()
+        if moved is not None:
+            self._texts.edits.move_boundary(UNITS[moved.lane], moved.boundary, moved.seconds)
+        elif pressed is not None and abs(event.position().x() - pressed[0].x()) <= CLICK:
+            self._go_to(event.position())
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Play the whole recording that a unit is from."""
+        found = self._span_at(event.position())
+        if found is not None and self._is_of_units(found[0]):
+            self._texts.play_original(self._units[found[1]], whole=True)
+
+    def _go_to(self, place: QPointF) -> None:
+        """Play what lies at a pixel; where nothing does, go to that time."""
+        found = self._span_at(place)
+        if found is None:
+            self._session.seek(min(max(self.axis.time_at(place.x()), 0.0), self.view.duration))
+        elif self._is_of_units(found[0]):
+            self._texts.play_original(self._units[found[1]])
+        else:
+            lane = self.lanes[found[0]]
+            self._texts.edits.play(float(lane.starts[found[1]]), float(lane.ends[found[1]]))
+
+    def _is_of_units(self, number: int) -> bool:
+        return self.lanes[number].name == tr(PERFORMED)
+
+    def _span_at(self, place: QPointF) -> tuple[int, int] | None:
+        """Return lane and number of the span at a pixel; None where there is none."""
+        for number, (row, lane) in enumerate(self.rows()):
+            if row.contains(place):
+                span = lane.span_at(self.axis.time_at(place.x()))
+                return None if span is None else (number, span)
+        return None
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go one picture, or zoom."""
+        seen = self.view.seen
+        middle = (seen.start + seen.end) / 2
+        acts: dict[Qt.Key, Callable[[], Any]] = {
+            Qt.Key.Key_Left: lambda: self._talking.step_picture(-1),
+            Qt.Key.Key_Right: lambda: self._talking.step_picture(1),
+            Qt.Key.Key_Up: lambda: self.view.zoom(middle, WHEEL_STEP),
+            Qt.Key.Key_Down: lambda: self.view.zoom(middle, 1 / WHEEL_STEP),
+        }
+        act = None if event.modifiers() else acts.get(Qt.Key(event.key()))
+        if act is None:
+            super().keyPressEvent(event)
+        else:
+            act()
+
+    def event(self, event: QEvent) -> bool:
+        """Tell of the span under the mouse what there is to tell."""
+        if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
+            found = self._span_at(QPointF(event.pos()))
+            tips = () if found is None else self.lanes[found[0]].tips
+            if found is not None and tips:
+                QToolTip.showText(event.globalPos(), tips[found[1]], self)
+                return True
+        return super().event(event)
+
+    def leaveEvent(self, _event: QEvent) -> None:
+        """Show the usual cursor elsewhere."""
+        self.unsetCursor()
+
+    def _columns(self) -> dict[str, Sequence[object]]:
+        """Return the phones as columns, each under its name and unit."""
+        utterance = self._texts.utterance
+        rows = [(word, phone) for word in (utterance.words if utterance else ()) for phone in word.phones]
+        return {
+            "start (s)": [phone.start for _, phone in rows],
+            "end (s)": [phone.end for _, phone in rows],
+            "word": [word.text for word, _ in rows],
+            "phone": [phone.ipa for _, phone in rows],
+            "phoneme": [phone.phoneme.label for _, phone in rows],
+            "score": ["" if phone.score is None else phone.score for _, phone in rows],
+        }
