@@ -27,7 +27,7 @@ from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 OWN = "head"
 """What is named instead of a file, for the head that ships with the program."""
 EPILOG = (
-    "Formats: .3dm, .3dma (text), .glb; meshes: .obj, .gltf, .glb, .x, or the word head for the program's own. "
+    "Formats: .3dm, .3dma (text), .glb; meshes: .obj, .gltf, .glb, .vrm, .x, or the word head for the program's own. "
     "For each, movestates WHAT --help."
 )
 

@@ -5,7 +5,8 @@ seen from outside.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -21,12 +22,56 @@ FARTHEST = 1e9
 GREY = (0.8, 0.8, 0.8)
 
 
+class AlphaMode(StrEnum):
+    """How a surface uses the alpha of its colour, as glTF names it."""
+
+    OPAQUE = "OPAQUE"
+    MASK = "MASK"
+    BLEND = "BLEND"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Texture(ShortRepr):
+    """A picture on a surface, as it stands in the file.
+
+    Attributes
+    ----------
+    name : of the picture, may be empty.
+    content : the bytes of a PNG or JPEG file, sRGB.
+    width, height : pixels.
+    """
+
+    name: str
+    content: bytes = field(repr=False)
+    width: int
+    height: int
+
+
 @dataclass(frozen=True)
 class Material:
-    """What some triangles are made of: a name, and a colour as red, green, blue in 0..1 (sRGB)."""
+    """What some triangles are made of, after the metallic-roughness model of glTF.
+
+    Attributes
+    ----------
+    name : what it is called.
+    colour : red, green, blue in 0..1 (sRGB); times the texture, where there is one.
+    alpha : 0..1; times that of the texture.
+    texture : the base colour, looked up by `Mesh.uvs`; None where `colour` is all.
+    metallic, roughness : 0..1.
+    alpha_mode : whether alpha is ignored, cut off below `alpha_cutoff`, or blended.
+    alpha_cutoff : 0..1.
+    two_sided : whether the surface is seen from behind, too.
+    """
 
     name: str
     colour: tuple[float, float, float] = GREY
+    alpha: float = 1.0
+    texture: Texture | None = None
+    metallic: float = 0.0
+    roughness: float = 0.7
+    alpha_mode: AlphaMode = AlphaMode.OPAQUE
+    alpha_cutoff: float = 0.5
+    two_sided: bool = False
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -42,6 +87,8 @@ class Mesh(ShortRepr):
     colours : float32, shape (n_vertices, 3), red, green, blue in 0..1 (sRGB).
     materials : what the triangles are made of, may be empty.
     material_of : uint16, shape (n_triangles,), the place of each triangle's material in `materials`.
+    uvs : float32, shape (n_vertices, 2), where each vertex is in the textures, from their upper left corner, 1 for
+        their whole width or height; zeros where there are no textures.
     """
 
     name: str
@@ -51,6 +98,7 @@ class Mesh(ShortRepr):
     colours: Float32Array
     materials: tuple[Material, ...]
     material_of: NDArray[np.uint16]
+    uvs: Float32Array
 
     def __len__(self) -> int:
         return len(self.positions)
@@ -114,6 +162,7 @@ def mesh_of(
     colours: Float32Array | None = None,
     materials: Sequence[Material] = (),
     material_of: ArrayLike | None = None,
+    uvs: Float32Array | None = None,
 ) -> Mesh:
     """Make a mesh of its parts.
 
@@ -123,6 +172,7 @@ def mesh_of(
     triangles : shape (n_triangles, 3), vertex numbers.
     normals : shape (n_vertices, 3) of any length; computed where they are missing or zero.
     colours : shape (n_vertices, 3); those of the materials where they are missing.
+    uvs : shape (n_vertices, 2), places in the textures.
 
     Raises
     ------
@@ -145,10 +195,11 @@ def mesh_of(
         _unit_normals(points, corners, normals),
         _colours(colours),
         kinds,
+        np.zeros((len(points), 2), np.float32) if uvs is None else np.nan_to_num(uvs).astype(np.float32),
     )
     for array in arrays:
         array.setflags(write=False)
-    return Mesh(name, *arrays[:4], made, kinds)
+    return Mesh(name, *arrays[:4], made, *arrays[4:])
 
 
 def normals_of(positions: Float32Array, triangles: UInt32Array) -> Float32Array:

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, ShortRepr, UInt32Array
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray, ShortRepr, UInt32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh
+from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh, mesh_of
 from phonemeengine.mouth.movestate import Movestate, movestate_at
 
 MOST_STATES = 1024
@@ -24,10 +24,61 @@ CELL_STEPS = (1.0, 1618.03398875, 2718281.82846)
 
 @dataclass(frozen=True, eq=False, repr=False)
 class MorphMesh(ShortRepr):
-    """A mesh and its movestates."""
+    """A mesh and its movestates.
+
+    Attributes
+    ----------
+    mesh, states : the states move the mesh's vertices.
+    neck : where the head turns on the neck, the head's bone, x, y, z; None where there are no bones.
+    """
 
     mesh: Mesh
     states: tuple[Movestate, ...] = ()
+    neck: tuple[float, float, float] | None = None
+
+
+BELOW, ASIDE = 1.2, 1.4
+"""How far a bust reaches below its neck, and to both sides of it, in heights of the head."""
+
+
+def bust_of(morph_mesh: MorphMesh) -> MorphMesh:
+    """Return head, neck and shoulders of a whole body, with the origin where the head turns on the neck.
+
+    A face without bones, or with no body below it, stays as it is.
+    """
+    mesh, neck = morph_mesh.mesh, morph_mesh.neck
+    if neck is None:
+        return morph_mesh
+    points = mesh.positions - np.array(neck, np.float32)
+    height = float(points[:, 1].max())
+    if height <= 0 or float(points[:, 1].min()) > -2 * BELOW * height:
+        return morph_mesh
+    near = (points[:, 1] > -BELOW * height) & (np.abs(points[:, 0]) < ASIDE * height)
+    kept = near[mesh.triangles].all(axis=1)
+    used = np.zeros(len(mesh), bool)
+    used[mesh.triangles[kept].ravel()] = True
+    if not used.any():
+        return morph_mesh
+    numbers = np.cumsum(used) - 1
+    bust = mesh_of(
+        points[used],
+        numbers[mesh.triangles[kept]],
+        name=mesh.name,
+        normals=mesh.normals[used],
+        colours=mesh.colours[used],
+        materials=mesh.materials,
+        material_of=mesh.material_of[kept],
+        uvs=mesh.uvs[used],
+    )
+    return MorphMesh(bust, tuple(_among(state, used, numbers) for state in morph_mesh.states), (0.0, 0.0, 0.0))
+
+
+def _among(state: Movestate, used: BoolArray, numbers: IndexArray) -> Movestate:
+    """Return what a movestate moves of the vertices that are used, with their new numbers."""
+    kept = used[state.numbers]
+    return movestate_at(
+        state.name, numbers[state.numbers[kept]], state.offsets[kept], interactable=state.interactable
+    )
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -8,7 +8,8 @@ import pygltflib
 import pytest
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.gltf import linear_of, parse_gltf, srgb_of
+from phonemeengine.mouth.files.gltf import parse_gltf
+from phonemeengine.mouth.files.gltf_materials import linear_of, srgb_of
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh, morph_targets_of
@@ -60,7 +61,7 @@ NO_GLTF: dict[str, tuple[Callable[[dict], object], str]] = {
         "changes entry",
     ),
     "too short": (lambda g: g["accessors"][3].update(count=7), "is of shape .7, 3., and there are 8 vertices"),
-    "a loop": (lambda g: g["nodes"][1].update(children=[0]), "below two others"),
+    "a loop": (lambda g: g["nodes"][1].update(children=[0]), "go in a circle"),
     "twice below": (lambda g: g["nodes"][0].update(children=[1, 1]), "below two others"),
     "two scales": (lambda g: g["nodes"][0].update(scale=[1e30] * 2), "'scale' must be 3 numbers"),
     "a huge scale": (lambda g: g["nodes"][0].update(scale=[1e29] * 3), "no finite number"),

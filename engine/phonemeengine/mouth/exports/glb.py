@@ -22,6 +22,8 @@ from phonemeengine.mouth.files.io import MESH_SUFFIXES, files_beside, load_morph
 from phonemeengine.mouth.head import HEAD, load_head
 from phonemeengine.storage.files import printable_name, read_file
 
+BINARY = (".glb", ".vrm")
+"""Endings of files that are GLB as they are."""
 LARGEST_FILE, LARGEST_JSON = 1 << 30, 64 << 20
 """Bytes; scenes with much else in them are welcome."""
 
@@ -43,7 +45,7 @@ class Glb:
         self._name = name
         if not content.startswith(MAGIC):
             raise ExportError(
-                f"{name}: this is no face that can be moved; name a .glb or .gltf (glTF 2.0), .obj or .x"
+                f"{name}: this is no face that can be moved; name a .glb, .vrm or .gltf (glTF 2.0), .obj or .x"
             )
         try:
             text, binary = chunks_of(content)
@@ -105,7 +107,7 @@ def read_face(path: Path) -> Glb:
     try:
         if kind == ".gltf":
             content = packed(read_file(path, LARGEST_FILE, "a face", ExportError), files_beside(path.parent))
-        elif kind in MESH_SUFFIXES and kind != ".glb":
+        elif kind in MESH_SUFFIXES and kind not in BINARY:
             content = _glb_of_mesh(path)
         else:
             content = read_file(path, LARGEST_FILE, "a face", ExportError)

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,19 +22,21 @@ from phonemeengine.mouth.files.gltf_document import (
     whole_of,
     wholes_of,
 )
+from phonemeengine.mouth.files.gltf_materials import materials_of, srgb_of
+from phonemeengine.mouth.files.skin import Skeleton
+from phonemeengine.mouth.files.vrm import expressions_of, faces_back, is_vrm
 from phonemeengine.mouth.mesh import (
     MOST_MATERIALS,
     MOST_TRIANGLES,
     MOST_VERTICES,
     Material,
     mesh_of,
+    summed_at,
 )
 from phonemeengine.mouth.morph_mesh import MOST_STATES, MorphMesh
 from phonemeengine.mouth.movestate import LEAST_MOVE, Movestate, movestate_at
 
 # The scene of a glTF: which meshes it has, where its nodes put them, and what their morph targets are called.
-
-MOST_NODES = 1 << 14
 
 
 def target_names(mesh: Table) -> list[str]:
@@ -51,48 +54,42 @@ def name_of(document: Document) -> str:
     return text_of(meshes[0], "name", "")[:255] if meshes else ""
 
 
-def placed(document: Document) -> Iterator[tuple[int, Float64Array]]:
-    """Return each mesh of the scene and where it is; all meshes where they are if no node has one."""
+class Placed(NamedTuple):
+    """A mesh of the scene.
+
+    Attributes
+    ----------
+    mesh : its place among the meshes.
+    node, skin : the node that has it, and the skin that carries it; None where there is none.
+    """
+
+    mesh: int
+    node: int | None = None
+    skin: int | None = None
+
+
+def placed(document: Document) -> Iterator[Placed]:
+    """Return each mesh of the scene; all meshes, if no node has one."""
     nodes = document.list_of("nodes")
-    if len(nodes) > MOST_NODES:
-        raise MeshError(f"a scene has at most {MOST_NODES} nodes, got {len(nodes)}; export less")
     children = {child for node in nodes for child in wholes_of(node, "children")}
-    waiting = [(place, np.eye(4)) for place in range(len(nodes)) if place not in children]
+    waiting = [place for place in range(len(nodes)) if place not in children]
     scenes = document.list_of("scenes")
     if scenes:
-        scene = document.entry("scenes", document.whole("scene"))
-        waiting = [(place, np.eye(4)) for place in wholes_of(scene, "nodes")]
+        waiting = wholes_of(document.entry("scenes", document.whole("scene")), "nodes")
     seen: set[int] = set()
     found = False
     while waiting:
-        place, above = waiting.pop(0)
+        place = waiting.pop(0)
         if place in seen:
             raise MeshError(f"node {place} of its scene is below two others; export it again")
         seen.add(place)
         node = document.entry("nodes", place)
-        transform = above @ _transform_of(node)
         if "mesh" in node:
             found = True
-            yield whole_of(node, "mesh"), (np.eye(4) if "skin" in node else transform)
-        waiting += [(child, transform) for child in wholes_of(node, "children")]
+            yield Placed(whole_of(node, "mesh"), place, whole_of(node, "skin") if "skin" in node else None)
+        waiting += wholes_of(node, "children")
     if not found:
-        yield from ((place, np.eye(4)) for place in range(len(document.list_of("meshes"))))
-
-
-def _transform_of(node: Table) -> Float64Array:
-    """Return a node's matrix; it is stated by columns, or as scale, rotation (x, y, z, w) and translation."""
-    if "matrix" in node:
-        return np.array(numbers_of(node, "matrix", [0.0] * 16)).reshape(4, 4).T
-    x, y, z, w = numbers_of(node, "rotation", [0.0, 0.0, 0.0, 1.0])
-    made = np.eye(4)
-    made[:3, :3] = [
-        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
-        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
-        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
-    ]
-    made[:3, :3] *= numbers_of(node, "scale", [1.0, 1.0, 1.0])
-    made[:3, 3] = numbers_of(node, "translation", [0.0, 0.0, 0.0])
-    return made
+        yield from map(Placed, range(len(document.list_of("meshes"))))
 
 
 TRIANGLES, STRIP, FAN = 4, 5, 6
@@ -104,39 +101,42 @@ NUMBER = "_VERTEX"
 
 
 def parse_gltf(content: bytes, beside: Beside = lambda _name: None) -> MorphMesh:
-    """Read a .glb or .gltf file: positions, normals, colours, triangles, and morph targets.
+    """Read a .glb, .vrm or .gltf file: positions, normals, colours, materials, triangles, and morph targets.
 
-    The meshes are put where the scene's nodes put them, unless bones carry them. Morph targets of one name in several
-    meshes are one movestate.
+    The meshes are put where the scene's nodes, or the bones of their skins, put them. Morph targets of one name in
+    several meshes are one movestate. The expressions of an avatar are movestates, too, and so are the turns of
+    the bones of jaw and eyes; a name that the face has already stays that of its morph target.
 
     Parameters
     ----------
-    beside : finds the buffers' files that a .gltf names.
+    beside : finds the files of buffers and pictures that a .gltf names.
 
     Raises
     ------
     MeshError : it is no glTF, is compressed, or says something impossible.
     """
     document = Document(content, beside)
-    gathered = _Gathered(document)
+    turn = np.diag([-1.0, 1.0, -1.0, 1.0]) if faces_back(document) else np.eye(4)
+    gathered = _Gathered(document, Skeleton(document, turn), turn, materials_of(document))
     with np.errstate(all="ignore"):  # what overflows is refused as infinite
-        for place, transform in placed(document):
-            table = document.entry("meshes", place)
+        for place in placed(document):
+            table = document.entry("meshes", place.mesh)
             names = target_names(table)
             for primitive in tables_of(table, "primitives"):
-                gathered.add_primitive(primitive, names, transform)
+                gathered.add_primitive(primitive, names, place)
         return gathered.morph_mesh(name_of(document))
 
 
-def linear_of(colours: Float32Array) -> Float32Array:
-    """Turn sRGB colours into the linear ones that glTF has (IEC 61966-2-1)."""
-    return np.where(colours <= 0.04045, colours / 12.92, ((colours + 0.055) / 1.055) ** 2.4).astype(np.float32)
+def parse_vrm(content: bytes) -> MorphMesh:
+    """Read an avatar; see `parse_gltf`.
 
-
-def srgb_of(colours: Float32Array) -> Float32Array:
-    """Turn linear colours into sRGB (IEC 61966-2-1)."""
-    bounded = np.clip(np.nan_to_num(colours), 0, 1)
-    return np.where(bounded <= 0.0031308, bounded * 12.92, 1.055 * bounded ** (1 / 2.4) - 0.055).astype(np.float32)
+    Raises
+    ------
+    MeshError : it is no VRM, or none that can be used.
+    """
+    if not is_vrm(Document(content, lambda _name: None)):
+        raise MeshError("this is no VRM, it tells of no bones and expressions; rename it to .glb, or choose another")
+    return parse_gltf(content)
 
 
 @dataclass
@@ -144,32 +144,41 @@ class _Gathered:
     """What the primitives that were read so far make together."""
 
     document: Document
+    skeleton: Skeleton
+    turn: Float64Array
+    materials: list[Material]
     points: list[Float32Array] = field(default_factory=list)
     normals: list[Float32Array] = field(default_factory=list)
     colours: list[Float32Array] = field(default_factory=list)
+    uvs: list[Float32Array] = field(default_factory=list)
+    shares: list[dict[str, Float32Array]] = field(default_factory=list)
     triangles: list[UInt32Array] = field(default_factory=list)
     kinds: list[NDArray[np.uint16]] = field(default_factory=list)
     numbers: list[Int64Array] = field(default_factory=list)
     moved: dict[str, list[Movestate]] = field(default_factory=dict)
+    targets: dict[tuple[int, int], list[Movestate]] = field(default_factory=dict)
     n: int = 0
     n_triangles: int = 0
     n_offsets: int = 0
     n_primitives: int = 0
 
-    def add_primitive(self, primitive: Table, names: list[str], transform: Float64Array) -> None:
+    def add_primitive(self, primitive: Table, names: list[str], place: Placed) -> None:
         attributes, targets = table_of(primitive, "attributes"), tables_of(primitive, "targets")
         n = self._count(attributes, len(targets))
         if not n:
             return
-        points = self._vectors(attributes, "POSITION", n)
-        self.points.append((points @ transform[:3, :3].T + transform[:3, 3]).astype(np.float32))
+        transform, shares = self._where(place, attributes, n)
+        self.points.append(_moved(self._vectors(attributes, "POSITION", n), transform))
+        self.shares.append(shares)
         self.normals.append(self._normals(attributes, n, transform))
         self.colours.append(self._colours(attributes, primitive, n))
+        self.uvs.append(self._uvs(attributes, primitive, n))
         self._push_triangles(primitive, n)
         self._push_numbers(attributes, n)
-        for place, target in enumerate(targets):
-            name = names[place] if place < len(names) else f"target_{place}"
-            self._push_target(name, target, n, transform)
+        for number, target in enumerate(targets):
+            name = names[number] if number < len(names) else f"target_{number}"
+            parts = self._push_target(name, target, n, transform)
+            self.targets.setdefault((place.mesh, number), []).extend(parts)
         self.n += n
 
     def morph_mesh(self, name: str) -> MorphMesh:
@@ -182,12 +191,13 @@ class _Gathered:
             name=name,
             normals=np.concatenate(self.normals),
             colours=np.concatenate(self.colours),
-            materials=self._materials(),
-            material_of=np.concatenate([np.empty(0, np.uint16), *self.kinds]),
+            materials=self.materials,
+            material_of=self._material_of(),
+            uvs=np.concatenate(self.uvs),
         )
-        states = tuple(_joined(name, parts) for name, parts in self.moved.items())
+        states = tuple(self._states(mesh.positions))
         if np.array_equal(numbers, np.arange(self.n)):
-            return MorphMesh(mesh, states)
+            return MorphMesh(mesh, states, self.skeleton.neck)
         return _renumbered(MorphMesh(mesh, states), numbers)
 
     def _count(self, attributes: Table, n_targets: int) -> int:
@@ -216,8 +226,8 @@ class _Gathered:
     def _normals(self, attributes: Table, n: int, transform: Float64Array) -> Float32Array:
         if "NORMAL" not in attributes:
             return np.zeros((n, 3), np.float32)
-        cofactors = np.cross(transform[[1, 2, 0], :3], transform[[2, 0, 1], :3])
-        return (self._vectors(attributes, "NORMAL", n) @ cofactors.T).astype(np.float32)
+        cofactors = np.cross(transform[..., [1, 2, 0], :3], transform[..., [2, 0, 1], :3])
+        return _turned(self._vectors(attributes, "NORMAL", n), cofactors)
 
     def _colours(self, attributes: Table, primitive: Table, n: int) -> Float32Array:
         colours = np.ones((n, 3), np.float32)
@@ -235,13 +245,48 @@ class _Gathered:
         colour = numbers_of(table_of(material, "pbrMetallicRoughness"), "baseColorFactor", [1.0] * 4)
         return np.clip(np.array(colour[:3], np.float32), 0, 1)
 
-    def _materials(self) -> list[Material]:
-        materials = self.document.list_of("materials")[:MOST_MATERIALS]
-        made = []
-        for place, table in enumerate(materials):
-            red, green, blue = srgb_of(self._base_colour({"material": place})).tolist()
-            made.append(Material(text_of(table, "name", "")[:255], (red, green, blue)))
-        return made
+    def _uvs(self, attributes: Table, primitive: Table, n: int) -> Float32Array:
+        place = whole_of(primitive, "material", 0)
+        table = self.document.entry("materials", place) if "material" in primitive else {}
+        texture = table_of(table_of(table, "pbrMetallicRoughness"), "baseColorTexture")
+        key = f"TEXCOORD_{whole_of(texture, 'texCoord', 0)}"
+        if key not in attributes:
+            return np.zeros((n, 2), np.float32)
+        found = array_of(self.document, whole_of(attributes, key))
+        if found.shape != (n, 2):
+            raise MeshError(f"its {key} is of shape {found.shape}, and there are {n} vertices; export it again")
+        return found.astype(np.float32)
+
+    def _where(self, place: Placed, attributes: Table, n: int) -> tuple[Float64Array, dict[str, Float32Array]]:
+        """Return what moves n vertices into the scene, one matrix or one each, and which bones carry them."""
+        if place.node is None:
+            return self.turn, {}
+        skinned = None if place.skin is None else self.skeleton.skinned(place.skin, attributes, n)
+        if skinned is not None:
+            return skinned.transforms, skinned.shares
+        transform = self.turn if place.skin is not None else self.skeleton.places[place.node]
+        return transform, self.skeleton.rigid(place.node, n)
+
+    def _material_of(self) -> NDArray[np.uint16]:
+        kinds = np.concatenate([np.empty(0, np.uint16), *self.kinds])
+        bounded: NDArray[np.uint16] = np.minimum(kinds, np.uint16(max(len(self.materials) - 1, 0)))
+        return bounded
+
+    def _states(self, points: Float32Array) -> Iterator[Movestate]:
+        """Return all movestates: the morph targets, the expressions of an avatar, and bones that turn."""
+        yield from (_joined(name, parts) for name, parts in self.moved.items())
+        for name, binds in expressions_of(self.document).items():
+            if name not in self.moved:
+                parts = [(part, bind.weight) for bind in binds for part in self.targets.get(bind[:2], [])]
+                yield _mixed(name, parts)
+        sizes = [*map(len, self.points)]
+        shares = {bone: self._share(bone, sizes) for bone in self.skeleton.bones}
+        yield from self.skeleton.turned_bones(points, shares)
+
+    def _share(self, bone: str, sizes: list[int]) -> Float32Array:
+        """Return how much of each vertex a bone carries, shape (n_vertices,)."""
+        parts = zip(self.shares, sizes, strict=True)
+        return np.concatenate([shares.get(bone, np.zeros(n, np.float32)) for shares, n in parts])
 
     def _push_triangles(self, primitive: Table, n: int) -> None:
         mode = whole_of(primitive, "mode", TRIANGLES)
@@ -272,15 +317,37 @@ class _Gathered:
             numbers = found[:, 0].astype(np.int64)
         self.numbers.append(numbers)
 
-    def _push_target(self, name: str, target: Table, n: int, transform: Float64Array) -> None:
+    def _push_target(self, name: str, target: Table, n: int, transform: Float64Array) -> list[Movestate]:
+        """Take a morph target of n vertices, and return what it moves."""
         if len(self.moved) >= MOST_STATES and name not in self.moved:
             raise MeshError(f"a face has at most {MOST_STATES} morph targets; leave some out")
         parts = self.moved.setdefault(name, [])
-        if "POSITION" in target:
-            offsets = self._vectors(target, "POSITION", n) @ transform[:3, :3].T
-            moving = np.flatnonzero(np.linalg.norm(offsets, axis=1) > LEAST_MOVE)
-            if len(moving):
-                parts.append(movestate_at(name, moving + self.n, offsets[moving]))
+        if "POSITION" not in target:
+            return []
+        offsets = _turned(self._vectors(target, "POSITION", n), transform[..., :3, :3])
+        moving = np.flatnonzero(np.linalg.norm(offsets, axis=1) > LEAST_MOVE)
+        made = [movestate_at(name, moving + self.n, offsets[moving])] if len(moving) else []
+        parts += made
+        return made
+
+
+def _moved(points: Float32Array, transform: Float64Array) -> Float32Array:
+    """Return points moved by one matrix, or by one each, float32, shape (n, 3)."""
+    return (_turned(points, transform[..., :3, :3]) + transform[..., :3, 3]).astype(np.float32)
+
+
+def _turned(vectors: Float32Array, matrices: Float64Array) -> Float32Array:
+    """Return vectors, shape (n, 3), turned by one matrix, or by one each, float32."""
+    turned = vectors @ matrices.T if matrices.ndim == 2 else np.einsum("nij,nj->ni", matrices, vectors)
+    return turned.astype(np.float32)
+
+
+def _mixed(name: str, parts: list[tuple[Movestate, float]]) -> Movestate:
+    """Return several morph targets at once, each by so much of it, as one movestate."""
+    numbers = np.concatenate([np.empty(0, np.int64), *(part.numbers for part, _ in parts)])
+    offsets = np.concatenate([np.empty((0, 3)), *(weight * part.offsets for part, weight in parts)])
+    moving, places = np.unique(numbers, return_inverse=True)
+    return movestate_at(name, moving, summed_at(places, offsets, len(moving)))
 
 
 def _joined(name: str, parts: list[Movestate]) -> Movestate:

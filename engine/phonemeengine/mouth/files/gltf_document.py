@@ -105,7 +105,7 @@ class Document:
     Parameters
     ----------
     content : a .glb or .gltf file.
-    beside : finds the buffers' files that a .gltf names.
+    beside : finds the files of buffers and pictures that a .gltf names.
 
     Raises
     ------
@@ -115,7 +115,7 @@ class Document:
     def __init__(self, content: bytes, beside: Beside) -> None:
         text, self._blob = chunks_of(content) if content.startswith(MAGIC) else (content, memoryview(b""))
         self._root = document_of(text, LARGEST_JSON)
-        self._beside = beside
+        self.beside = beside
         self._buffers: dict[int, Buffer] = {}
         self._lists: dict[str, list[Table]] = {}
         self._look_at_version()
@@ -125,6 +125,26 @@ class Document:
         if key not in self._lists:
             self._lists[key] = tables_of(self._root, key)
         return self._lists[key]
+
+    def table(self, key: str) -> Table:
+        """Return a table of the document, such as ``extensions``; empty if there is none."""
+        return table_of(self._root, key)
+
+    def view(self, place: int) -> bytes:
+        """Return the bytes of a view of a buffer.
+
+        Raises
+        ------
+        MeshError : its buffer does not hold them.
+        """
+        view = self.entry("bufferViews", place)
+        content = self.buffer(whole_of(view, "buffer"))
+        begin, length = whole_of(view, "byteOffset", 0), whole_of(view, "byteLength")
+        if begin + length > len(content):
+            raise MeshError(
+                f"a view of {length} bytes begins at {begin}, and its buffer has {len(content)}; export it again"
+            )
+        return bytes(content[begin : begin + length])
 
     def whole(self, key: str) -> int:
         """Return a whole number of the document, such as ``scene``; 0 if there is none."""
@@ -155,7 +175,7 @@ class Document:
                 return base64.b64decode(uri.partition(",")[2], validate=True)
             except (binascii.Error, ValueError) as error:
                 raise MeshError("the buffer in its text is no base64; export it again") from error
-        found = self._beside(unquote(uri))
+        found = self.beside(unquote(uri))
         if found is None:
             raise MeshError(f"its buffer {uri[:60]!r} is not beside it; put it there, or export a .glb")
         return found
@@ -238,7 +258,7 @@ def _shown(found: object) -> str:
 # Accessors of a glTF: arrays within its buffers, plain, interleaved, whole numbers as fractions, and sparse.
 
 COMPONENTS: Final = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
-WIDTHS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+WIDTHS: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 MOST_ENTRIES = 3 * MOST_TRIANGLES
 
 Array = NDArray[Any]

@@ -5,8 +5,9 @@ from numpy.typing import NDArray
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.gltf import NUMBER, TRIANGLES, linear_of
+from phonemeengine.mouth.files.gltf import NUMBER, TRIANGLES
 from phonemeengine.mouth.files.gltf_document import LARGEST_BUFFER, Table, glb_of
+from phonemeengine.mouth.files.gltf_materials import linear_of
 from phonemeengine.mouth.mesh import Mesh
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets
 from phonemeengine.mouth.movestate import Movestate

@@ -6,27 +6,27 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeengine.errors import MeshError
-from phonemeengine.mouth.files.gltf import parse_gltf
+from phonemeengine.mouth.files.gltf import parse_gltf, parse_vrm
 from phonemeengine.mouth.files.gltf_writing import format_glb, format_points
 from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.head import load_head
-from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, matched, morph_targets_of
+from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, bust_of, matched, morph_targets_of
 from phonemeengine.storage.files import MEGABYTE, read_file, write_file
 
-LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".x": 16}
+LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".vrm": 64, ".x": 16}
 """Megabytes of a file of each kind: so much is read, and no more."""
 LARGEST_BESIDE = 64
 TARGET_SUFFIXES = (".3dm", ".3dma")
-MESH_SUFFIXES = (".obj", ".gltf", ".glb", ".x")
+MESH_SUFFIXES = (".obj", ".gltf", ".glb", ".vrm", ".x")
 
 Beside = Callable[[str], bytes | None]
 
 
 def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
-    """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb or .x.
+    """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb, .vrm or .x.
 
     Raises
     ------
@@ -39,7 +39,7 @@ def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
         morph_mesh = _morph_mesh_of(kind, content, files_beside(path.parent))
     except MeshError as error:
         raise MeshError(f"{path.name}: {error}") from error
-    return MorphMesh(replace(morph_mesh.mesh, name=morph_mesh.mesh.name or path.stem), morph_mesh.states)
+    return replace(morph_mesh, mesh=replace(morph_mesh.mesh, name=morph_mesh.mesh.name or path.stem))
 
 
 @dataclass(frozen=True)
@@ -48,7 +48,7 @@ class FaceFiles:
 
     Attributes
     ----------
-    mesh : .obj, .gltf, .glb or .x.
+    mesh : .obj, .gltf, .glb, .vrm or .x.
     movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted.
     """
 
@@ -56,16 +56,16 @@ class FaceFiles:
     movestates: Path | None = None
 
     def load(self) -> MorphMesh:
-        """Load it; it may have no movestates.
+        """Load it, of a whole body head and shoulders; it may have no movestates.
 
         Raises
         ------
         MeshError : a file cannot be read, or the movestates are those of another mesh.
         """
         face = load_morph_mesh(self.mesh) if self.mesh else load_head()
-        if self.movestates is None:
-            return face
-        return MorphMesh(face.mesh, matched(load_morph_targets(self.movestates), face.mesh).states)
+        if self.movestates is not None:
+            face = replace(face, states=matched(load_morph_targets(self.movestates), face.mesh).states)
+        return bust_of(face)
 
 
 def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
@@ -121,11 +121,17 @@ def save_morph_targets(
 def _morph_mesh_of(kind: str, content: bytes, beside: Beside) -> MorphMesh:
     if kind == ".obj":
         return parse_obj(content, beside)
+    if kind == ".vrm":
+        return parse_vrm(content)
     return parse_x(content) if kind == ".x" else parse_gltf(content, beside)
 
 
 def _kind_of(path: Path, kinds: tuple[str, ...]) -> str:
     kind = path.suffix.lower()
+    if kind == ".fbx":
+        raise MeshError(
+            f"{path.name}: FBX cannot be read; open it in Blender, and export it as glTF (.glb) with shape keys"
+        )
     if kind not in kinds:
         raise MeshError(f"{path.name}: its ending must be one of {', '.join(kinds)}; choose another file")
     return kind

@@ -111,7 +111,7 @@ class ChoicesPanel(QWidget):
         self._theme = theme
         self.face = ElidedLabel()
         self.own = tool_button(
-            tr("Load face…"), tr("Load a face mesh (.obj, .glb, .gltf, .x) with its blend shapes (.3dm)")
+            tr("Load face…"), tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)")
         )
         self.shipped = tool_button(tr("Default head"), tr("Show the head that ships with the program"))
         self.table = choice(
