@@ -19,9 +19,12 @@ from phonemeengine import (
     movestate_of,
     save_morph_targets,
 )
-from phonemeengine.mouth.files.io import TARGET_SUFFIXES
+from phonemeengine.mouth.face_mapping import ENOUGH, guess_mapping, mapped_table
+from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 from phonemeengine.mouth.movestate import LONGEST_NAME
+from phonemeengine.mouth.table import table_to_toml
+from phonemeengine.storage.files import write_file
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
 OWN = "head"
@@ -51,6 +54,10 @@ EXAMPLES_OF = {
         "phonemeanalyser movestates export base.obj smile.obj -o smile.3dm",
         "phonemeanalyser movestates export base.obj smile.obj frown.obj -o moods.glb",
         "phonemeanalyser movestates export face.glb -o copy.3dma --overwrite",
+    ),
+    "map": (
+        "phonemeanalyser movestates map face.glb -o face.toml",
+        "phonemeanalyser movestates map face.glb --basis arkit -o arkit.toml",
     ),
 }
 """Examples of what is done with movestates; each uses the files of those before it."""
@@ -87,6 +94,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     add_options(convert, "overwrite")
     convert.set_defaults(act=_convert)
+    mapping = kinds.add_parser(
+        "map",
+        help="make a mouth table for a face",
+        description="Guess which shapes of a face stand for which of ours, and write a mouth table with its names.",
+    )
+    mapping.add_argument("face", type=Path, metavar="FACE", help=f"{', '.join(MESH_SUFFIXES)}")
+    mapping.add_argument("-o", "--out", type=file_place, required=True, metavar="TABLE", help=".toml, for --table")
+    mapping.add_argument("--basis", choices=ENOUGH, default="", help="names that ours have (default: what fits best)")
+    add_options(mapping, "overwrite")
+    mapping.set_defaults(act=_map)
     add_examples(kinds, EXAMPLES_OF)
 
 
@@ -107,6 +124,23 @@ def _export(options: argparse.Namespace) -> Iterator[str]:
     targets = _named_apart(base, states)
     save_morph_targets(targets, options.out, base)
     yield _summary(options.out, targets)
+
+
+def _map(options: argparse.Namespace) -> Iterator[str]:
+    Guard(nothing_is_own, options.overwrite).check(options.out)
+    names = [state.name for state in _morph_mesh_of(options.face).states]
+    mapping = guess_mapping(names, options.basis)
+    if not mapping.targets:
+        raise MeshError(
+            f"{options.face.name}: none of its {len(names)} shapes has a name that is known; name some anew"
+        )
+    text = table_to_toml(mapped_table(mapping, options.face.stem))
+    write_file(options.out, text.encode(errors="replace"), MeshError)
+    yield f"{options.out.name}: {len(mapping.targets)} of {len(mapping.ours)} movestates of {mapping.basis} are found"
+    yield from (f"{ours}  {', '.join(shapes)}" for ours, shapes in mapping.targets.items())
+    for what, left in (("not found", mapping.missing), ("left over", mapping.left_over)):
+        if left:
+            yield f"{what}: {', '.join(left)}"
 
 
 def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:

@@ -408,7 +408,8 @@ class ClipWork:
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
             utterance, speech = self.texts.said(reader, job.sound, analyses, say)
             animations, captions = self._faces_of(utterance, speech, printable_name(job.source), driving, say)
-            animations = [made.edited(self.keys.get(job.sound, NO_KEYS)) for made in animations]
+            keys, table = self.keys.get(job.sound, NO_KEYS), self.options.mouth_table(USUAL_TABLE)
+            animations = [made.edited(keys).on_face(table) for made in animations]
             with output_path(job.target, self.ending) as path:
                 write_clip(path, head, animations, self.look, captions, sound_track(reader), shown, guard)
             return made_of(reader, utterance, self.texts.language)

@@ -57,6 +57,12 @@ class Animation(ShortRepr):
         times = (first + np.arange(len(self.weights))) / self.rate
         return replace(self, weights=keys.over(self.weights, self.movestates, times)) if keys else self
 
+    def on_face(self, table: MouthTable) -> "Animation":
+        """Return the animation of the shapes of a face, where a table has its names."""
+        if not table.targets:
+            return self
+        return replace(self, movestates=table.face_names, weights=table.on_face(self.weights, self.movestates))
+
     def held(self, n_frames: int) -> "Animation":
         """Return the animation with this many frames, no fewer than it has: the last one stays."""
         rows = np.minimum(np.arange(n_frames), len(self.weights) - 1)

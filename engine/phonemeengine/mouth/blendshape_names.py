@@ -87,6 +87,9 @@ VRM1 = ("aa", "ih", "ou", "ee", "oh")
 NAMES: dict[str, tuple[str, ...]] = {"arkit": ARKIT, "oculus": OCULUS, "vrm": VRM, "vrm1": VRM1}
 """The sets that a mouth table may name instead of a list of its own."""
 
+BONE = "bone "
+"""What names of movestates begin with that are bones of the face, turned; the rest is the name of ARKit."""
+
 EYELIDS = ("eyeBlinkLeft", "eyeBlinkRight")
 """The movestates that a blink closes."""
 

@@ -174,6 +174,16 @@ class Gaze:
         return GazeDirection(self._random.uniform(-WIDE, WIDE), self._random.uniform(-HIGH, HIGH))
 
 
+def eyes_in_head(gaze: GazeDirection, pose: HeadPose | None = None) -> GazeDirection:
+    """Return how far the eyes are turned in a head that is turned itself, so that they look where they should."""
+    pose = pose or HeadPose()
+    yaw, pitch = (
+        min(max(wanted - turned, -FARTHEST), FARTHEST)
+        for wanted, turned in ((gaze.yaw, pose.yaw), (gaze.pitch, pose.pitch))
+    )
+    return GazeDirection(yaw, pitch)
+
+
 def gaze_weights(gaze: GazeDirection, pose: HeadPose | None = None) -> dict[str, float]:
     """Return the weights of the movestates that turn the eyes, 0..1, by name; see `EYES`.
 
@@ -182,11 +192,7 @@ def gaze_weights(gaze: GazeDirection, pose: HeadPose | None = None) -> dict[str,
     gaze : where they look in the room.
     pose : how the head is turned meanwhile; None for straight ahead.
     """
-    pose = pose or HeadPose()
-    yaw, pitch = (
-        min(max(wanted - turned, -FARTHEST), FARTHEST)
-        for wanted, turned in ((gaze.yaw, pose.yaw), (gaze.pitch, pose.pitch))
-    )
+    yaw, pitch = eyes_in_head(gaze, pose)
     left, right, up, down = (
         max(0.0, value) for value in (yaw / SIDEWAYS, -yaw / SIDEWAYS, pitch / UP, -pitch / DOWN)
     )

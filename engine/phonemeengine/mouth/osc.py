@@ -9,7 +9,12 @@ address                    arguments                     when
 ``/VMC/Ext/T``             seconds
 ``/VMC/Ext/Blend/Val``     movestate, weight 0..1        for each movestate that the table moves
 ``/VMC/Ext/Blend/Apply``                                 after the last of them
+``/VMC/Ext/Bone/Pos``      bone, position, quaternion    ``Head``, where it moves; ``LeftEye`` and ``RightEye``
+``/VMC/Ext/Set/Eye``       1, x, y, z                    what the eyes look at, metres from the head
 =========================  ============================  ==========================================================
+
+A performer that blinks closes the lids, or moves ``Blink`` of an avatar, and its eyes look about. Positions are zero:
+an avatar keeps its own. Axes are those of Unity, left-handed: x to the face's right, y upwards, z ahead.
 """
 
 import contextlib
@@ -28,10 +33,11 @@ from pythonosc.osc_message_builder import OscMessageBuilder
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.execution import Closing
-from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.blendshape_names import ARKIT, EYELIDS, VRM, VRM1
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.streams import held_expression
-from phonemeengine.mouth.performer import Performer
+from phonemeengine.mouth.idle_motion import Gaze, GazeDirection, HeadPose, eyes_in_head, gaze_weights
+from phonemeengine.mouth.performer import FaceState, Performer
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
 
@@ -41,6 +47,9 @@ REPEAT = 0.1
 """Seconds after which a phoneme that stays is sent again: messages may get lost, and receivers come late."""
 IN_A_PACKET = 24
 """Movestates in one packet: it fits into an Ethernet frame of 1500 bytes."""
+
+BLINKS = {VRM: "Blink", VRM1: "blink"}
+"""What closes both lids of an avatar whose mouth has these movestates."""
 
 Arguments = tuple[str | int | float, ...]
 
@@ -109,6 +118,7 @@ class OscMouth(Closing):
         self._performer, self._clock, self._on_failure = performer, clock, on_failure
         self._began = clock()
         self._said, self._said_at = (Phoneme.SILENCE, ""), -math.inf
+        self._gaze = Gaze(performer.idle.seed)
         self._use(performer.table)
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self._run, name="osc", daemon=True)
@@ -126,6 +136,7 @@ class OscMouth(Closing):
             following = max(following + 1 / RATE, time.monotonic() - 1 / RATE)
             self._closing.wait(max(following - time.monotonic(), 0.0))
         self._say(Phoneme.SILENCE, self._table.phonemes[Phoneme.SILENCE], 0.0, self._clock())
+        self._send_bones(HeadPose(), GazeDirection())
         self._send_weights(self._table.weights()[Phoneme.SILENCE], self._clock())
         self._socket.close()
 
@@ -137,20 +148,51 @@ class OscMouth(Closing):
             shape = self._table.shape_of(phoneme, phone)
             if (phoneme, shape) != self._said or now - self._said_at >= REPEAT:
                 self._say(phoneme, shape, intensity, now)
-        self._send_weights(face.weights, now)
+        gaze = self._gaze.at(now) if self._performer.idle.blinks else GazeDirection()
+        self._send_bones(face.head, gaze)
+        self._send_weights(self._with_eyes(face, gaze), now, face.blink)
 
     def _use(self, table: MouthTable) -> None:
-        """Send the movestates of another table: those that it moves for phonemes, others once they have moved."""
-        self._table, self._columns = table, {*np.flatnonzero(np.any(table.weights() != 0, axis=0)).tolist()}
+        """Send what another table moves: the shapes that it moves for phonemes, others once they have moved."""
+        moved = np.any(table.on_face(table.weights()) != 0, axis=0)
+        self._table, self._columns = table, {*np.flatnonzero(moved).tolist()}
+        self._blinks = [name for movestates, name in BLINKS.items() if table.movestates == movestates]
+
+    def _with_eyes(self, face: FaceState, gaze: GazeDirection) -> Float32Array:
+        """Return the weights with lids that blink, and eyes that look where a face has shapes of its own for it."""
+        wanted = dict.fromkeys(EYELIDS, face.blink)
+        if self._table.targets and self._performer.idle.blinks:
+            wanted |= gaze_weights(gaze, face.head)
+        weights = face.weights.copy()
+        for column, name in enumerate(self._table.movestates):
+            weights[column] = max(weights[column], wanted.get(name, weights[column]))
+        return weights
+
+    def _send_bones(self, pose: HeadPose, gaze: GazeDirection) -> None:
+        """Turn head and eyes, where the performer moves them."""
+        idle, messages = self._performer.idle, list[tuple[str, Arguments]]()
+        if idle.head:
+            messages.append(_bone("Head", pose))
+        if idle.blinks:
+            yaw, pitch = eyes_in_head(gaze, pose)
+            messages += [_bone(name, HeadPose(yaw, pitch)) for name in ("LeftEye", "RightEye")]
+            flat, ahead = math.cos(math.radians(pitch)), (math.radians(yaw), math.radians(pitch))
+            target = -math.sin(ahead[0]) * flat, math.sin(ahead[1]), math.cos(ahead[0]) * flat
+            messages.append(("/VMC/Ext/Set/Eye", (1, *target)))
+        if messages:
+            self._send(messages)
 
     def _say(self, phoneme: Phoneme, shape: str, intensity: float, now: float) -> None:
         self._said, self._said_at = (phoneme, shape), now
         intensity = 0.0 if phoneme is Phoneme.SILENCE else intensity  # asked for or not, silence has no loudness
         self._send([("/phoneme", (phoneme.label, intensity)), ("/viseme", (shape, intensity))])
 
-    def _send_weights(self, weights: Float32Array, now: float) -> None:
-        self._columns.update(np.flatnonzero(weights).tolist())
-        values = [(self._table.movestates[k], min(max(float(weights[k]), 0.0), 1.0)) for k in sorted(self._columns)]
+    def _send_weights(self, weights: Float32Array, now: float, blink: float = 0.0) -> None:
+        shown, names = self._table.on_face(weights), self._table.face_names
+        self._columns.update(np.flatnonzero(shown).tolist())
+        values = [(names[k], min(max(float(shown[k]), 0.0), 1.0)) for k in sorted(self._columns)]
+        if self._performer.idle.blinks:
+            values += [(name, blink) for name in self._blinks]
         messages: list[tuple[str, Arguments]] = [("/VMC/Ext/OK", (1,)), ("/VMC/Ext/T", (now - self._began,))]
         messages += [("/VMC/Ext/Blend/Val", value) for value in values]
         messages.append(("/VMC/Ext/Blend/Apply", ()))
@@ -167,6 +209,15 @@ class OscMouth(Closing):
             if failure != self.failure:
                 self.failure = failure
                 self._on_failure(failure)
+
+
+def _bone(name: str, turned: HeadPose) -> tuple[str, Arguments]:
+    """Return the message that turns a bone: it rolls first, then nods, then turns."""
+    halves = (math.radians(angle) / 2 for angle in (turned.yaw, -turned.pitch, -turned.roll))
+    (c1, s1), (c2, s2), (c3, s3) = ((math.cos(half), math.sin(half)) for half in halves)
+    x, y = c1 * s2 * c3 + s1 * c2 * s3, s1 * c2 * c3 - c1 * s2 * s3
+    z, w = c1 * c2 * s3 - s1 * s2 * c3, c1 * c2 * c3 + s1 * s2 * s3
+    return "/VMC/Ext/Bone/Pos", (name, 0.0, 0.0, 0.0, x, -y, -z, w)
 
 
 def _bundle(messages: list[tuple[str, Arguments]]) -> bytes:

@@ -125,7 +125,7 @@ USUAL_TIMES = {"attack": 0.09, "closing": 0.05, "release": 0.16}
 """Seconds of phonemes for which a table gives none: the attack of an open mouth, and that of lips that meet."""
 
 _REQUIRED = ("movestates", "phonemes", "shapes")
-_OPTIONAL = ("name", "notes", "firm", "phones", "times", "manner")
+_OPTIONAL = ("name", "notes", "firm", "phones", "times", "manner", "targets")
 _MOTION_KEYS = {"loudness": "loudness", "quiet": "minimum_opening", "randomness": "randomness"}
 """What [manner] calls the fields of `MotionSettings`."""
 
@@ -147,6 +147,8 @@ class MouthTable(ShortRepr):
     phones : the mouth shapes of phones, by their letter in the IPA or a class of `ARTICULATIONS`.
     phone_times : how fast the mouth is for some of those; else as for the phoneme.
     closed_phones : those of `phones` at which lips, teeth or tongue meet as lips do at `closed_phonemes`.
+    targets : for a face whose shapes have other names: the percentages of its shapes that a movestate stands for; a
+        movestate that is not named moves nothing then. Empty for a face with the movestates themselves.
     """
 
     name: str
@@ -160,6 +162,27 @@ class MouthTable(ShortRepr):
     phones: Mapping[str, str] = field(default_factory=dict)
     phone_times: Mapping[str, TransitionTimes] = field(default_factory=dict)
     closed_phones: frozenset[str] = frozenset()
+    targets: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+
+    @cached_property
+    def face_names(self) -> tuple[str, ...]:
+        """The shapes of the face that are moved: those of `targets`, or the movestates themselves."""
+        return tuple(dict.fromkeys(name for shapes in self.targets.values() for name in shapes)) or self.movestates
+
+    def on_face(self, weights: Float32Array, movestates: tuple[str, ...] | None = None) -> Float32Array:
+        """Return how far each of `face_names` moves, shape (..., n_names), by the weights of movestates.
+
+        The movestates are those of the table, or others by name, shape (..., n_movestates).
+        """
+        if not self.targets:
+            return weights
+        matrix = np.zeros((weights.shape[-1], len(self.face_names)), np.float32)
+        columns = {name: column for column, name in enumerate(self.face_names)}
+        for row, movestate in enumerate(movestates or self.movestates):
+            for name, percent in self.targets.get(movestate, {}).items():
+                matrix[row, columns[name]] = percent / 100
+        mapped: Float32Array = weights @ matrix
+        return mapped
 
     def shape_of(self, phoneme: Phoneme, phone: str = "") -> str:
         """Return the mouth shape of a phone, where the table has one for it or a class of it; else the phoneme's."""
@@ -284,7 +307,20 @@ def table_of(text: str) -> MouthTable:
         },
         phone_times={name: times for name, entry in phones.items() for times in _phone_times(entry)},
         closed_phones=frozenset(name for name, entry in phones.items() if entry.value("firm", bool, False)),
+        targets=_targets_of(top.table("targets"), movestates) if "targets" in top else {},
     )
+
+
+def _targets_of(table: StrictTable, movestates: tuple[str, ...]) -> dict[str, dict[str, float]]:
+    """Return the shapes of a face that each movestate stands for."""
+    what = f"a percentage in -{STRONGEST:g}..{STRONGEST:g}"
+    for name in table.entries:
+        if name not in movestates:
+            raise MouthError(f"targets names {shown(name)}, which is no movestate; use one of movestates")
+    return {
+        name: {shape: shapes.limited(shape, -STRONGEST, STRONGEST, what) for shape in shapes.entries}
+        for name, shapes in table.tables_by_name()
+    }
 
 
 def movestates_of(top: StrictTable) -> tuple[str, ...]:
@@ -445,6 +481,8 @@ def table_to_toml(table: MouthTable) -> str:
         },
         "shapes": {name: dict(percentages) for name, percentages in table.shapes.items()},
     }
+    if table.targets:
+        document["targets"] = {name: dict(shapes) for name, shapes in table.targets.items()}
     return tomli_w.dumps(document)
 
 

@@ -458,7 +458,7 @@ class TalkModel(QObject):
         """Have all move by the table, with the detail and the life that are chosen."""
         for head in (self.head, self.beside):
             head.configure(self._table_for(head.performer), self.idle)
-        self.osc.follow(self._table_for(self.osc.performer), self.idle.detail)
+        self.osc.follow(self._table_for(self.osc.performer), self.idle)
 
     def _table_for(self, performer: Performer) -> MouthTable:
         """Return the mouth table; for recorded faces with all that they move, such as shoulders and tongue."""

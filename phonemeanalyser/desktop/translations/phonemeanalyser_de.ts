@@ -574,6 +574,11 @@
             <translation>Ein Teil ist mit {size} Byte angegeben, es folgen nur {length}; neu exportieren</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/table.py" />
+            <source>a percentage in -{strongest}..{strongest_2}</source>
+            <translation>ein Prozentwert in -{strongest}..{strongest_2}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/labels/utterance.py" />
             <source>a phone of no length, at {first} s, cannot be made longer; correct the times</source>
             <translation>Ein Laut ohne Dauer, bei {first} s, lässt sich nicht verlängern; Zeiten korrigieren</translation>
@@ -592,6 +597,11 @@
             <location filename="../../../engine/phonemeengine/presets/files.py" />
             <source>a PhonemeData file holds {numbers} numbers, found {found}; the first one missing after line {found_2} is {numbers_2}</source>
             <translation>Eine PhonemeData-Datei enthält {numbers} Zahlen, gefunden {found}; nach Zeile {found_2} fehlt als erste {numbers_2}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/gltf_materials.py" />
+            <source>a picture in its text is no base64; export it again</source>
+            <translation>Ein Bild im Text ist kein Base64; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -624,7 +634,7 @@
             <translation>Eine Regel für {label} verwendet die Variable {variable}, die nicht gemessen wird; hinzufügen oder Regel ändern</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
             <source>a scene has at most {most_nodes} nodes, got {nodes}; export less</source>
             <translation>Eine Szene hat höchstens {most_nodes} Knoten, gefunden {nodes}; weniger exportieren</translation>
         </message>
@@ -632,6 +642,16 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>a script</source>
             <translation>ein Skript</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>a skin names a bone that is not there; export it again</source>
+            <translation>Ein Skin nennt einen Knochen, den es nicht gibt; neu exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>a skin of {n_joints} bones has {found} matrices for them; export it again</source>
+            <translation>Ein Skin mit {n_joints} Knochen hat {found} Matrizen dafür; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/dsp/sonagram.py" />
@@ -724,9 +744,19 @@
             <translation>der Name einer Variable besteht aus Kleinbuchstaben, Ziffern und Unterstrichen, war {name}</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>a vertex names bone {bones}, and its skin has {n_joints}; export it again</source>
+            <translation>Ein Punkt nennt Knochen {bones}, der Skin hat {n_joints}; neu exportieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
             <source>a vertex that moves has no finite position; export it again</source>
             <translation>Ein bewegter Eckpunkt hat keine endliche Position; neu exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
+            <source>a view of {length} bytes begins at {begin}, and its buffer has {content}; export it again</source>
+            <translation>Ein Ausschnitt von {length} Bytes beginnt bei {begin}, der Puffer hat {content}; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/visemes.py" />
@@ -1092,6 +1122,11 @@
             <location filename="../../../engine/phonemeengine/analyser.py" />
             <source>an analysis buffer has the shape ({window},), got {shape}; give one of mono</source>
             <translation>Ein Analysepuffer hat die Form ({window},), gefunden {shape}; einen in Mono übergeben</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/vrm.py" />
+            <source>an avatar has at most {most_expressions} expressions; leave some out</source>
+            <translation>Ein Avatar hat höchstens {most_expressions} Ausdrücke; einige weglassen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
@@ -3880,6 +3915,11 @@
             <translation>Nummer {buffer} der Puffer wird genannt, es gibt {begins}; neu exportieren</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>it names number {child} of its nodes, and there are {n}; export it again</source>
+            <translation>Knoten Nummer {child} ist genannt, vorhanden sind {n}; neu exportieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
             <source>it names number {place} of its {key}, and there are {entries}; export it again</source>
             <translation>Nummer {place} in {key} wird genannt, es gibt {entries}; neu exportieren</translation>
@@ -3995,9 +4035,24 @@
             <translation>ihre Tabellen sind nicht die dieses Programms</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/gltf_materials.py" />
+            <source>its texture {name} has {size} x {size_2} pixels, and at most {longest_edge} along an edge are read; make it smaller</source>
+            <translation>Die Textur {name} hat {size} x {size_2} Pixel, höchstens {longest_edge} je Kante sind lesbar; verkleinern</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
             <source>its vertices are compressed with {packed}; export it without compression</source>
             <translation>Die Eckpunkte sind mit {packed} komprimiert; unkomprimiert exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>its {keys} are no bones of {n} vertices; export it again</source>
+            <translation>{keys} sind keine Knochen von {n} Punkten; neu exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>its {keys} hold a number that is no weight; export it again</source>
+            <translation>{keys} enthält eine Zahl, die kein Gewicht ist; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
@@ -4551,8 +4606,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
-            <source>Load a face mesh (.obj, .glb, .gltf, .x) with its blend shapes (.3dm)</source>
-            <translation>Ein Gesichts-Mesh (.obj, .glb, .gltf, .x) mit seinen Blendshapes (.3dm) laden</translation>
+            <source>Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)</source>
+            <translation>Gesichtsnetz (.obj, .glb, .vrm, .gltf, .x) mit seinen Blendshapes (.3dm) laden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
@@ -8245,6 +8300,11 @@
             <translation>Ziel</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/table.py" />
+            <source>targets names {name}, which is no movestate; use one of movestates</source>
+            <translation>targets nennt {name}, das ist kein Movestate; eines aus movestates nehmen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Tatar</source>
             <translation>Tatarisch</translation>
@@ -8348,6 +8408,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>the beginning of {place}</source>
             <translation>der Anfang von {place}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
+            <source>the bones of its skeleton go in a circle at node {node}; export it again</source>
+            <translation>Die Knochen des Skeletts bilden bei Knoten {node} einen Kreis; neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf_document.py" />
@@ -9040,6 +9105,11 @@
             <translation>Die stärkste Anpassung wurde verworfen: {cost}; das Preset bleibt unverändert.</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/face_mapping.py" />
+            <source>the table {name} moves {unknown}, which is none of {basis}; choose another table</source>
+            <translation>Die Tabelle {name} bewegt {unknown}, das gehört nicht zu {basis}; eine andere Tabelle wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>The take is too short ({seconds:.2f} s). Hold {phoneme} for as long as you say the sound.</source>
             <translation>Der Take ist zu kurz ({seconds:.2f} s). {phoneme} halten, solange der Laut gesprochen wird.</translation>
@@ -9265,6 +9335,11 @@
             <translation>Kein Satz in {language} vorhanden; {languages}</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/face_mapping.py" />
+            <source>there is no set of movestates {basis}; {enough}</source>
+            <translation>Es gibt keinen Satz von Movestates {basis}; {enough}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/live/player.py" />
             <source>there is no sound card to play on; connect one</source>
             <translation>Keine Soundkarte für die Wiedergabe; eine anschließen</translation>
@@ -9403,6 +9478,11 @@
             <location filename="../../../engine/phonemeengine/storage/strict_table.py" />
             <source>this is no TOML file ({cause}); correct it there</source>
             <translation>Keine TOML-Datei ({cause}); dort korrigieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
+            <source>this is no VRM, it tells of no bones and expressions; rename it to .glb, or choose another</source>
+            <translation>Kein VRM: Knochen und Ausdrücke fehlen; in .glb umbenennen oder eine andere Datei wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/encoder/live.py" />
@@ -10940,6 +11020,11 @@
             <translation>{name}: Nicht lesbar ({cause}); Datei prüfen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
+            <source>{name}: FBX cannot be read; open it in Blender, and export it as glTF (.glb) with shape keys</source>
+            <translation>{name}: FBX ist nicht lesbar; in Blender öffnen und als glTF (.glb) mit Shape Keys exportieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/audio/recording.py" />
             <source>{name}: FLAC takes {low}..{high} Hz and at most {most} channels, got {rate} Hz and {n_channels}; record to a .wav file</source>
             <translation>{name}: FLAC erlaubt {low}..{high} Hz und höchstens {most} Kanäle, gefunden {rate} Hz und {n_channels}; als .wav aufnehmen</translation>
@@ -11246,8 +11331,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/glb.py" />
-            <source>{name}: this is no face that can be moved; name a .glb or .gltf (glTF 2.0), .obj or .x</source>
-            <translation>{name}: Kein bewegliches Gesicht; eine .glb-, .gltf- (glTF 2.0), .obj- oder .x-Datei wählen</translation>
+            <source>{name}: this is no face that can be moved; name a .glb, .vrm or .gltf (glTF 2.0), .obj or .x</source>
+            <translation>{name}: Kein Gesicht, das sich bewegen lässt; .glb, .vrm oder .gltf (glTF 2.0), .obj oder .x angeben</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/timed_words.py" />

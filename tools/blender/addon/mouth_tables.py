@@ -23,10 +23,18 @@ def key_named(name: str, keys: Sequence[str]) -> str | None:
 
 
 def movements_on(table: MouthTable, keys: Sequence[str]) -> dict[str, list[Movement]]:
-    """Return the movements of each mouth shape, of those movestates that a face has shape keys for."""
+    """Return the movements of each mouth shape, of those movestates that a face has shape keys for.
+
+    Where the table has the names of a face, these count.
+    """
+    rows = 100 * table.on_face(table.shape_weights())
     return {
-        shape: [(key, percent) for name, percent in percentages.items() if (key := key_named(name, keys))]
-        for shape, percentages in table.shapes.items()
+        shape: [
+            (key, round(percent, 3))
+            for name, percent in zip(table.face_names, row.tolist(), strict=True)
+            if percent and (key := key_named(name, keys))
+        ]
+        for shape, row in zip(table.shapes, rows, strict=True)
     }
 
 
@@ -39,7 +47,7 @@ def with_movements(base: MouthTable, shapes: Mapping[str, Iterable[Movement]], k
     """
     percentages = {shape: _percentages_of(shape, movements) for shape, movements in shapes.items()}
     more = dict.fromkeys(key for movements in percentages.values() for key in movements if key not in keys)
-    return replace(base, movestates=(*keys, *more), shapes=percentages)
+    return replace(base, movestates=(*keys, *more), shapes=percentages, targets={})
 
 
 def checked_toml(table: MouthTable) -> str:

@@ -28,7 +28,7 @@ owns = begins_like(b'{\n "format": "%s",\n' % FORMAT.encode())
 
 def write(export: Export) -> Iterator[str]:
     """Write the object, a line for each cue and each curve."""
-    animation, speech = export.animation, export.speech
+    animation, speech = export.face_animation, export.speech
     heading = {"format": FORMAT, "sound": speech.name, "duration": round(speech.duration, 6)}
     heading |= {"rate": export.rate, "table": export.table.name}
     yield json.dumps(heading, indent=1, ensure_ascii=False)[:-2]

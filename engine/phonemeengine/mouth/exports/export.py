@@ -61,6 +61,11 @@ class Export:
         made = self.movement or animation_by(self._performer(), self.speech, self.rate)
         return made.edited(self.keys)
 
+    @cached_property
+    def face_animation(self) -> Animation:
+        """The movement, of the shapes of a face that the mouth table has other names for."""
+        return self.animation.on_face(self.table)
+
     def animation_blocks(self) -> Iterator[Animation]:
         """Return the movement of the face in consecutive parts, for formats that have a row a frame."""
         made = [self.movement] if self.movement else animation_blocks(self._performer(), self.speech, self.rate)

@@ -6,6 +6,7 @@ Everything else in the file stays what it is. See section 3.11 of the glTF 2.0 s
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,8 +17,9 @@ from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
-from phonemeengine.mouth.files.gltf_document import chunks_of, document_of
+from phonemeengine.mouth.files.gltf_document import Document, chunks_of, document_of
 from phonemeengine.mouth.files.gltf_writing import GENERATOR
+from phonemeengine.mouth.files.vrm import expressions_of
 from phonemeengine.mouth.head import HEAD
 
 FLOAT = 5126
@@ -49,18 +51,35 @@ def write(export: Export) -> bytes:
     glb = shipped_glb() if export.mesh is None else read_face(export.mesh)
     faces = _faces_of(glb.document)
     known = {name for _, names in faces for name in names}
-    movestates = export.animation.movestates
+    animation = _of_targets(export.face_animation, glb, faces)
+    movestates = animation.movestates
     if not known & set(movestates):
         wanted, face = ", ".join(movestates[:3]), (export.mesh or HEAD).name
         raise ExportError(
             f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
             "a table for its names with --table, or name the targets in your modelling program"
         )
-    samplers = _Samplers(glb, export.animation)
-    _move(faces, export.animation, samplers)
-    _turn([node for node, _ in faces], export.animation, samplers)
+    samplers = _Samplers(glb, animation)
+    _move(faces, animation, samplers)
+    _turn([node for node, _ in faces], animation, samplers)
     glb.list_of("animations").append({"name": NAME, **samplers.lists(), "extras": EXTRAS})
     return glb.content()
+
+
+def _of_targets(animation: Animation, glb: Glb, faces: Sequence[tuple[int, Sequence[str]]]) -> Animation:
+    """Return an animation of morph targets: an expression of an avatar is those that it moves."""
+    if "extensions" not in glb.document:
+        return animation
+    nodes, expressions = glb.document["nodes"], expressions_of(Document(glb.content(), lambda _name: None))
+    names = {nodes[node]["mesh"]: targets for node, targets in faces}
+    own = {name for targets in names.values() for name in targets}
+    weights: dict[str, Float32Array] = {}
+    for name, column in zip(animation.movestates, animation.weights.T, strict=True):
+        binds = expressions.get(name, ()) if name not in own else ()
+        shares = {names[b.mesh][b.target]: b.weight for b in binds if b.target < len(names.get(b.mesh, ()))}
+        for target, share in (shares or {name: 1.0}).items():
+            weights[target] = weights.get(target, np.float32(0)) + np.float32(share) * column
+    return replace(animation, movestates=tuple(weights), weights=np.stack([*weights.values()], axis=1))
 
 
 class _Samplers:

@@ -13,6 +13,7 @@ import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, Int64Array
 from phonemeengine.errors import MeshError
+from phonemeengine.mouth.blendshape_names import BONE
 from phonemeengine.mouth.files.gltf_document import (
     Document,
     Table,
@@ -29,8 +30,6 @@ from phonemeengine.mouth.movestate import Movestate, movestate_of
 MOST_NODES = 1 << 14
 MOST_SETS = 4
 """Sets of four bones that carry a vertex."""
-BONE = "bone "
-"""What names of movestates begin with that are turned bones; the rest is the name of ARKit."""
 HEAD, JAW, LEFT_EYE, RIGHT_EYE = "head", "jaw", "leftEye", "rightEye"
 _KNOWN = {
     HEAD: r"head",

@@ -8,9 +8,8 @@ from PySide6.QtCore import Qt, Signal
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.expression.osc_connection import OscConnection
 from phonemeengine.mouth.expression.composer import Expression
-from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.osc import OscAddress, OscMouth
-from phonemeengine.mouth.performer import MOUTH_ALONE, Performer
+from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion, Performer
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, tables_by_movestates
 
 USUAL_ADDRESS = "127.0.0.1:39539"
@@ -44,6 +43,7 @@ class OscModel(OscConnection):
         self._head_table = load_table(USUAL_TABLE)
         self._own_table: MouthTable | None = None
         self.performer = Performer(self._head_table, MOUTH_ALONE)
+        self._idle = self.performer.idle
         self._expression: Expression | None = None
         self._lost.connect(self._tell, Qt.ConnectionType.QueuedConnection)
 
@@ -74,19 +74,19 @@ class OscModel(OscConnection):
         if name in self.tables and name != self.table:
             self.table = name
             self._own_table = None if name == AS_THE_HEAD else load_table(name)
-            self.follow(self._head_table, self.performer.idle.detail)
+            self.follow(self._head_table, self._idle)
             self.changed.emit()
 
-    def follow(self, head: MouthTable, detail: Detail) -> None:
-        """Move as a head does that is moved by this table, in this detail."""
-        self._head_table = head
+    def follow(self, head: MouthTable, idle: IdleMotion) -> None:
+        """Move as a head does that is moved by this table, and does this besides."""
+        self._head_table, self._idle = head, idle
         table = replace(self._own_table or head, times=head.times, phone_times=head.phone_times, motion=head.motion)
-        self.performer.configure(table, replace(MOUTH_ALONE, detail=detail, expression=self._expression))
+        self.performer.configure(table, replace(idle, expression=self._expression))
 
     def express(self, expression: Expression | None) -> None:
         """Express this beside the speech, where the receiver has the blend shapes of ARKit."""
         self._expression = expression
-        self.follow(self._head_table, self.performer.idle.detail)
+        self.follow(self._head_table, self._idle)
 
     def _connect(self, address: OscAddress) -> OscMouth:
         return OscMouth(address, self.performer, clock=self._clock, on_failure=self._lost.emit)
