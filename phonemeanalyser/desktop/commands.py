@@ -25,7 +25,6 @@ from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.talk.dialogs import TalkDialogs
 from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.phonemes import Phoneme
@@ -273,6 +272,7 @@ def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
         Command(tr_noop("Previous Picture (Left)"), "", partial(talking.step_picture, -1)),
         Command(tr_noop("Next Poor Match"), "", partial(texts.edits.show_poor, 1)),
         Command(tr_noop("Previous Poor Match"), "", partial(texts.edits.show_poor, -1)),
+        Command(tr_noop("Edit Keys"), "", talking.keys.set_open, checkable=True),
         None,
         Command(tr_noop("Load Face…"), "", dialogs.ask_mesh),
         Command(tr_noop("Load Mouth Table…"), "", dialogs.ask_table),
@@ -307,8 +307,10 @@ def lend_keys(menus: Menus, page: str, *, is_used: bool) -> None:
     menus.lend_keys_of_views(lent=page != "Analyse")
 
 
-def show_talk(menus: Menus, texts: TextModel) -> None:
+def show_talk(menus: Menus, talking: TalkModel) -> None:
     """Allow what can be done with the text now, and show what is switched on."""
+    texts = talking.text
+    menus.show_checked("Edit Keys", talking.keys.open)
     menus.show_checked("Read Notation Literally", texts.literal)
     menus.actions["Remove Lexicon"].setEnabled(texts.lexicon_path is not None)
     menus.actions["Save Words and Phones…"].setEnabled(texts.edits.possible)

@@ -115,6 +115,7 @@ class ExportChoices(QFormLayout):
             driver,
             talk.movestates if self.mesh.currentData() == ON_TALK else None,
             talk.speech,
+            talk.keys if "keys" in kind.options and not self.is_text and self.keys.isChecked() else None,
         )
 
     def show_kind(self) -> None:
@@ -131,6 +132,7 @@ class ExportChoices(QFormLayout):
             self.seed: "seed" in options,
             self.blinks: "no-blinks" in options,
             self.head: "no-head" in options,
+            self.keys: "keys" in options and not self.is_text,
             self.driver: "text-driver" in options and knows_words,
             self.mesh: "mesh" in options and has_mesh,
             self.expression: "expression" in options and self._face.options.idle.expression is not None,
@@ -203,6 +205,8 @@ class ExportChoices(QFormLayout):
         self.seed.setRange(0, 999_999)
         self.seed.setValue(talk.idle.seed)
         self.blinks, self.head = QCheckBox(tr("Blinks")), QCheckBox(tr("Head motion"))
+        self.keys = QCheckBox(tr("Edited keys"))
+        self.keys.setChecked(True)
         self.blinks.setChecked(talk.idle.blinks)
         self.head.setChecked(talk.idle.head)
 
@@ -250,6 +254,7 @@ class ExportChoices(QFormLayout):
             ),
             (self.blinks, "", tr(BLINKS_TIP)),
             (self.head, "", tr(MOTION_TIP)),
+            (self.keys, "", tr("Keys edited on the page Talk, or saved beside a recording as NAME.keys.toml")),
         )
         for widget, words, tip in rows:
             self.addRow(words, named(widget, words, tip))

@@ -247,7 +247,8 @@ class MainWindow(QMainWindow):
         session, preset, dialogs = self._session, self._preset, self.dialogs
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
-        self._talking.text.changed.connect(self._show_spoken)
+        for told in (self._talking.text.changed, self._talking.keys.opened):
+            told.connect(self._show_spoken)
         self._talking.text.speech_saved.connect(dialogs.offer_speech)
         session.may_leave = self._may_leave_sound
         self.label_dialogs.join(self.analysis.file.view)
@@ -372,7 +373,7 @@ class MainWindow(QMainWindow):
 
     def _show_spoken(self) -> None:
         self.analysis.file.view.show_spoken(spoken_lanes(self._talking.text))
-        commands.show_talk(self.menus, self._talking.text)
+        commands.show_talk(self.menus, self._talking)
 
     def _begin_calibration(self) -> None:
         self.show_page(CALIBRATE)

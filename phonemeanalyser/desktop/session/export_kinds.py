@@ -16,13 +16,14 @@ from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice
 from phonemeengine.conversion.options import FACIAL, WEIGHTED
 from phonemeengine.conversion.speech_files import SpeechFiles
-from phonemeengine.conversion.spoken_texts import BESIDE, NO_TEXTS, SpokenTexts
+from phonemeengine.conversion.spoken_texts import BESIDE, NO_TEXTS, SpokenTexts, edited_keys
 from phonemeengine.conversion.work import CONVERSIONS, Conversion, ConversionWork
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.files import LABEL_SUFFIXES
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.files.io import FaceFiles
+from phonemeengine.mouth.key_layer import KeyLayer
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
@@ -58,6 +59,7 @@ class FaceInUse:
     driver : what moves the face where the words are known.
     words : what is said, by the sound's file, as far as it is known.
     speech : the current text, where it is no sound.
+    keys : an animator's edits, by the sound's file.
     """
 
     table: str = USUAL_TABLE
@@ -66,6 +68,7 @@ class FaceInUse:
     driver: DriverChoice = USUAL_DRIVER
     words: Mapping[Path, Utterance] = field(default_factory=dict)
     speech: TextToSay | None = None
+    keys: Mapping[Path, KeyLayer] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -82,6 +85,7 @@ class ExportOrder:
     driver : what moves a face.
     movestates : those of the mesh of the options, where they are in a file of their own.
     speech : the text that is turned into a file in place of sounds.
+    keys : an animator's edits by the sound's file, which go before those beside the sounds; None for no edits at all.
     overwrite : whether to replace whatever is there, not only what the same order made.
     """
 
@@ -93,11 +97,12 @@ class ExportOrder:
     driver: DriverChoice = USUAL_DRIVER
     movestates: Path | None = None
     speech: TextToSay | None = None
+    keys: Mapping[Path, KeyLayer] | None = None
     overwrite: bool = False
 
 
 def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
-    """Return an order that knows what is said in some sounds, also where that lies beside them.
+    """Return an order that knows what is said in some sounds and how it was edited, also where that lies beside them.
 
     Raises
     ------
@@ -108,7 +113,10 @@ def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
         texts = NO_TEXTS
     elif texts is None:
         texts = NO_TEXTS.of_script(BESIDE, sounds, say_nothing)
-    return replace(order, texts=texts)
+    keys = order.keys
+    if keys is not None:
+        keys = edited_keys(BESIDE, [sound for sound in sounds if sound not in keys]) | {**keys}
+    return replace(order, texts=texts, keys=keys)
 
 
 def work_of(order: ExportOrder) -> Work:
@@ -122,9 +130,17 @@ def work_of(order: ExportOrder) -> Work:
     if order.speech is not None:
         return SpeechWork(order, order.speech)
     texts = order.texts if order.texts is not None and kind.has_words else NO_TEXTS
+    keys, overwrite = order.keys or {}, order.overwrite
     if order.kind in CONVERSIONS:
         return ConversionWork(
-            order.kind, order.preset, order.options, order.channel, texts, order.driver, overwrite=order.overwrite
+            order.kind,
+            order.preset,
+            order.options,
+            order.channel,
+            texts,
+            order.driver,
+            keys=keys,
+            overwrite=overwrite,
         )
     if not kind.moves_mouth:
         return ReportWork(order)
@@ -133,7 +149,9 @@ def work_of(order: ExportOrder) -> Work:
     options, look = order.options, ClipOptions(rate=order.options.rate or USUAL_CLIP.rate)
     check_clip(Path("clip" + kind.ending), look.size)
     face = FaceFiles(None if options.mesh is None else Path(options.mesh), order.movestates)
-    return ClipWork(options, order.preset, order.channel, texts, order.driver, face, look, overwrite=order.overwrite)
+    return ClipWork(
+        options, order.preset, order.channel, texts, order.driver, face, look, keys=keys, overwrite=overwrite
+    )
 
 
 @dataclass(frozen=True)

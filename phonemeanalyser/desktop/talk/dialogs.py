@@ -116,12 +116,16 @@ class TalkDialogs(QObject):
             self._talking.text.save_speech(path)
 
     def may_leave_words(self) -> bool:
-        """Ask what is to become of boundaries that were moved and not saved; says whether to go on."""
-        words = self._talking.text.words
-        if not words.has_unsaved_changes or words.sound is None:
+        """Ask what is to become of boundaries and keys that were edited and not saved; says whether to go on."""
+        words, keys = self._talking.text.words, self._talking.keys
+        if words.has_unsaved_changes and words.sound is not None:
+            question = tr("Save the boundaries that you moved in {sound}?").format(sound=words.sound.name)
+            if not ask_to_save(self._window, tr("Unsaved Boundaries"), question, self.ask_save_words):
+                return False
+        if not keys.has_unsaved_changes or keys.sound is None:
             return True
-        question = tr("Save the boundaries that you moved in {sound}?").format(sound=words.sound.name)
-        return ask_to_save(self._window, tr("Unsaved Boundaries"), question, self.ask_save_words)
+        question = tr("Save the keys that you edited in {sound}?").format(sound=keys.sound.name)
+        return ask_to_save(self._window, tr("Unsaved Keys"), question, keys.save)
 
     def save(self) -> None:
         """Keep what was chosen for the next start."""
@@ -159,6 +163,7 @@ class TalkDialogs(QObject):
             Kept("talk/blinks", lambda: talking.idle.blinks, talking.set_blinks),
             Kept("talk/head", lambda: talking.idle.head, talking.set_head_motion),
             Kept("talk/pictures", lambda: talking.picture_rate, talking.set_picture_rate),
+            Kept("talk/keys", lambda: talking.keys.open, talking.keys.set_open),
             Kept("talk/random", lambda: talking.random, talking.set_random),
             _kept_percent(
                 "talk/attack_percent",

@@ -14,12 +14,14 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
+from phonemeanalyser.desktop.talk.keys.key_model import KeyModel
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.key_layer import NO_KEYS
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.performer import (
@@ -70,6 +72,7 @@ class TalkModel(QObject):
     performer : that of the head.
     idle : what the face does besides speaking, and in which detail its mouth follows.
     watched : whether anybody looks.
+    keys : an animator's edits of the current sound's movement.
     """
 
     changed = Signal()
@@ -100,6 +103,7 @@ class TalkModel(QObject):
         self._heard: list[Analysis] = []
         self._last: Analysis | None = None
         self._work = TaskQueue(self.error.emit)
+        self.keys = KeyModel(session, lambda: self.in_use, lambda: self.picture_rate)
         self._connect()
 
     @property
@@ -127,7 +131,13 @@ class TalkModel(QObject):
             mesh=files.mesh, idle=idle, attack=self.attack_factor, release=self.release_factor, random=self.random
         )
         return FaceInUse(
-            self.table_name, options, files.movestates, self.text.drivers.exported, known, self.text.to_say
+            self.table_name,
+            options,
+            files.movestates,
+            self.text.drivers.exported,
+            known,
+            self.text.to_say,
+            {self.keys.sound: self.keys.layer} if self.keys.sound is not None else {},
         )
 
     # -- what is chosen -----------------------------------------------------------------------------------
@@ -248,6 +258,7 @@ class TalkModel(QObject):
     def close(self) -> None:
         """Let everything go."""
         self.text.close()
+        self.keys.close()
         self.expression.close()
         self.osc.close()
         self.face.close()
@@ -287,6 +298,9 @@ class TalkModel(QObject):
                 performer.play(track if session.source.playing or position else None, now - position)
         if original.face is not None:
             self.performer.play(original.face, now - original.position)
+        layer = self.keys.layer if original.face is None else NO_KEYS  # another recording has keys of its own
+        for performer in self._performers:
+            performer.edit(layer, now - session.source.position)
 
     def _take_drivers(self) -> None:
         """Take up what moves the mouths; where nothing does, they follow the sound."""
@@ -348,7 +362,10 @@ class TalkModel(QObject):
         self.expression.changed.connect(self._take_expression)
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
-        for part in (self.face, self.osc, self.text, self.expression):
+        for changed in (self.changed, self.text.known_changed, self.expression.changed):
+            changed.connect(self.keys.generate_soon)
+        self.keys.info.connect(self.text.info)
+        for part in (self.face, self.osc, self.text, self.expression, self.keys):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:

@@ -12,6 +12,7 @@ from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionP
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
 from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
+from phonemeanalyser.desktop.talk.keys.key_panel import KeyPanel
 from phonemeanalyser.desktop.talk.model import PICTURE_RATES, TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
@@ -81,8 +82,8 @@ class PhonemeChip(QWidget):
 
 PANEL_WIDTH = 400
 """Of the tabs at first, pixels."""
-HEIGHTS = (10_000, 130, 190)
-"""Of head, script and time line at first: the head takes what the others leave, pixels."""
+HEIGHTS = (10_000, 130, 190, 210)
+"""Of head, script, time line and keys at first: the head takes what the others leave, pixels."""
 BARS_EVERY = 2
 """The bars are drawn at every second picture."""
 
@@ -161,7 +162,7 @@ class TalkPage(QWidget):
         self.bars = MovestateBars(talking, theme)
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
-        self.lanes = LanesPanel(talking, theme)
+        self.lanes, self.key_panel = LanesPanel(talking, theme), KeyPanel(talking, theme)
         self.keys = HeldKeys(talking, self)
         for view in (self.heads.main.view, self.heads.beside.view, self.bars, self.lanes.line):
             view.menu.save_asked.connect(self.picture_asked)
@@ -176,6 +177,10 @@ class TalkPage(QWidget):
         self.export = spoken_button(
             tr("Export…"), tr("Export the animation for other programs, as the head shows it (Ctrl+Shift+E)")
         )
+        self.show_keys = spoken_button(
+            tr("Keys"), tr("Show the curves of blend shapes, whose keys can be edited"), self._toggle_keys
+        )
+        self.show_keys.setCheckable(True)
         self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in sync, moved by another driver"))
         self.comparisons = ComparisonMenu(talking.text.drivers, self)
         open_without_arrow(self.compare, self.comparisons)
@@ -196,6 +201,7 @@ class TalkPage(QWidget):
         """Show what changes by itself."""
         self.heads.refresh()
         self.lanes.refresh()
+        self.key_panel.refresh()
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
             for part in (self.bars, self.expression, self.heard, self.osc, self.pictures):
@@ -207,7 +213,17 @@ class TalkPage(QWidget):
         self.save_speech.clicked.connect(lambda _checked: self.speech_asked.emit())
         self.export.clicked.connect(lambda _checked: self.export_asked.emit())
         self._talking.text.changed.connect(self._show_state)
+        self._talking.keys.opened.connect(self._show_keys)
         session.opened.connect(self._show_state)
+        self._show_keys()
+
+    def _toggle_keys(self) -> None:
+        self._talking.keys.set_open(self.show_keys.isChecked())
+
+    def _show_keys(self) -> None:
+        is_open = self._talking.keys.open
+        self.show_keys.setChecked(is_open)
+        self.key_panel.setVisible(is_open)
 
     def _show_state(self) -> None:
         texts = self._talking.text
@@ -216,13 +232,13 @@ class TalkPage(QWidget):
 
     def _lay_out(self) -> None:
         where, looks = (
-            row(self.heard, self.pictures, 1, spacing=6),
+            row(self.heard, self.pictures, self.show_keys, 1, spacing=6),
             row(1, self.compare, *self.heads.looks, spacing=6),
         )
         bar = Wrapping(where, looks, (8, 4, 8, 4))
         above = QWidget()
         column((self.heads, 1), bar, on=above, spacing=0)
-        for part in (above, self.text, self.lanes):
+        for part in (above, self.text, self.lanes, self.key_panel):
             self.stack.addWidget(part)
         self.stack.setStretchFactor(0, 1)
         self.stack.setSizes(list(HEIGHTS))

@@ -844,6 +844,11 @@
             <translation>Einer Regel eine Bedingung mit dieser Variable hinzufügen; vorgeschlagen wird die Grenze mit dem größten Gewinn</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>add a key</source>
+            <translation>Keyframe hinzufügen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/rules.py" />
             <source>add a rule</source>
             <translation>Regel hinzufügen</translation>
@@ -1504,6 +1509,11 @@
             <translation>Gesendete Blendshapes</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>Blend shapes ▾</source>
+            <translation>Blendshapes ▾</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Blink at natural intervals</source>
             <translation>In natürlichen Abständen blinzeln</translation>
@@ -1882,6 +1892,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
             <source>Choose Takes Folder</source>
             <translation>Takes-Ordner wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>Choose the blend shapes whose curves are seen</source>
+            <translation>Blendshapes wählen, deren Kurven zu sehen sind</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
@@ -2330,9 +2345,34 @@
             <translation>Bedingung löschen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>delete a key</source>
+            <translation>Keyframe löschen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/rules.py" />
             <source>delete a rule</source>
             <translation>Regel löschen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>Delete All</source>
+            <translation>Alle löschen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_model.py" />
+            <source>delete all keys</source>
+            <translation>alle Keyframes löschen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>Delete all keys; Ctrl+Z restores them</source>
+            <translation>Alle Keyframes löschen; Strg+Z stellt sie wieder her</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Delete Key</source>
+            <translation>Keyframe löschen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -2505,6 +2545,11 @@
             <translation>Modell wird heruntergeladen (145 MB)…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Drag a key, or move the selected one with the arrow keys (Shift: farther). Double-click adds a key, Delete removes it. Shift+drag marks a range to smooth, raise or lower.</source>
+            <translation>Einen Keyframe ziehen oder den ausgewählten mit den Pfeiltasten verschieben (Umschalt: weiter). Doppelklick fügt einen hinzu, Entf entfernt ihn. Umschalt+Ziehen markiert einen Bereich zum Glätten, Anheben oder Absenken.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
             <source>Drag the edges to trim the take; the arrow keys move the start by 10 ms, with Shift the end</source>
             <translation>Kanten ziehen, um den Take zuzuschneiden; Pfeiltasten verschieben den Anfang um 10 ms, mit Umschalt das Ende</translation>
@@ -2600,9 +2645,19 @@
             <translation>Jedes Dreieck nennt eins von {made} Materialien, eines nicht; neu exportieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Edit Keys</source>
+            <translation>Keyframes bearbeiten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>edit notes</source>
             <translation>Notizen bearbeiten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Edited keys</source>
+            <translation>Bearbeitete Keyframes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
@@ -3388,6 +3443,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
             <source>Gained: {phonemes}</source>
             <translation>Besser: {phonemes}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Generating curves…</source>
+            <translation>Kurven werden erzeugt…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -4180,9 +4240,29 @@
             <translation>Tastenkürzel</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Keys</source>
+            <translation>Keyframes</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Keys edited on the page Talk, or saved beside a recording as NAME.keys.toml</source>
+            <translation>Auf der Seite Sprechen bearbeitete oder neben der Aufnahme als NAME.keys.toml gespeicherte Keyframes</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />
             <source>keys lie one after the other within the sound, 0..{end} s, got {shown} s; move them</source>
             <translation>Keyframes liegen nacheinander innerhalb der Aufnahme, 0..{end} s, gefunden {shown} s; verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Keys of blend shapes over time</source>
+            <translation>Keyframes der Blendshapes im Zeitverlauf</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_model.py" />
+            <source>Keys saved as {path}</source>
+            <translation>Keyframes gespeichert als {path}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
@@ -4845,6 +4925,11 @@
             <translation>Tiefpass Anfang</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Lower Range by 0.1</source>
+            <translation>Bereich um 0.1 absenken</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>lower reacts faster</source>
             <translation>niedriger reagiert schneller</translation>
@@ -5223,6 +5308,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
             <source>mouth-shape accuracy {percent:.0f} % · macro F1 {macro_f1:.2f}</source>
             <translation>Genauigkeit der Mundformen {percent:.0f} % · Makro-F1 {macro_f1:.2f}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>move a key</source>
+            <translation>Keyframe verschieben</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/rules.py" />
@@ -5745,6 +5835,11 @@
             <translation>unmerklich</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>not saved</source>
+            <translation>nicht gespeichert</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>not silent</source>
             <translation>nicht still</translation>
@@ -5948,6 +6043,11 @@
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Open</source>
             <translation>Öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Open a recording to edit its keys</source>
+            <translation>Eine Aufnahme öffnen, um ihre Keyframes zu bearbeiten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
@@ -6600,6 +6700,16 @@
             <translation>Beenden</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>raise keys</source>
+            <translation>Keyframes anheben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Raise Range by 0.1</source>
+            <translation>Bereich um 0.1 anheben</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Random</source>
             <translation>Zufällig</translation>
@@ -7005,9 +7115,19 @@
             <translation>Zurücksetzen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>reset keys</source>
+            <translation>Keyframes zurücksetzen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>Reset Layout</source>
             <translation>Layout zurücksetzen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Reset Range</source>
+            <translation>Bereich zurücksetzen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
@@ -7260,6 +7380,11 @@
             <translation>Kurve speichern…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>Save Keys</source>
+            <translation>Keyframes speichern</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save Labels</source>
             <translation>Beschriftungen speichern</translation>
@@ -7358,6 +7483,16 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save the changes to the labels of {sound}?</source>
             <translation>Änderungen an den Beschriftungen von {sound} speichern?</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>Save the keys beside the recording, as NAME.keys.toml; exports use them</source>
+            <translation>Die Keyframes neben der Aufnahme als NAME.keys.toml speichern; Exporte verwenden sie</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Save the keys that you edited in {sound}?</source>
+            <translation>Die bearbeiteten Keyframes in {sound} speichern?</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
@@ -7730,6 +7865,11 @@
             <translation>Amplitude in dB zeigen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Show the curves of blend shapes, whose keys can be edited</source>
+            <translation>Die Kurven der Blendshapes zeigen, deren Keyframes sich bearbeiten lassen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Show the head that ships with the program</source>
             <translation>Den mitgelieferten Kopf zeigen</translation>
@@ -7868,6 +8008,16 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>smile</source>
             <translation>Lächeln</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>smooth keys</source>
+            <translation>Keyframes glätten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>Smooth Range</source>
+            <translation>Bereich glätten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -8723,6 +8873,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>the most likely one is recognised</source>
             <translation>das wahrscheinlichste wird erkannt</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
+            <source>The mouth table does not move {shape}</source>
+            <translation>Die Mundtabelle bewegt {shape} nicht</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
@@ -9813,6 +9968,11 @@
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>Unsaved changes to the preset {name} were restored from the last session.</source>
             <translation>Ungespeicherte Änderungen am Preset {name} aus der letzten Sitzung wurden wiederhergestellt.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Unsaved Keys</source>
+            <translation>Ungespeicherte Keyframes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
@@ -11508,6 +11668,16 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
             <source>{n} further variables of these rules</source>
             <translation>{n} weitere Variablen dieser Regeln</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>{n} key</source>
+            <translation>{n} Keyframe</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
+            <source>{n} keys</source>
+            <translation>{n} Keyframes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />

@@ -1,0 +1,1 @@
+"""Edited keys of blend shapes: their model and their lanes."""
