@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.analyse.recognition.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.session.preset import B, PresetDocument, PresetModel
+from phonemeanalyser.desktop.session.preset import A, B, PresetDocument, PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.unsaved import UnsavedChanges
 from phonemeanalyser.desktop.settings import keep, read, read_paths, remember
@@ -22,11 +22,20 @@ from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeanalyser.desktop.widgets.preset_picker import PresetPicker
 from phonemeengine.errors import EngineError
-from phonemeengine.presets.files import FACTORY_PRESETS, PresetEntry, own_presets, preset_entries, preset_path
+from phonemeengine.presets.files import (
+    FACTORY,
+    FACTORY_PRESETS,
+    PresetEntry,
+    own_presets,
+    preset_entries,
+    preset_path,
+)
 from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.storage.paths import presets_folder
 
 NOTES_SIZE = 520, 360
+IN_USE, NOT_IN_USE, LETTER = "preset", "other preset", "preset letter"
+"""Keys of what is kept of A and B for the next start."""
 PRESET_FILTERS = "Preset (*.toml);;PhonemeData (*.phonemedata *.txt)"
 
 
@@ -51,6 +60,7 @@ class PresetDialogs(QObject):
         self._window, self._session, self._preset = window, session, preset
         self._settings, self._files = settings, files
         self._shipping = TaskQueue(self.rejected.emit)
+        preset.sides_changed.connect(self._keep_sides)
 
     def close(self) -> None:
         """Tell no more of a preset that is being shipped."""
@@ -98,10 +108,38 @@ class PresetDialogs(QObject):
             self.action_offered.emit(sentence, tr("Save As…"), self.save_as)
 
     def restore(self) -> None:
-        """Load the preset that was in use when the window was last closed, if it is still there."""
-        path = read(self._settings, "preset", Path())
-        if path.is_file() and path != self._preset.path:
-            self._load(path)
+        """Load A and B of the last start, and use the one that was in use; say which file is gone."""
+        kept = [path for key in (IN_USE, NOT_IN_USE) if (path := self._kept(key)) != Path()]
+        there, gone = [path for path in kept if path.is_file()], [path for path in kept if not path.is_file()]
+        was_b = len(there) > 1 and read(self._settings, LETTER, A) == B
+        first, *others = (there[::-1] if was_b else there) or [self._preset.path]
+        if first != self._preset.path:
+            self._load(first)
+        if others:
+            tried(lambda: self._preset.set_other(PresetDocument.read(others[0])), self.rejected.emit)
+        if was_b and self._preset.other is not None:
+            self._preset.switch()
+        if gone:
+            self._keep_sides()
+            one = tr("The preset of the last session is no longer there: {paths}. Choose another one in the list.")
+            many = tr("The presets of the last session are no longer there: {paths}. Choose others in the list.")
+            self.rejected.emit((one if len(gone) == 1 else many).format(paths=", ".join(map(str, gone))))
+
+    def _kept(self, key: str) -> Path:
+        """Return the file of a preset of the last start; a factory preset's is known by its name."""
+        path = read(self._settings, key, Path())
+        return next((factory for factory in FACTORY_PRESETS if factory.stem == str(path)), path)
+
+    def _keep(self, key: str, path: Path | None) -> None:
+        path = None if path is None else path.resolve()
+        keep(self._settings, key, "" if path is None else path.stem if path.parent == FACTORY.resolve() else path)
+
+    def _keep_sides(self) -> None:
+        """Keep which presets are A and B, and which one is in use."""
+        other = self._preset.other
+        self._keep(IN_USE, self._preset.path)
+        self._keep(NOT_IN_USE, None if other is None or other.path == self._preset.path else other.path)
+        keep(self._settings, LETTER, self._preset.letter)
 
     def restore_unsaved(self, unsaved: UnsavedChanges) -> None:
         """Take up what was changed and not saved when the program ended, and offer to undo that."""
@@ -187,7 +225,7 @@ class PresetDialogs(QObject):
         return folder
 
     def _remember_preset(self, path: Path) -> None:
-        keep(self._settings, "preset", path.resolve())
+        self._keep(IN_USE, path)
         remember(self._settings, "recent presets", path)
 
     def sections(self) -> dict[str, tuple[PresetEntry, ...]]:

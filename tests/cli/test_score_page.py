@@ -20,6 +20,8 @@ from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.rule_text import rule_lines
+from phonemeengine.recognition.rules import Condition, Rule
 from tests.corpora import put, speech, write_corpus, write_manifest
 
 THESIS, CLEAN = (load_preset(FACTORY / name) for name in ("thesis.toml", "thesis-anti-aliased.toml"))
@@ -110,6 +112,24 @@ def test_what_is_wrong_is_marked_as_long_as_it_is(tmp_path: Path) -> None:
     wide = sum(float(r.get("width")) for r in parsed(page_of(report)).iter("rect") if r.get("class") == "wrong")
     assert wide / 160 == pytest.approx(np.sum(~heard.right) / 100, abs=0.02)
     assert wide > 0
+
+
+def test_the_rules_of_each_preset_are_listed_and_a_network_has_none(tmp_path: Path) -> None:
+    own = replace(
+        THESIS, name="own", recogniser="rules", rules=(Rule(Phoneme.A, (Condition("f0", ">", limit=90.5),)),)
+    )
+    utterances = read_corpus(write_corpus(tmp_path, THESIS))
+    learned = load_preset(FACTORY / "learned.toml")
+    presets = tuple(ScoredPreset(p.name, score(p, utterances)) for p in (own, THESIS))
+    root = parsed(page_of(Report(tmp_path, presets, compare(*(p.scores for p in presets)))))
+    section = next(s for s in root.iter("section") if s.findtext("h2") == "Rules")
+    assert [title.text for title in section.iter("h3")] == ["own", "Thesis"]
+    first, second = ("".join(lines.itertext()) for lines in section.iter("pre"))
+    assert first.splitlines() == rule_lines(own)
+    assert "f0 > 90.5" in first
+    assert second.splitlines() == rule_lines(THESIS)
+    alone = page_of(Report(tmp_path, (ScoredPreset("learned", score(learned, utterances)),), None))
+    assert all(s.findtext("h2") != "Rules" for s in parsed(alone).iter("section"))
 
 
 def test_hostile_names_are_only_words(tmp_path: Path) -> None:

@@ -14,11 +14,13 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QDockWi
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset, preset_path, save_preset
+from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 from tests.desktop.hands import click, followed, menu, press, settle, shown, type_number
 
@@ -312,6 +314,41 @@ def test_the_preset_in_use_comes_back(desktop, qtbot, start_again, tmp_path):
     again.window.dialogs.presets.restore()
     assert again.preset.path == tmp_path / "mine.toml"
     assert not again.window.isWindowModified()
+
+
+@pytest.mark.parametrize("in_use", ["A", "B"])
+def test_a_and_b_come_back_and_the_one_in_use_is_in_use(desktop, qtbot, start_again, tmp_path, in_use):
+    shown(desktop, qtbot, None)
+    desktop.preset.save(tmp_path / "mine.toml")
+    desktop.preset.set_other(PresetDocument.read(preset_path("extended")))
+    if in_use == "B":
+        desktop.preset.switch()
+    again = start_again()
+    again.window.dialogs.presets.restore()
+    assert again.preset.letter == in_use
+    assert [preset.name for preset in again.preset.sides.values()] == ["mine", "Extended rules"]
+    assert again.window.banner.label.text() == ""
+    assert not again.window.isWindowModified()
+
+
+@pytest.mark.parametrize("gone", ["a", "b", "ab"])
+def test_a_preset_whose_file_is_gone_is_said_once_in_one_sentence(desktop, qtbot, start_again, tmp_path, gone):
+    shown(desktop, qtbot, None)
+    for name in "ab":
+        save_preset(Preset(name=name), tmp_path / f"{name}.toml")
+    desktop.preset.load(tmp_path / "a.toml")
+    desktop.preset.set_other(PresetDocument.read(tmp_path / "b.toml"))
+    for name in gone:
+        (tmp_path / f"{name}.toml").unlink()
+    again = start_again()
+    again.window.dialogs.presets.restore()
+    said = again.window.banner.label.text()
+    assert all(str(tmp_path / f"{name}.toml") in said for name in gone)
+    assert list(again.preset.sides) == ["A"]
+    assert again.preset.preset.name == {"a": "b", "b": "a", "ab": "Learned"}[gone]
+    again.window.banner.show_error("")
+    again.window.dialogs.presets.restore()
+    assert again.window.banner.label.text() == ""
 
 
 def test_settings_of_nonsense_do_not_keep_the_window_from_opening(qapp, settings, qtbot):

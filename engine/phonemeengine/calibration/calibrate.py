@@ -67,6 +67,7 @@ class CalibrationResult:
     cost : what a bolder preset, which was refused, would have cost; mostly nothing.
     gained : by how much macro F1 and mouth shapes rose, with the range that chance would give.
     warning : why the real-time model of the preset learned nothing, a sentence; mostly nothing.
+    learned_seconds : how much of the takes was learned from.
     silence_accuracy : how well the preset tells the room from speech, as far as the takes say; None where they hold
         no silence.
     """
@@ -81,6 +82,7 @@ class CalibrationResult:
     silence_accuracy: SilenceAccuracy | None = None
     gained: Gains = field(default_factory=Gains)
     warning: str = ""
+    learned_seconds: float = 0.0
 
     @property
     def is_clear(self) -> bool:
@@ -152,6 +154,7 @@ def calibrate(
         accuracy,
         trial.gained,
         trials.models.warning,
+        _seconds(takes),
     )
 
 

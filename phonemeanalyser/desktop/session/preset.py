@@ -251,14 +251,19 @@ class PresetModel(QObject):
 
     def lost_in(self, path: Path) -> tuple[str, ...]:
         """Return what saving to such a file would drop, in words; a PhonemeData file holds only the 21 numbers."""
-        return beyond_phoneme_data(self.preset) if is_phoneme_data(path) else ()
+        return beyond_phoneme_data(self._for_file(path)) if is_phoneme_data(path) else ()
+
+    def _for_file(self, path: Path) -> Preset:
+        """Return what is saved to a file; a PhonemeData file has no place for notes that came with the program."""
+        is_dropped = self.is_factory and is_phoneme_data(path) and self.preset.notes == self.document.saved.notes
+        return replace(self.preset, notes="") if is_dropped else self.preset
 
     def save(self, path: Path) -> None:
         """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
 
         Where a PhonemeData file cannot hold all, `lost_in` says what is left out; that stays unsaved, and marked.
         """
-        named = replace(self.preset, name=path.stem) if path != self.path else self.preset
+        named = replace(self._for_file(path), name=path.stem if path != self.path else self.preset.name)
         save_preset(named, path)
         before, self.document = self.preset, PresetDocument(path, named, load_preset(path))
         if named != before:

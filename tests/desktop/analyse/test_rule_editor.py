@@ -3,11 +3,13 @@
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QDropEvent
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget, QLineEdit, QMenu, QTreeWidgetItem
 
 from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
-from phonemeanalyser.desktop.analyse.recognition.rule_tree import LIMIT, NAME, NOW, SIGN
+from phonemeanalyser.desktop.analyse.recognition.rule_tree import LIMIT, NAME, NOW, SIGN, RuleTree
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.rule_dialogs import ConditionDialog
 from phonemeanalyser.desktop.session.rules import RuleTrial
@@ -16,7 +18,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, save_preset
 from phonemeengine.recognition.rule_checks import RuleFault
 from phonemeengine.recognition.rules import RULES, Condition, Rule
-from tests.desktop.hands import CARDS, press, shown
+from tests.desktop.hands import CARDS, LEFT, press, shown
 from tests.labelled import recording
 
 pytestmark = pytest.mark.usefixtures("lender")
@@ -120,6 +122,36 @@ def test_rules_move_by_keys_and_are_duplicated_and_deleted(desktop, editor):
     press(editor.tree, Qt.Key.Key_Delete)
     assert desktop.preset.preset.rules[1] == replace(second, conditions=second.conditions[1:])
     for _ in range(5):
+        desktop.preset.undo_stack.undo()
+    assert desktop.preset.preset.rules == OWN
+
+
+def drag(tree: RuleTree, k: int, to: QPoint) -> None:
+    """Take hold of a rule with the mouse, and let it go elsewhere; no drag lasts without a display."""
+    start = tree.visualItemRect(tree.topLevelItem(k)).center()
+    QTest.mousePress(tree.viewport(), LEFT, pos=start)
+    data, none = tree.model().mimeData(tree.selectedIndexes()), Qt.KeyboardModifier.NoModifier
+    tree.dropEvent(QDropEvent(to.toPointF(), Qt.DropAction.MoveAction, data, LEFT, none))
+    QTest.mouseRelease(tree.viewport(), LEFT, pos=start)
+
+
+def test_rules_are_dragged_to_between_or_behind_others(desktop, editor):
+    tree, (first, second, third) = editor.tree, OWN
+    top = tree.visualItemRect(item(editor, 0)).topLeft()
+    drag(tree, 1, top + QPoint(20, 1))
+    assert desktop.preset.preset.rules == (second, first, third)
+    assert tree.current_rule == 0
+    assert texts(editor) == ["1  s", "2  silence", "3  a  otherwise"]
+    drag(tree, 0, tree.visualItemRect(item(editor, 1)).bottomLeft() + QPoint(20, -1))  # below it
+    assert desktop.preset.preset.rules == OWN
+    drag(tree, 0, tree.visualItemRect(item(editor, 1, 0)).center())  # among the conditions of another one
+    assert desktop.preset.preset.rules == (second, first, third)
+    desktop.preset.undo_stack.undo()
+    drag(tree, 0, QPoint(20, tree.viewport().height() - 2))  # below all
+    assert desktop.preset.preset.rules == (second, third, first)
+    drag(tree, 1, tree.visualItemRect(item(editor, 1)).center())  # where it was
+    assert desktop.preset.preset.rules == (second, third, first)
+    for _ in range(3):
         desktop.preset.undo_stack.undo()
     assert desktop.preset.preset.rules == OWN
 

@@ -102,9 +102,12 @@ def test_a_file_of_any_folder_is_an_entry(desktop, window, tmp_path):
     assert desktop.preset.path == tmp_path / "ben.toml"
 
 
-def test_a_preset_that_is_named_is_remembered_by_its_file(desktop, window, settings):
+def test_a_factory_preset_is_remembered_by_its_name_wherever_the_program_lies(desktop, window, settings, tmp_path):
     window.dialogs.presets.load(Path("templates"))
-    assert Path(str(settings.value("preset"))) == files.FACTORY / "templates.toml"
+    assert settings.value("preset") == "templates"
+    save_preset(Preset(name="Ben"), tmp_path / "ben.toml")
+    window.dialogs.presets.load(tmp_path / "ben.toml")
+    assert Path(str(settings.value("preset"))) == tmp_path / "ben.toml"
 
 
 def test_one_s_own_presets_and_those_used_lately_are_listed(window, tmp_path):

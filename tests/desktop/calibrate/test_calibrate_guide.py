@@ -95,8 +95,19 @@ def test_who_follows_gets_a_better_preset_for_his_voice_and_undo_brings_the_old_
         guide.changed.emit()
         assert title in by_sounds.page.guide.title.text()
         assert ("may be due to chance" in by_sounds.page.guide.hint.text()) is not is_clear
+        item = by_sounds.page.guide.figures.item(0, 2)
+        assert item.text().endswith(f" ±{5 - 100 * gain.low:.1f}")
+        assert item.toolTip().endswith(f"{100 * gain.low:+.1f} to +10.0")
+    outcome = guide.outcome
+    guide.outcome = replace(outcome, preset=outcome.start)
+    guide.changed.emit()
+    assert by_sounds.page.guide.figures.columnCount() == 1  # of the old preset, where nothing was gained
+    guide.outcome = outcome
+    guide.changed.emit()
     figures = by_sounds.page.guide.figures
     assert figures.item(0, 1).text() == f"{guide.outcome.after.macro_f1:.1%}"
+    seconds = sum(take.end - take.start for take in by_sounds.takes)
+    assert f"Learned from: 9 single sounds, background noise ({seconds:.1f} s)." in by_sounds.page.guide.hint.text()
     assert "each quarter of your recordings" in by_sounds.page.guide.hint.text()
     assert "Background noise recognised as silence: " in by_sounds.page.guide.hint.text()
     assert by_sounds.page.guide.head.isHidden()  # nothing was read that it could say
@@ -138,6 +149,7 @@ def test_one_sentence_that_is_read_teaches_the_voice_and_another_tells_what_was_
     assert outcome is not None
     assert spoken is not None
     assert outcome.cross_validated
+    assert "Learned from: one sentence, background noise (" in view.hint.text()
     assert "each quarter of your recordings" in view.hint.text()
     assert outcome.after.macro_f1 >= outcome.before.macro_f1
     assert loss_of(outcome.before, outcome.after) == ""

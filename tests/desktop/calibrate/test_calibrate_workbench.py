@@ -387,7 +387,7 @@ def test_a_fit_that_is_cancelled_changes_nothing(loaded: Calibrator):
 def compared_with(loaded: Calibrator, words: str) -> ComparePanel:
     """Choose B in the list of presets, and wait until both are compared."""
     compare = bench_of(loaded).compare
-    bench_of(loaded).tabs.setCurrentIndex(2)
+    bench_of(loaded).tabs.setCurrentIndex(3)
     click(compare.picker)
     QTest.keyClicks(compare.picker.list.search, words)
     QTest.keyClick(compare.picker.list.search, Qt.Key.Key_Return)
@@ -413,7 +413,9 @@ def test_two_presets_are_compared_and_the_comparison_follows_the_one_in_use(load
     assert macro_f1[:2] == [f"{one:.1%}", f"{two:.1%}"]
     gain = loaded.model.comparison.result.gains.macro_f1
     assert gain.difference == pytest.approx(two - one)
-    assert macro_f1[2] == f"{100 * (two - one):+.1f} ±{50 * (gain.high - gain.low):.1f}"
+    towards_zero = gain.difference - gain.low if gain.difference > 0 else gain.high - gain.difference
+    assert gain.is_clear == (abs(gain.difference) > towards_zero)
+    assert macro_f1[2] == f"{100 * (two - one):+.1f} ±{100 * towards_zero:.1f}"
     right = own.predicted == own.labels.phonemes
     others = expected.predicted == own.labels.phonemes
     assert int(loaded.model.comparison.result.only_one.sum()) == int(np.sum(right & ~others))

@@ -47,6 +47,8 @@ LEAST_STEADY = 0.1
 """Seconds; where less is steady, the whole sound counts."""
 
 TINY = 1e-20
+NO_SOUND = 1e-6
+"""Digital silence counts as so loud, an amplitude: -120 dB below full scale."""
 
 
 class Fault(StrEnum):
@@ -248,4 +250,4 @@ def _ratio(decibels: float) -> float:
 
 
 def _decibels(amplitude: float) -> float:
-    return float(20 * np.log10(max(amplitude, TINY)))
+    return float(20 * np.log10(max(amplitude, NO_SOUND)))

@@ -353,11 +353,12 @@ class RuleTree(QTreeWidget):
             super().keyPressEvent(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Move the rule that was dragged to where it is dropped."""
-        k, target = self.current_rule, self.itemAt(event.position().toPoint())
+        """Move the rule that was dragged to before or behind the one on whose upper or lower half it is dropped."""
+        at = event.position().toPoint()
+        k, target = self.current_rule, self.itemAt(at)
         place = self._place_of(target)
         to = len(self._rules.rules) if place is None else place[0]
-        below = self.dropIndicatorPosition() == QAbstractItemView.DropIndicatorPosition.BelowItem
+        below = target is not None and at.y() > self.visualItemRect(target).center().y()
         if place is not None and (below or place[1] is not None):
             to += 1
         event.setDropAction(Qt.DropAction.IgnoreAction)  # the tree is made anew from the rules

@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import UNNAMED, TakesModel
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
-from phonemeanalyser.desktop.language import language_in_use, tr, tr_noop
+from phonemeanalyser.desktop.language import language_in_use, tr, tr_count, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -206,6 +206,21 @@ class GuideModel(QObject):
     def spoken(self) -> LabelledUtterance | None:
         """The sentence that was read last: to judge by, or else to learn from."""
         return self.sentences[max(self.sentences)] if self.sentences else None
+
+    @property
+    def learned_from(self) -> str:
+        """What was learned from, a sentence."""
+        if self.outcome is None:
+            return ""
+        n_sounds = len(self.numbers.keys() - {0})
+        parts = (
+            (any(self.steps[k].teaches for k in self.sentences), tr("one sentence")),
+            (n_sounds, tr_count("one single sound", "{n} single sounds", n_sounds)),
+            (0 in self.numbers, tr("background noise")),
+        )
+        return tr("Learned from: {parts} ({seconds:.1f} s).").format(
+            parts=", ".join(words for is_there, words in parts if is_there), seconds=self.outcome.learned_seconds
+        )
 
     @property
     def measured_on(self) -> str:

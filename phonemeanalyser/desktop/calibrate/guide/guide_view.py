@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.painting import CENTRED, draw_text, size_that_fills
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, row, silent, spoken_button, tab_buttons
 from phonemeanalyser.desktop.widgets.level_meter import LevelMeterView
+from phonemeengine.calibration.calibrate import CalibrationResult
 from phonemeengine.calibration.sentences import LANGUAGES
 from phonemeengine.phonemes import Phoneme
 
@@ -133,8 +134,9 @@ class GuideView(QWidget):
         self.steps = StepsLine(calibration, theme)
         self.ring = CountdownRing(calibration, theme)
         self.meter = LevelMeterView(calibration.session.microphone.read_level, theme)
-        self.figures = FiguresTable((tr("Before"), tr("After")), theme)
+        self.figures = FiguresTable((tr("Before"), tr("After"), tr("Difference")), theme)
         self.head = head
+        self.head.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)  # buttons come before it
         guide = calibration.guide
         self.language = choice(
             ((tr(name), name) for name in LANGUAGES),
@@ -292,12 +294,22 @@ class GuideView(QWidget):
         for button in (self.hear_old, self.hear_new):
             button.setChecked(False)
         if done and guide.outcome is not None:
-            self.figures.show_scores((guide.outcome.before, guide.outcome.after))
+            self._show_figures(guide.outcome)
         self.steps.update()
         self.ring.update()
 
+    def _show_figures(self, outcome: CalibrationResult) -> None:
+        """Show what both presets reach and the difference, or what the old one reaches where nothing was gained."""
+        if outcome.gains:
+            self.figures.set_columns((tr("Before"), tr("After"), tr("Difference")))
+            self.figures.show_scores((outcome.before, outcome.after), outcome.gained)
+        else:
+            self.figures.set_columns((tr("Old preset"),))
+            self.figures.show_scores((outcome.before,))
+
     def _show_hint(self) -> None:
-        size = 24 if self._calibration.guide.reading else 16
+        guide = self._calibration.guide
+        size = 24 if guide.reading else 14 if guide.phase is Phase.DONE else 16
         text = f"<span style='font-size: {size}px'>{self._hint()}</span>"
         if text != self.hint.text():
             self.hint.setText(text)
@@ -334,7 +346,7 @@ class GuideView(QWidget):
         return tr(guide.step.hint)
 
     def _found(self) -> str:
-        """Return what the figures are measured on, and how well background noise is distinguished from speech."""
+        """Return what was learned from, what is measured, and how well background noise is told from speech."""
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""
@@ -345,7 +357,7 @@ class GuideView(QWidget):
         )
         unclear = tr(UNCLEAR) + "<br>" if guide.outcome.gains and not guide.outcome.is_clear else ""
         unsaved = f"<br><b>{tr('The new preset is not saved yet.')}</b>" if guide.outcome.gains else ""
-        return unclear + guide.measured_on + sure + unsaved
+        return f"{unclear}{guide.learned_from} {guide.measured_on}{sure}{unsaved}"
 
     def _advice(self) -> str:
         guide = self._calibration.guide

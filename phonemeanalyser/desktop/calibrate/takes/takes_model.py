@@ -22,8 +22,8 @@ from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
 
-LEAST_SECONDS = 0.05
-"""What is shorter was no take but a slip of the finger, seconds."""
+LEAST_SECONDS, LEAST_HELD = 0.05, 0.2
+"""A shorter segment of a file, and what was held more briefly, was no take but a slip of the finger; seconds."""
 AROUND = 0.3
 """What is kept before and after a segment of a file, seconds: so it is recognised as it was said."""
 UNNAMED = "me"
@@ -89,7 +89,7 @@ class TakesModel(QObject):
     added : number of a take that is new.
     sound_read : the sound of the selected take is there.
     info : a sentence for the user about something that went well.
-    error : a sentence for the user.
+    error : a sentence for the user; an empty one after a good take.
     idle : all that was asked of the disk is done.
     """
 
@@ -180,7 +180,7 @@ class TakesModel(QObject):
         ----------
         instead_of : gives the number of a take that makes room; asked when all takes before this one are kept.
         """
-        if len(samples) < LEAST_SECONDS * rate:
+        if len(samples) < LEAST_HELD * rate:
             self.error.emit(
                 tr(
                     "The take is too short ({seconds:.2f} s). Hold {phoneme} for as long as you say the sound."
@@ -378,10 +378,10 @@ class TakesModel(QObject):
 
     def _tell_added(self, take: Take) -> None:
         self.added.emit(take.number)
-        report = self.now.reports[take.number]
-        for sentence in list(report.faults.values())[:1]:
-            words = tr("{take} is excluded: {reason}") if take.excluded else "{take}: {reason}"
-            self.error.emit(words.format(take=take.name, reason=tr_engine(sentence)))
+        words = tr("{take} is excluded: {reason}") if take.excluded else "{take}: {reason}"
+        faults = self.now.reports[take.number].faults.values()
+        told = (words.format(take=take.name, reason=tr_engine(sentence)) for sentence in faults)
+        self.error.emit(next(told, ""))
 
     def _show_sound(self, number: int | None, sound: Float32Array) -> None:
         if number == self.selected:

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem
 
 from phonemeanalyser.desktop.engine_words import sound_name
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import A, B
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
@@ -23,6 +23,8 @@ from phonemeengine.phonemes import Phoneme
 
 COLUMN_WIDTH = 56
 """Pixels that a figure needs; narrower tables are scrolled."""
+RANGE_TIP = tr_noop("Second minus first in percentage points; more than the number after ± is more than chance")
+INTERVAL_TIP = tr_noop("95 % interval of chance: {low:+.1f} to {high:+.1f}")
 
 
 class FiguresTable(QTableWidget):
@@ -69,7 +71,7 @@ class FiguresTable(QTableWidget):
             if len(scores) < self.columnCount():
                 item = QTableWidgetItem(_difference(name, scores, gains))
                 item.setTextAlignment(Qt.AlignmentFlag.AlignCenter)
-                item.setToolTip(tr("B minus A, in percent; after ± half the interval of 95 % that chance would give"))
+                item.setToolTip(_range_in_words(getattr(gains, name, None)))
                 self.setItem(row, len(scores), item)
 
 
@@ -82,7 +84,17 @@ def _difference(name: str, scores: Sequence[Scores | None], gains: Gains | None)
         return f"{other - one:+.1f}"
     gain: Gain | None = getattr(gains, name, None)
     percent = f"{100 * (other - one):+.1f}"
-    return percent if gain is None else f"{percent} ±{50 * (gain.high - gain.low):.1f}"
+    return percent if gain is None else f"{percent} ±{100 * _towards_zero(gain):.1f}"
+
+
+def _towards_zero(gain: Gain) -> float:
+    """Return how far the interval of chance, which is seldom symmetric, reaches towards no difference, or beyond."""
+    return gain.difference - gain.low if gain.difference > 0 else gain.high - gain.difference
+
+
+def _range_in_words(gain: Gain | None) -> str:
+    told = tr(RANGE_TIP)
+    return told if gain is None else f"{told}. {tr(INTERVAL_TIP).format(low=100 * gain.low, high=100 * gain.high)}"
 
 
 class ChangesTable(QTableWidget):

@@ -1,0 +1,90 @@
+"""The tab *Rules* of the calibration: rules found in recordings, shown, applied or discarded."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+
+from phonemeengine.calibration.fits.rule_search import conditions_in
+from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.presets.rule_text import rule_lines
+from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
+from tests.desktop.hands import choose as choose_entry
+from tests.desktop.hands import click, press
+from tests.desktop.studio import Booth
+from tests.fakes.microphones import HandDrivenMicrophone
+
+RULES = 2
+"""The number of the tab."""
+
+
+@pytest.fixture
+def calibrator(open_booth: Callable[..., Booth], mic: HandDrivenMicrophone) -> Calibrator:
+    return Calibrator(open_booth(mic), mic)
+
+
+@pytest.fixture
+def loaded(calibrator: Calibrator, tmp_path: Path) -> Calibrator:
+    """Two speakers' recordings are loaded."""
+    calibrator.model.recordings.load([corpus(tmp_path / "corpus")])
+    calibrator.settle()
+    return calibrator
+
+
+def test_rules_are_found_shown_applied_and_undone(loaded: Calibrator):
+    panel, preset = loaded.page.workbench.rules, loaded.booth.desktop.preset
+    before = preset.preset
+    loaded.page.workbench.tabs.setCurrentIndex(RULES)
+    panel.conditions.setValue(6)
+    click(panel.begin, 10)
+    assert panel.stop.isVisibleTo(panel)
+    loaded.until(lambda: not loaded.model.rule_finding.searching.busy)
+    report = loaded.model.rule_finding.report
+    assert report is not None
+    n = conditions_in(report.preset.rules)
+    assert 1 <= n <= 6
+    assert f"{len(report.preset.rules)} rules with {n} conditions." in panel.words.text()
+    assert panel.rules.toPlainText().splitlines() == rule_lines(report.preset)
+    scores = report.before, report.after, report.held_out
+    assert [panel.figures.item(0, k).text() for k in range(3)] == [f"{s.macro_f1:.1%}" for s in scores]
+    assert report.after.macro_f1 > report.before.macro_f1
+    assert preset.preset == before
+    click(panel.accept, 10)
+    loaded.settle()
+    assert (preset.preset.recogniser, preset.preset.rules) == ("rules", report.preset.rules)
+    assert loaded.model.workbench.confusion.agreement.macro_f1 == pytest.approx(report.after.macro_f1)
+    assert not panel.rules.isVisibleTo(panel)
+    press(loaded.booth.window, Qt.Key.Key_Z, CONTROL)
+    assert preset.preset == before
+
+
+def test_rules_of_the_preset_s_variables_ask_for_nothing_else_and_are_discarded(loaded: Calibrator):
+    panel, before = loaded.page.workbench.rules, loaded.booth.desktop.preset.preset
+    loaded.page.workbench.tabs.setCurrentIndex(RULES)
+    choose_entry(panel.variables, "Variables of the preset")
+    click(panel.begin, 10)
+    loaded.until(lambda: not loaded.model.rule_finding.searching.busy)
+    report = loaded.model.rule_finding.report
+    assert report is not None
+    asked = {condition.variable for rule in report.preset.rules for condition in rule.conditions}
+    assert asked <= {*BUILT_IN_NAMES, *(v.name for v in before.variables)}
+    click(panel.refuse, 10)
+    assert loaded.booth.desktop.preset.preset == before
+    assert not panel.figures.isVisibleTo(panel)
+
+
+def test_rules_need_something_to_be_found_in_and_a_search_can_be_stopped(calibrator: Calibrator, tmp_path: Path):
+    panel = calibrator.page.workbench.rules
+    assert not panel.begin.isEnabled()
+    assert panel.words.text() == "Record takes or load labelled recordings first."
+    calibrator.model.recordings.load([corpus(tmp_path / "corpus")])
+    calibrator.settle()
+    calibrator.page.workbench.tabs.setCurrentIndex(RULES)
+    before = calibrator.booth.desktop.preset.preset
+    click(panel.begin, 10)
+    click(panel.stop, 10)
+    calibrator.settle()
+    assert calibrator.model.rule_finding.report is None
+    assert panel.begin.isEnabled()
+    assert calibrator.booth.desktop.preset.preset == before
