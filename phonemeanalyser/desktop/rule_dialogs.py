@@ -36,7 +36,9 @@ class ConditionDialog(QDialog):
     gain : what it gains.
     """
 
-    def __init__(self, rules: RuleModel, variable: str, rule: int | None, parent: QWidget) -> None:
+    def __init__(
+        self, rules: RuleModel, variable: str, rule: int | None, parent: QWidget, phoneme: Phoneme = Phoneme.SILENCE
+    ) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Use in a Rule"))
         self._rules = rules
@@ -59,6 +61,7 @@ class ConditionDialog(QDialog):
         self._form = QFormLayout(self)
         self.variable.setCurrentIndex(self.variable.findData(variable))
         self.rule.setCurrentIndex(self.rule.findData(rule))
+        self.phoneme.setCurrentIndex(self.phoneme.findData(phoneme))
         self._lay_out()
         self._connect()
         self._propose()
@@ -158,11 +161,11 @@ class RuleDialogs(QObject):
         conditions = self._rules.rules[rule].conditions
         self._ask(conditions[-1].variable if conditions else self._rules.variables[0], rule)
 
-    def ask_use(self, variable: str) -> None:
-        """Let the user use a variable in a rule."""
-        self._ask(variable, None)
+    def ask_use(self, variable: str, phoneme: Phoneme) -> None:
+        """Let the user use a variable in a rule; a new one is for that phoneme at first."""
+        self._ask(variable, None, phoneme)
 
-    def _ask(self, variable: str, rule: int | None) -> None:
+    def _ask(self, variable: str, rule: int | None, phoneme: Phoneme = Phoneme.SILENCE) -> None:
         if not self._rules.can_edit:
             sentence = tr(
                 "The preset {name} has no rules of its own. Make its rules editable in the dock Rules, or begin with "
@@ -170,7 +173,7 @@ class RuleDialogs(QObject):
             )
             self._rules.error.emit(sentence.format(name=self._rules.preset.name))
             return
-        dialog = ConditionDialog(self._rules, variable, rule, self._window)
+        dialog = ConditionDialog(self._rules, variable, rule, self._window, phoneme)
         dialog.exec()
         dialog.deleteLater()
 

@@ -251,19 +251,14 @@ class PresetModel(QObject):
 
     def lost_in(self, path: Path) -> tuple[str, ...]:
         """Return what saving to such a file would drop, in words; a PhonemeData file holds only the 21 numbers."""
-        return beyond_phoneme_data(self._for_file(path)) if is_phoneme_data(path) else ()
-
-    def _for_file(self, path: Path) -> Preset:
-        """Return what is saved to a file; a PhonemeData file has no place for notes that came with the program."""
-        is_dropped = self.is_factory and is_phoneme_data(path) and self.preset.notes == self.document.saved.notes
-        return replace(self.preset, notes="") if is_dropped else self.preset
+        return beyond_phoneme_data(self.preset) if is_phoneme_data(path) else ()
 
     def save(self, path: Path) -> None:
         """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
 
         Where a PhonemeData file cannot hold all, `lost_in` says what is left out; that stays unsaved, and marked.
         """
-        named = replace(self._for_file(path), name=path.stem if path != self.path else self.preset.name)
+        named = replace(self.preset, name=path.stem) if path != self.path else self.preset
         save_preset(named, path)
         before, self.document = self.preset, PresetDocument(path, named, load_preset(path))
         if named != before:

@@ -134,6 +134,11 @@
             <translation>1 Regel prüfen (⚠).</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
+            <source>95 % interval of chance: {low:+.1f} to {high:+.1f}</source>
+            <translation>95-%-Intervall des Zufalls: {low:+.1f} bis {high:+.1f}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>&lt;b&gt;File&lt;/b&gt;</source>
             <translation>&lt;b&gt;Datei&lt;/b&gt;</translation>
@@ -1369,11 +1374,6 @@
             <translation>Aserbaidschanisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
-            <source>B minus A, in percent; after ± half the interval of 95 % that chance would give</source>
-            <translation>B minus A in Prozent; nach ± das halbe 95-%-Intervall, das der Zufall ergäbe</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Back 1 s</source>
             <translation>1 s zurück</translation>
@@ -1382,6 +1382,11 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Back 10 ms</source>
             <translation>10 ms zurück</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
+            <source>background noise</source>
+            <translation>Hintergrundgeräusch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/room_model.py" />
@@ -2440,7 +2445,7 @@
             <translation>ist {name} gemeint?</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Difference</source>
             <translation>Unterschied</translation>
         </message>
@@ -4395,6 +4400,11 @@
             <translation>Lettisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
+            <source>Learned from: {parts} ({seconds:.1f} s).</source>
+            <translation>Gelernt aus: {parts} ({seconds:.1f} s).</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Leave the preset unchanged</source>
             <translation>Preset unverändert lassen</translation>
@@ -5970,6 +5980,11 @@
             <translation>Offline, ±{seconds} s Kontext</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
+            <source>Old preset</source>
+            <translation>Altes Preset</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
             <source>On a {left_out} that was held out they are worse than the current preset. Load more data.</source>
             <translation>Zurückgehalten ({left_out}) gemessen sind sie schlechter als das aktuelle Preset. Mehr Daten laden.</translation>
@@ -6008,6 +6023,16 @@
             <location filename="../../../engine/phonemeengine/mouth/table.py" />
             <source>one of {names}, or a list of at most {most_movestates} names</source>
             <translation>eins von {names} oder eine Liste von höchstens {most_movestates} Namen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
+            <source>one sentence</source>
+            <translation>ein Satz</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
+            <source>one single sound</source>
+            <translation>ein einzelner Laut</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -7630,6 +7655,11 @@
             <translation>Zweiter Formant</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
+            <source>Second minus first in percentage points; more than the number after ± is more than chance</source>
+            <translation>Zweite minus erste in Prozentpunkten; mehr als die Zahl nach ± ist mehr als Zufall</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Segments</source>
             <translation>Segmente</translation>
@@ -8995,6 +9025,11 @@
             <translation>der Grundfrequenz-Satz {name} muss aufsteigend in {lowest}..{highest} Hz liegen, nicht in {low}..{high} Hz</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
+            <source>The preset of the last session is no longer there: {paths}. Choose another one in the list.</source>
+            <translation>Das Preset der letzten Sitzung ist nicht mehr da: {paths}. Ein anderes in der Liste wählen.</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
             <source>the preset {name} has no offline model; the real-time model recognises files</source>
             <translation>das Preset {name} hat kein Offline-Modell; das Echtzeitmodell erkennt Dateien</translation>
@@ -9018,6 +9053,11 @@
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
             <source>the preset {name} was trained without Whisper, and so cannot use it; choose another model</source>
             <translation>das Preset {name} wurde ohne Whisper trainiert und kann es nicht verwenden; ein anderes Modell wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
+            <source>The presets of the last session are no longer there: {paths}. Choose others in the list.</source>
+            <translation>Die Presets der letzten Sitzung sind nicht mehr da: {paths}. Andere in der Liste wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
@@ -11743,6 +11783,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{n} segments of {sound}</source>
             <translation>{n} Abschnitte von {sound}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
+            <source>{n} single sounds</source>
+            <translation>{n} einzelne Laute</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />

@@ -8,7 +8,7 @@ from typing import Any, Protocol
 import numpy as np
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPen, QPolygonF
-from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QToolTip, QWidget
 
 from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -384,3 +384,10 @@ def _ticks(distribution: Distribution) -> list[float]:
     step = 10 ** math.floor(math.log10((high - low) / 4))
     step *= next(m for m in (1, 2, 5, 10) if (high - low) / (m * step) <= 8)
     return [k * step for k in range(math.ceil(low / step), math.floor(high / step) + 1)]
+
+
+def phoneme_of_rule(distribution: Distribution | None, *boxes: QComboBox) -> Phoneme:
+    """Return for which of the chosen phonemes a new rule is proposed: the one with the highest values."""
+    chosen = [Phoneme(box.currentData()) for box in boxes if box.currentData() is not None]
+    highest = None if distribution is None else distribution.higher_of(chosen)
+    return next(iter(chosen), Phoneme.SILENCE) if highest is None else highest

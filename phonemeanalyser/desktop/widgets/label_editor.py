@@ -34,6 +34,7 @@ class LabelEditor(QLineEdit):
         super().__init__(parent)
         self._view = parent
         named(self, tr("Name of the label"))
+        self.setAlignment(Qt.AlignmentFlag.AlignCenter)  # over a label that is narrower than the field
         self.hide()
 
     def open_over(self, box: QRectF, name: str, *, begun: bool) -> None:

@@ -254,8 +254,8 @@ def test_a_condition_is_added_with_the_limit_that_gains_most_on_the_labels_besid
     qtbot.waitUntil(lambda: not desktop.session.busy)
     trials: list[RuleTrial] = []
     rules.tried.connect(trials.append)
-    dialog = ConditionDialog(rules, "zero_crossings", None, window)
-    dialog.phoneme.setCurrentIndex(dialog.phoneme.findData(Phoneme.SZ))
+    dialog = ConditionDialog(rules, "zero_crossings", None, window, Phoneme.SZ)
+    assert dialog.draft().phoneme is Phoneme.SZ
     dialog.place.setValue(2)
     qtbot.waitUntil(lambda: bool(trials) and trials[-1].after.f1_of(Phoneme.SZ) > 0.8)
     assert trials[-1].after.macro_f1 > trials[-1].before.macro_f1
@@ -271,6 +271,6 @@ def test_a_condition_is_added_with_the_limit_that_gains_most_on_the_labels_besid
 def test_a_variable_is_used_in_no_fixed_rule(window, desktop):
     said: list[str] = []
     desktop.session.rules.error.connect(said.append)
-    window.rule_dialogs.ask_use("energy")
+    window.rule_dialogs.ask_use("energy", Phoneme.A)
     assert len(said) == 1
     assert "has no rules of its own" in said[0]

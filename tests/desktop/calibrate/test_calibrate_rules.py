@@ -8,11 +8,11 @@ from PySide6.QtCore import Qt
 
 from phonemeengine.calibration.fits.rule_search import conditions_in
 from phonemeengine.features.variables import BUILT_IN_NAMES
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.rule_text import rule_lines
 from tests.desktop.calibrate.calibrating import CONTROL, Calibrator, corpus
-from tests.desktop.hands import choose as choose_entry
 from tests.desktop.hands import click, press
-from tests.desktop.studio import Booth
+from tests.desktop.studio import Booth, choose
 from tests.fakes.microphones import HandDrivenMicrophone
 
 RULES = 2
@@ -62,7 +62,7 @@ def test_rules_are_found_shown_applied_and_undone(loaded: Calibrator):
 def test_rules_of_the_preset_s_variables_ask_for_nothing_else_and_are_discarded(loaded: Calibrator):
     panel, before = loaded.page.workbench.rules, loaded.booth.desktop.preset.preset
     loaded.page.workbench.tabs.setCurrentIndex(RULES)
-    choose_entry(panel.variables, "Variables of the preset")
+    choose(panel.variables, "Variables of the preset")
     click(panel.begin, 10)
     loaded.until(lambda: not loaded.model.rule_finding.searching.busy)
     report = loaded.model.rule_finding.report
@@ -88,3 +88,21 @@ def test_rules_need_something_to_be_found_in_and_a_search_can_be_stopped(calibra
     assert calibrator.model.rule_finding.report is None
     assert panel.begin.isEnabled()
     assert calibrator.booth.desktop.preset.preset == before
+
+
+def test_a_new_rule_is_proposed_for_the_phoneme_of_the_pair_with_the_higher_values(loaded: Calibrator):
+    panel, model = loaded.page.workbench.variables, loaded.model.workbench
+    asked: list[tuple[str, Phoneme]] = []
+    panel.use_asked.disconnect()
+    panel.use_asked.connect(lambda *what: asked.append((what[0], what[1])))
+    for variable, one, other in (("zero_crossings", "a", "s"), ("zero_crossings", "s", "a"), ("volume", "s", "a")):
+        model.choose(variable)
+        loaded.settle()
+        choose(panel.one, one)
+        choose(panel.other, other)
+        click(panel.use)
+    choose(panel.one, "sh")  # of which nothing is loaded
+    choose(panel.other, "all others")
+    click(panel.use)
+    told = [(variable, phoneme.label) for variable, phoneme in asked]
+    assert told == [*[("zero_crossings", "sz")] * 2, ("volume", "a"), ("volume", "sch")]

@@ -149,6 +149,11 @@ class Distribution:
         """How well the variable separates the ten phonemes: the mean over all pairs, 0.5..1; NaN without a pair."""
         return mean_separability(self.separations, SCORED_PHONEMES)
 
+    def higher_of(self, phonemes: Iterable[Phoneme]) -> Phoneme | None:
+        """Return the one of some phonemes with the highest median; None without frames of any."""
+        known = [phoneme for phoneme in phonemes if phoneme in self.spreads]
+        return max(known, key=lambda phoneme: self.spreads[phoneme].median) if known else None
+
 
 @dataclass(frozen=True)
 class RankedVariable:

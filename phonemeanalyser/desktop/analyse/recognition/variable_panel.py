@@ -25,7 +25,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     silent,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.distribution import DistributionView, short
+from phonemeanalyser.desktop.widgets.distribution import DistributionView, phoneme_of_rule, short
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.features.front_end import why_unmeasured
 from phonemeengine.features.variables import readable_name
@@ -48,7 +48,7 @@ class VariablePanel(QWidget):
 
     Signals
     -------
-    use_asked : the user wants to use the variable of this name in a rule.
+    use_asked : the user wants to use the variable of this name in a rule, a new one for that phoneme.
     looked_for : a threshold of the variable was touched; it is to be seen.
 
     Attributes
@@ -62,7 +62,7 @@ class VariablePanel(QWidget):
     study : what is known of the variable.
     """
 
-    use_asked = Signal(str)
+    use_asked = Signal(str, object)
     looked_for = Signal()
 
     def __init__(self, session: Session, preset: PresetModel, courses: Courses, theme: Theme) -> None:
@@ -135,7 +135,7 @@ class VariablePanel(QWidget):
             numbers.addWidget(self._of[name], at, 0)
             for k in range(len(COLUMNS)):
                 numbers.addWidget(self.values[name, k], at, k + 1, Qt.AlignmentFlag.AlignRight)
-        self.use.clicked.connect(lambda _checked: self.use_asked.emit(self._courses.chosen))
+        self.use.clicked.connect(self._use)
         self.use.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         below = row((self.phonemes, 1), self.scope, spacing=4)
         parts = (self.variable, pair, self.about, numbers, row(self.use, 1), below, (self.distribution, 1))
@@ -168,6 +168,10 @@ class VariablePanel(QWidget):
         one, other = self.one.currentData(), self.other.currentData()
         pair = None if one is None or other is None or one == other else (Phoneme(one), Phoneme(other))
         self.study.ask(StudyScope(self.scope.currentData()), pair)
+
+    def _use(self) -> None:
+        phoneme = phoneme_of_rule(self.study.found.distribution, self.one, self.other)
+        self.use_asked.emit(self._courses.chosen, phoneme)
 
     def _choose(self) -> None:
         name = self.variable.currentData()

@@ -346,7 +346,7 @@ class GuideView(QWidget):
         return tr(guide.step.hint)
 
     def _found(self) -> str:
-        """Return what was learned from, what is measured, and how well background noise is told from speech."""
+        """Return what was learned from, what is measured, and how well background noise is recognised."""
         guide = self._calibration.guide
         if guide.outcome is None:
             return ""

@@ -11,6 +11,7 @@ from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, silent, style_list, tab_buttons
+from phonemeanalyser.desktop.widgets.distribution import phoneme_of_rule
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeengine.calibration.fits.suggestions import Suggestion
@@ -34,11 +35,11 @@ class VariablesPanel(QWidget):
     Signals
     -------
     add_asked : a `Variable` that the user wants to have.
-    use_asked : the user wants to use the variable of this name in a rule.
+    use_asked : the user wants to use the variable of this name in a rule, a new one for that phoneme.
     """
 
     add_asked = Signal(Variable)
-    use_asked = Signal(str)
+    use_asked = Signal(str, object)
 
     def __init__(self, workbench: WorkbenchModel, theme: Theme) -> None:
         super().__init__()
@@ -97,11 +98,15 @@ class VariablesPanel(QWidget):
         self.table.currentCellChanged.connect(self._choose)
         self.search.clicked.connect(self._search)
         self.add.clicked.connect(self._add)
-        self.use.clicked.connect(lambda _checked: self.use_asked.emit(self._workbench.variable))
+        self.use.clicked.connect(self._use)
         self._workbench.distribution_changed.connect(self._fill)
         self._workbench.suggested.connect(self._fill)
         self._workbench.searching.changed.connect(self._show_search)
         self._workbench.confusion_changed.connect(self._tell)  # the recogniser may be another
+
+    def _use(self) -> None:
+        phoneme = phoneme_of_rule(self._workbench.distribution, self.one, self.other)
+        self.use_asked.emit(self._workbench.variable, phoneme)
 
     def _fill(self) -> None:
         own = self._workbench.own_variables
