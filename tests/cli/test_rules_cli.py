@@ -9,6 +9,8 @@ import pytest
 import soundfile
 
 from phonemeanalyser.cli.main import main
+from phonemeengine.calibration.fits.rule_finding import rules_from
+from phonemeengine.calibration.scores.corpus import read_corpus
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import FACTORY, load_preset, save_preset
 from phonemeengine.recognition.rules import Condition, Rule
@@ -53,6 +55,8 @@ def test_rules_are_found_in_a_folder_written_and_said(tmp_path, capsys):
     assert sum(len(rule.conditions) for rule in preset.rules) <= 9
     assert re.search(r"speakers held out: macro F1 [01]\.\d+, mouth shapes", said)
     assert said.removeprefix(f"{out}: ").startswith(preset.notes)
+    from_program = rules_from(read_corpus(corpus), load_preset("thesis"), most_conditions=9)
+    assert preset.rules == from_program.preset.rules
     assert main(["rules", str(corpus), "-o", str(out)]) == 1
     assert "left alone" in capsys.readouterr().err
 
