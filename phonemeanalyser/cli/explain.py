@@ -82,7 +82,7 @@ def _why(options: argparse.Namespace, at: float, preset: Preset) -> Iterator[str
     analysis = found[0]
     yield f"{at:.2f} s: {_named(analysis)}"
     recogniser = recogniser_of(preset.recogniser, preset.config)
-    yield from (f"  {line}" for line in trace_lines(recogniser.explain(analysis.features, 0)))
+    yield from (f"  {line}" for line in trace_lines(recogniser.explain(analysis.features, 0), preset.variables))
 
 
 def _named(analysis: Analysis) -> str:

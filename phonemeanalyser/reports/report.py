@@ -30,7 +30,7 @@ class ScoredPreset:
 
     @property
     def rules(self) -> list[str]:
-        """The preset's rules, a line each, and what their variables measure; none where it has no rules."""
+        """The preset's rules, a line for each condition; none where it has no rules."""
         preset = self.scores.preset
         return rule_lines(preset) if rules_of(preset) else []
 

@@ -1,11 +1,11 @@
 """The rules of a preset as a person reads them."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 from phonemeengine.errors import PresetError
 from phonemeengine.features.measure import Features
-from phonemeengine.features.variables import readable_name
+from phonemeengine.features.variables import Variable, readable_name
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.recognition import Trace
 from phonemeengine.recognition.rule_checks import rule_faults
@@ -34,7 +34,7 @@ def with_own_rules(preset: Preset) -> Preset:
 
 
 def rule_lines(preset: Preset, features: Features | None = None) -> list[str]:
-    """Return a line for each rule in the order of decision, and one for each variable that they ask for.
+    """Return the rules in the order of decision, with a line for each condition.
 
     Parameters
     ----------
@@ -54,35 +54,44 @@ def rule_lines(preset: Preset, features: Features | None = None) -> list[str]:
     labels = rule_labels((*rules, DEFAULT_RULE))
     faults = rule_faults(rules, preset.thresholds, features)
     width = max(map(len, labels))
-    lines = [
-        f"{k + 1:3d}  {label or rule.phoneme.label:{width}}  {_words(rule, preset)}{f'  ({fault})' if fault else ''}"
-        for k, (rule, label, fault) in enumerate(zip(rules, labels, faults, strict=False))
-    ]
-    return [*lines, "", *_legend(rules, preset)]
+    lines = []
+    for k, (rule, label, fault) in enumerate(zip(rules, labels, faults, strict=False)):
+        first, *others = _words(rule, preset)
+        lines.append(f"{k + 1:3d}  {label or rule.phoneme.label:{width}}  {first}{f'  ({fault})' if fault else ''}")
+        lines += [f"{'':{width + 5}}  {words}" for words in others]
+    return lines
 
 
-def trace_lines(trace: Trace) -> Iterator[str]:
-    """Yield why a frame was recognised: each rule down to the one that fired, with what it compared."""
+def trace_lines(trace: Trace, mine: Iterable[Variable] = ()) -> Iterator[str]:
+    """Yield why a frame was recognised: each rule down to the one that fired, with what it compared.
+
+    Parameters
+    ----------
+    trace : of the frame.
+    mine : the user's own variables.
+    """
+    mine = tuple(mine)
     if not trace.comparisons:
         yield f"{trace.rule}: no comparison decides it"
     for c in trace.comparisons:
         mark = "holds" if c.margin > 0 else "fails"
-        yield f"{c.rule}: {c.variable} {c.value:.4g} {c.sign} {c.limit:.4g} {mark} by {abs(c.margin):.3g}"
+        compared = f"{named_twice(c.variable, mine)} {c.value:.4g} {c.sign} {c.limit:.4g}"
+        yield f"{c.rule}: {compared} {mark} by {abs(c.margin):.3g}"
 
 
-def _words(rule: Rule, preset: Preset) -> str:
+def named_twice(variable: str, mine: Iterable[Variable] = ()) -> str:
+    """Return what a variable measures, and its short name after it in parentheses, unless it begins with that."""
+    words = readable_name(variable, mine)
+    return words if words.startswith(variable) else f"{words} ({variable})"
+
+
+def _words(rule: Rule, preset: Preset) -> list[str]:
     asked = [_condition(c, preset) for c in rule.conditions if c.enabled]
     off = [f"[off: {_condition(c, preset)}]" for c in rule.conditions if not c.enabled]
-    words = " ".join([*(["if " + " and ".join(asked)] if asked else ["always"]), *off])
-    return words if rule.enabled else f"[off] {words}"
+    words = [f"{'and' if k else 'if'} {words}" for k, words in enumerate(asked)] or ["always"]
+    return [*([] if rule.enabled else ["[off]"]), *words, *off]
 
 
 def _condition(c: Condition, preset: Preset) -> str:
-    return f"{c.variable} {c.sign} {limit_of(c, preset.thresholds):g}" + (f" ({c.threshold})" if c.threshold else "")
-
-
-def _legend(rules: Sequence[Rule], preset: Preset) -> Iterator[str]:
-    names = sorted({c.variable for rule in rules for c in rule.conditions})
-    width = max(map(len, names), default=0)
-    for name in names:
-        yield f"{name:{width}}  {readable_name(name, preset.variables)}"
+    words = f"{named_twice(c.variable, preset.variables)} {c.sign} {limit_of(c, preset.thresholds):g}"
+    return words + (f"  [{c.threshold}]" if c.threshold else "")

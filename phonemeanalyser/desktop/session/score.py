@@ -1,6 +1,5 @@
 """How right what is recognised is, beside labels: of what is seen, of this file, of everything loaded."""
 
-from enum import StrEnum
 from pathlib import Path
 from typing import NamedTuple
 
@@ -11,6 +10,7 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
+from phonemeanalyser.desktop.session.time_view import Scope
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import UInt8Array
 from phonemeengine.calibration.scores.confusion import Confusion, confusion_between
@@ -25,14 +25,6 @@ from phonemeengine.settings import FRAME_PERIOD
 ANSWER_MS = 16
 """After a change, until the figures are others: a threshold that is dragged changes all the time."""
 Utterances = tuple[LabelledUtterance, ...]
-
-
-class Scope(StrEnum):
-    """Of what the figures are."""
-
-    SEEN = "seen"
-    FILE = "file"
-    LOADED = "loaded"
 
 
 class ConfusionExample(NamedTuple):
@@ -61,6 +53,7 @@ class ScoreModel(QObject):
 
     Attributes
     ----------
+    scope : of what the figures are: of what is seen, of the whole file, or of everything loaded.
     agreement : of the preset in use; None where nothing is labelled.
     before : what it was before the change that goes on, such as a drag; None without one.
     other : of the other one of A and B; None without one, or while it is measured.
@@ -72,7 +65,7 @@ class ScoreModel(QObject):
 
     def __init__(self, preset: PresetModel, seen: SeenSound, labels: LabelTiers) -> None:
         super().__init__()
-        self.scope = Scope.FILE
+        self.scope = Scope.WHOLE
         self.agreement: Agreement | None = None
         self.before: Agreement | None = None
         self.other: Agreement | None = None

@@ -1,9 +1,11 @@
 """Which seconds of a file are seen, and which are selected."""
 
+from enum import StrEnum
 from typing import NamedTuple
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr_noop
 from phonemeengine.settings import FRAME_PERIOD
 
 SHORTEST = 0.005
@@ -16,6 +18,24 @@ AROUND = 0.5
 """Seconds that are seen at least on either side of what is revealed."""
 AHEAD = 0.1
 """Share of what is seen that lies before the playhead, when the view turns a page."""
+
+
+class Scope(StrEnum):
+    """Of what figures are: of a part of the sound, of all of it, or of all that is loaded in Calibrate, too."""
+
+    SEEN = "seen"
+    SELECTION = "selection"
+    WHOLE = "whole"
+    LOADED = "loaded"
+
+
+SCOPES = {
+    Scope.SEEN: tr_noop("In view"),
+    Scope.SELECTION: tr_noop("Selection"),
+    Scope.WHOLE: tr_noop("Whole recording"),
+    Scope.LOADED: tr_noop("Everything loaded"),
+}
+"""How the window names them."""
 
 
 class TimeSpan(NamedTuple):

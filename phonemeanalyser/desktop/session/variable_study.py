@@ -1,7 +1,6 @@
 """The chosen variable: its values in what is seen and selected, and by phoneme; and what separates two of these."""
 
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import NamedTuple
 
 import numpy as np
@@ -9,7 +8,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.session.time_view import Scope, TimeSpan
 from phonemeanalyser.desktop.tasks import TaskQueue
 from phonemeengine.arrays import BoolArray, Float32Array, UInt8Array
 from phonemeengine.calibration.scores.corpus import FrameLabels
@@ -29,14 +28,6 @@ from phonemeengine.settings import FRAME_PERIOD
 
 AGAIN_MS = 200
 """Between two looks at a sound that is still analysed, or at thresholds that are dragged."""
-
-
-class StudyScope(StrEnum):
-    """Of what a distribution is."""
-
-    ALL = "all"
-    SEEN = "seen"
-    SELECTION = "selection"
 
 
 class Extremes(NamedTuple):
@@ -93,7 +84,7 @@ class VariableStudy(QObject):
     Attributes
     ----------
     found : what is known.
-    scope : of what the distribution is.
+    scope : of what the distribution is: of the whole sound, or of what is seen or selected of it.
     pair : the two phonemes that a variable ought to separate; None for none.
     """
 
@@ -103,7 +94,7 @@ class VariableStudy(QObject):
     def __init__(self, session: Session, courses: Courses) -> None:
         super().__init__()
         self.found = NOTHING
-        self.scope = StudyScope.ALL
+        self.scope = Scope.WHOLE
         self.pair: Pair | None = None
         self._session, self._courses = session, courses
         self._wanted = False
@@ -123,7 +114,7 @@ class VariableStudy(QObject):
         self._wanted = on
         self.look()
 
-    def ask(self, scope: StudyScope, pair: Pair | None) -> None:
+    def ask(self, scope: Scope, pair: Pair | None) -> None:
         """Look at another part of the sound, and rank the variables for another pair of phonemes."""
         self.scope, self.pair = scope, pair
         self.look()
@@ -166,9 +157,9 @@ class VariableStudy(QObject):
         def act(_progress: Progress) -> Findings:
             values = values_of(frames.features, variable, sensitivities)
             place = {
-                StudyScope.ALL: slice(None),
-                StudyScope.SEEN: frames.seen,
-                StudyScope.SELECTION: frames.selection,
+                Scope.WHOLE: slice(None),
+                Scope.SEEN: frames.seen,
+                Scope.SELECTION: frames.selection,
             }[scope]
             part, codes = frames.features.part(place), frames.phonemes[place]
             ranks = _ranking(part, codes, pair) if ranking is None else ranking
@@ -199,9 +190,9 @@ class VariableStudy(QObject):
         else:
             sound = (id(tracks), tracks.n_written if said is not None else tracks.revision, tracks.names, id(said))
         scope = {
-            StudyScope.ALL: None,
-            StudyScope.SEEN: session.view.seen,
-            StudyScope.SELECTION: session.view.selection,
+            Scope.WHOLE: None,
+            Scope.SEEN: session.view.seen,
+            Scope.SELECTION: session.view.selection,
         }[self.scope]
         ranked = (*sound, scope)
         sensitivities = tuple(session.preset.in_force.sensitivities.items())

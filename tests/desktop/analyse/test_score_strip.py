@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from phonemeanalyser.desktop.session.score import Scope
-from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.session.time_view import Scope, TimeSpan
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.scores.evaluation import score
 from phonemeengine.calibration.scores.scoring import Agreement
@@ -163,7 +162,7 @@ def test_everything_loaded_counts_recordings_and_the_open_file(desktop, window, 
     assert desktop.session.score.agreement.seconds == agreement.seconds  # an opened recording does not count twice
 
 
-@pytest.mark.parametrize("scope", [Scope.FILE, Scope.LOADED])
+@pytest.mark.parametrize("scope", [Scope.WHOLE, Scope.LOADED])
 def test_a_and_b_stand_side_by_side_and_change_places(desktop, window, strip, qtbot, tmp_path, scope):
     loaded(desktop, qtbot, tmp_path / "corpus")
     choose(desktop, qtbot, scope)
@@ -173,7 +172,7 @@ def test_a_and_b_stand_side_by_side_and_change_places(desktop, window, strip, qt
     of_b = figures(strip, "B")
     assert figures(strip) == of_a
     assert "<b>" in strip.values["A", "macro_f1"].text()
-    if scope is Scope.FILE:
+    if scope is Scope.WHOLE:
         assert of_b == expected(scored(load_preset("extended"), CARDS))
     a, b = desktop.session.score.agreement, desktop.session.score.other
     assert f"{100 * (b.macro_f1 - a.macro_f1):+.1f}" in strip.values["-", "macro_f1"].text()

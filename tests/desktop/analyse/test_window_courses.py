@@ -7,8 +7,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDockWidget
 
-from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.session.variable_study import StudyScope
+from phonemeanalyser.desktop.session.time_view import Scope, TimeSpan
 from phonemeengine.calibration.workbench.distributions import separability
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
 from phonemeengine.phonemes import Phoneme
@@ -171,7 +170,7 @@ def test_a_click_on_a_number_of_a_phoneme_takes_it_as_the_threshold(desktop, win
     touch(window, "p_p1")
     desktop.session.view.select(TimeSpan(0.0, 6.0))
     panel = window.analysis.variable
-    panel.scope.setCurrentIndex(panel.scope.findData(StudyScope.SELECTION))
+    panel.scope.setCurrentIndex(panel.scope.findData(Scope.SELECTION))
     spread = found(window, qtbot).distribution.spreads[Phoneme.A]
     view = panel.distribution
     places = [QPointF(x, y) for x in range(view.width()) for y in range(0, view.height(), 3)]
@@ -230,7 +229,7 @@ def test_a_variable_without_a_band_says_why_it_reads_nothing(desktop, window, qt
 
 def test_an_empty_selection_is_one_sentence(desktop, window, qtbot):
     panel = window.analysis.variable
-    panel.scope.setCurrentIndex(panel.scope.findData(StudyScope.SELECTION))
+    panel.scope.setCurrentIndex(panel.scope.findData(Scope.SELECTION))
     assert found(window, qtbot).distribution is None
     assert panel.distribution._words == "Nothing is selected. Shift+drag over the file to select a segment."
 

@@ -1,5 +1,6 @@
 """The recognised phoneme in large letters, its intensity, why it was recognised, and the plain measures."""
 
+from html import escape
 from typing import Any
 
 from PySide6.QtCore import QEvent, QPoint, QRectF
@@ -14,6 +15,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
 from phonemeengine.analyser import latest_reading
+from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
 
@@ -74,7 +76,7 @@ class PhonemeView(QWidget):
 
     def tip_at(self, at: QPoint) -> str:
         """Return what the value at a place is, and of what."""
-        phoneme, intensity, meters, _ = self._boxes()
+        phoneme, intensity, meters, line = self._boxes()
         if at.y() < phoneme.bottom():
             return f"{tr(PHONEME_TIP)}</p><p>{self.about_set}" if self.about_set else tr(PHONEME_TIP)
         if at.y() < intensity.bottom() + 2:
@@ -83,7 +85,15 @@ class PhonemeView(QWidget):
         if at.y() < meters.bottom():
             cell = int(len(METERS) * (at.x() - meters.left()) / meters.width())
             return tr(METERS[min(max(cell, 0), len(METERS) - 1)][3])
-        return tr(TRACE_TIP)
+        rows = [] if self.trace is None else rows_of(self.trace)
+        row = int((at.y() - line.top()) / ROW)
+        if not 0 <= row < len(rows):
+            return tr(TRACE_TIP)
+        comparison, rule, _ = rows[row]
+        variable = comparison.variable
+        named = dict.fromkeys((self._readable(variable), variable))
+        told = f"{' · '.join(named)}: {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
+        return f"{escape(f'{tr_engine(rule)}: {told} ({_signed(comparison.margin)})')}</p><p>{tr(TRACE_TIP)}"
 
     def _boxes(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
         """Return where phoneme, intensity, measures and the trace's first line are."""
@@ -190,10 +200,11 @@ class PhonemeView(QWidget):
             mark = self._theme.good if comparison.margin > 0 else self._theme.bad
             draw_text(painter, line, "✓" if comparison.margin > 0 else "✗", mark, 11)
             words = QRectF(line.left() + indent, line.top(), line.width() - indent - MARGIN_WIDTH, ROW)
+            told = self._words_in(painter, comparison, words.width())
             draw_text(
                 painter, QRectF(line.left() + MARK_WIDTH, line.top(), indent - MARK_WIDTH, ROW), asked, colour, 11
             )
-            draw_text(painter, words, _words(comparison), colour, 11)
+            draw_text(painter, words, told, colour, 11)
             draw_text(painter, line, _signed(comparison.margin), mark, 11, AT_RIGHT)
             line = line.translated(0, ROW)
         if not trace.comparisons:
@@ -204,6 +215,16 @@ class PhonemeView(QWidget):
                 recognised=sound_name(self.recognised), phoneme=sound_name(self.phoneme)
             )
             draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), calmed, self._theme.accent, 11)
+
+    def _words_in(self, painter: QPainter, comparison: RuleComparison, width: float) -> str:
+        """Return what was compared, with what the variable measures where there is room, else with its short name."""
+        told = _words(comparison, self._readable(comparison.variable))
+        set_size(painter, 11)
+        has_room = painter.fontMetrics().horizontalAdvance(told) <= width
+        return told if has_room else _words(comparison, comparison.variable.removesuffix(f"_{comparison.rule}"))
+
+    def _readable(self, variable: str) -> str:
+        return tr_engine(readable_name(variable, self._session.preset.preset.variables))
 
 
 def rows_of(trace: Trace) -> list[tuple[RuleComparison, str, bool]]:
@@ -230,9 +251,8 @@ def _share(comparison: RuleComparison) -> float:
     return comparison.margin / max(abs(comparison.limit), 1e-9)
 
 
-def _words(comparison: RuleComparison) -> str:
-    """Return what was compared; a variable that ends with its rule's name, such as ``p_silence``, is shortened."""
-    variable = comparison.variable.removesuffix(f"_{comparison.rule}")
+def _words(comparison: RuleComparison, variable: str) -> str:
+    """Return what was compared, with a name of the variable."""
     return f"{variable} {_short(comparison.value)} {comparison.sign} {_short(comparison.limit)}"
 
 

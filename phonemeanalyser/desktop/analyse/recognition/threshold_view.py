@@ -238,13 +238,13 @@ class ThresholdView(QScrollArea):
         )
         heading.setToolTip(tr_engine(group.note))
         heading.setContentsMargins(0, 5, 0, 1)
-        heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        heading.setWordWrap(True)
+        heading.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         return heading
 
     def _add_row(self, fields: QGridLayout, at: int, control: Control) -> Row:
         hint = self._hint_of(control)
-        words = named(label(tr_engine(control.label)), tip=f"<p>{hint}</p>")
-        words.setTextFormat(Qt.TextFormat.PlainText)
+        words = named(self._label_of(control), tip=f"<p>{hint}</p>")
         words.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
         tip = f"<p>{hint}</p><p>{tr('Drag, or press the arrow keys (Shift: finer steps).')}</p>"
         slider = named(ThresholdSlider(control, self._theme), control.name, tip)
@@ -258,6 +258,17 @@ class ThresholdView(QScrollArea):
         row.number.valueChanged.connect(partial(self._type, row))
         row.reset.clicked.connect(lambda _checked: self._restore(control.name))
         return row
+
+    def _label_of(self, control: Control) -> QLabel:
+        """Return what a control is called: of a threshold what its variable measures, its short name below it."""
+        words = tr_engine(readable_name(control.variable, self._preset.preset.variables))
+        called = label(tr_engine(control.label), wraps=True)
+        called.setTextFormat(Qt.TextFormat.PlainText)
+        if control.variable and control.variable in control.label and words != control.variable:
+            called.setTextFormat(Qt.TextFormat.RichText)
+            short = f"<span style='color:{self._theme.faint}; font-size:10px'>{escape(control.label)}</span>"
+            called.setText(f"{escape(words)}<br>{short}")
+        return called
 
     def _hint_of(self, control: Control) -> str:
         """Return what a control does, and what the variable measures that is compared with it; as rich text."""

@@ -12,7 +12,8 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.session.variable_study import Extremes, StudyScope, VariableStudy
+from phonemeanalyser.desktop.session.time_view import SCOPES, Scope
+from phonemeanalyser.desktop.session.variable_study import Extremes, VariableStudy
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     choice,
@@ -32,12 +33,8 @@ from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
 
 COLUMNS = (tr_noop("min"), tr_noop("mean"), tr_noop("max"))
-ROWS = {"seen": tr_noop("In view"), "selection": tr_noop("Selection"), "clear": tr_noop("Since Clear")}
-SCOPES = {
-    StudyScope.ALL: tr_noop("whole recording"),
-    StudyScope.SEEN: tr_noop("in view"),
-    StudyScope.SELECTION: tr_noop("selection"),
-}
+OFFERED = (Scope.WHOLE, Scope.SEEN, Scope.SELECTION)
+ROWS = {"seen": SCOPES[Scope.SEEN], "selection": SCOPES[Scope.SELECTION], "clear": tr_noop("Since Clear")}
 NOTHING_SELECTED = tr_noop("Nothing is selected. Shift+drag over the file to select a segment.")
 NOTHING_SAID = tr_noop("No certain label lies in this part of the recording.")
 NOTHING_MEASURED = tr_noop("Not measured yet: open a file, or play something.")
@@ -76,7 +73,7 @@ class VariablePanel(QWidget):
         self.one = choice(sounds, tr("Phoneme to separate"), tr("Sort the variables by how well they separate this"))
         self.other = choice(sounds, tr("Phoneme to separate it from"), tr("Phoneme to separate it from"))
         self.scope = choice(
-            ((tr(words), scope) for scope, words in SCOPES.items()),
+            ((tr(SCOPES[scope]), scope) for scope in OFFERED),
             tr("Part of the recording"),
             tr("Part of the recording whose phonemes are shown"),
         )
@@ -167,7 +164,7 @@ class VariablePanel(QWidget):
     def _ask(self) -> None:
         one, other = self.one.currentData(), self.other.currentData()
         pair = None if one is None or other is None or one == other else (Phoneme(one), Phoneme(other))
-        self.study.ask(StudyScope(self.scope.currentData()), pair)
+        self.study.ask(Scope(self.scope.currentData()), pair)
 
     def _use(self) -> None:
         phoneme = phoneme_of_rule(self.study.found.distribution, self.one, self.other)
@@ -234,7 +231,7 @@ class VariablePanel(QWidget):
             said = tr("{what}; {percent:.0f} % measured").format(what=said, percent=100 * found.known)
         self.phonemes.setText(said)
         empty = NOTHING_SAID if found.by_labels and found.known > 0 else NOTHING_MEASURED
-        nothing_selected = self.study.scope is StudyScope.SELECTION and self._session.view.selection is None
+        nothing_selected = self.study.scope is Scope.SELECTION and self._session.view.selection is None
         self.distribution.show_distribution(found.distribution, tr(NOTHING_SELECTED if nothing_selected else empty))
         self.distribution.choose_line(self._courses.control)
         self._list_variables()

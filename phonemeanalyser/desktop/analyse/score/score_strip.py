@@ -10,9 +10,8 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_count, tr_noop
 from phonemeanalyser.desktop.session.preset import A, B
-from phonemeanalyser.desktop.session.score import Scope
 from phonemeanalyser.desktop.session.session import Session
-from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.session.time_view import SCOPES, Scope, TimeSpan
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, grid, label, named, row, tab_buttons, tool_button
 from phonemeanalyser.desktop.widgets.figures import (
@@ -27,11 +26,7 @@ from phonemeengine.calibration.scores.scoring import Agreement
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 
-SCOPES = {
-    Scope.SEEN: tr_noop("What is seen"),
-    Scope.FILE: tr_noop("This file"),
-    Scope.LOADED: tr_noop("Everything loaded"),
-}
+OFFERED = (Scope.SEEN, Scope.WHOLE, Scope.LOADED)
 SHOWN = tuple(figure for figure in FIGURES if figure[1] != "vowel_accuracy")
 """The figures that follow from counts alone, and so are there while a threshold is dragged."""
 N_CONFUSIONS = 2
@@ -68,7 +63,7 @@ class ScoreStrip(QWidget):
         super().__init__()
         self._session, self._score, self._theme = session, session.score, theme
         self.scope = choice(
-            ((tr(text), scope.value) for scope, text in SCOPES.items()),
+            ((tr(SCOPES[scope]), scope.value) for scope in OFFERED),
             tr("Score of"),
             tr(
                 "What the figures are of: the visible part of the file, the whole file, or all takes and recordings "
@@ -218,7 +213,7 @@ class ScoreStrip(QWidget):
             Scope.SEEN: tr("{name}, {start:.1f}–{end:.1f} s").format(
                 name=name, start=score.span[0], end=score.span[1]
             ),
-            Scope.FILE: name,
+            Scope.WHOLE: name,
             Scope.LOADED: tr_count("1 recording", "{n} recordings", n)
             + " "
             + tr_count("of 1 speaker", "of {n} speakers", n_voices)
