@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from typing import cast
 
 from PySide6.QtCore import QChildEvent, QEvent, QObject, Qt
 from PySide6.QtGui import QAction
@@ -119,8 +120,11 @@ class Docks(QObject):
         The tabs of docks that lie behind one another are Qt's, and get a name for screen readers.
         """
         if isinstance(event, QChildEvent) and event.polished() and isinstance(event.child(), QTabBar):
-            event.child().setAccessibleName(tr("Tabs of the docks"))  # type: ignore[attr-defined]
-            event.child().setObjectName("DockTabs")
+            tabs = cast(QTabBar, event.child())
+            tabs.setAccessibleName(tr("Tabs of the docks"))
+            tabs.setObjectName("DockTabs")
+            tabs.setElideMode(Qt.TextElideMode.ElideNone)  # in a narrow dock they scroll: "Sch…" says nothing
+            tabs.setUsesScrollButtons(True)
         by_user = self._narrow <= self._window.width() == self._fitted_for and not self._fits
         if event.type() == QEvent.Type.Resize and isinstance(dock, QDockWidget) and by_user and not dock.isFloating():
             self._wide[dock] = dock.width()

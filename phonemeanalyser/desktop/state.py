@@ -11,7 +11,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QComboBox, QMainWindow, QSplitter
 
-from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
+from phonemeanalyser.desktop.analyse.page import AnalysisPage
 from phonemeanalyser.desktop.session.microphone import SUFFIXES, Microphone
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.settings import Kept, keep, read
@@ -85,16 +85,16 @@ class WindowState:
         """Return the number of the page that was seen last."""
         return read(self._settings, "page", 0)
 
-    def save(self, session: Session, view: ScrollView) -> None:
+    def save(self, session: Session, page: AnalysisPage) -> None:
         """Keep everything else for the next start."""
         for name, save in self._savers.items():
             self._settings.setValue(name, save())
-        for choice in self._kept(session, view):
+        for choice in self._kept(session, page):
             choice.save(self._settings)
         for key, field in OF_MICROPHONE.items():
             keep(self._settings, key, getattr(session.microphone.choice, field))
 
-    def restore(self, session: Session, view: ScrollView) -> None:
+    def restore(self, session: Session, page: AnalysisPage) -> None:
         """Take up everything of the last start; what was never kept stays as it is."""
         self._untouched = {name: save() for name, save in self._savers.items() if name != "geometry"}
         self._untouched["layout"] = self._window.saveState(LAYOUT_VERSION)
@@ -102,14 +102,14 @@ class WindowState:
             state = self._settings.value(name)
             if isinstance(state, QByteArray):
                 restore(state)
-        for choice in self._kept(session, view):
+        for choice in self._kept(session, page):
             choice.restore(self._settings)
         chosen = session.microphone.choice
         kept = {field: read(self._settings, key, getattr(chosen, field)) for key, field in OF_MICROPHONE.items()}
         with suppress(SettingsError):  # the file was edited by hand
             session.microphone.choose(replace(chosen, **kept))
 
-    def _kept(self, session: Session, view: ScrollView) -> tuple[Kept[Any], ...]:
+    def _kept(self, session: Session, page: AnalysisPage) -> tuple[Kept[Any], ...]:
         microphone = session.microphone
         return (
             *(Kept(name, switch.isChecked, switch.setChecked) for name, switch in self._switches.items()),
@@ -122,10 +122,9 @@ class WindowState:
             Kept("recording_kind", lambda: microphone.suffix, partial(_set_kind, microphone)),
             _kept_attribute("recording_phonemes", microphone, "with_phonemes"),
             _kept_attribute("recording_fills_gaps", microphone, "fill_gaps"),
-            Kept("variable", lambda: view.courses.chosen, view.courses.choose),
-            _kept_choice("colours", view.colours),
-            Kept("darkest", view.low.value, view.low.setValue),
-            Kept("brightest", view.high.value, view.high.setValue),
+            Kept("variable", lambda: page.courses.chosen, page.courses.choose),
+            Kept("darkest", page.sonagram.low.value, page.sonagram.low.setValue),
+            Kept("brightest", page.sonagram.high.value, page.sonagram.high.setValue),
         )
 
 

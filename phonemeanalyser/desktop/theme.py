@@ -7,6 +7,8 @@ from PySide6.QtWidgets import QApplication
 
 from phonemeanalyser.colours import CURVE_COLOURS, DARK, LIGHT, PHONEME_COLOURS, Theme
 
+BOX = 11
+"""Pixels of an unchecked box within its frame, which Fusion draws dark on dark."""
 __all__ = ["CURVE_COLOURS", "DARK", "LIGHT", "PHONEME_COLOURS", "Theme", "apply_theme", "system_theme"]
 
 
@@ -23,6 +25,9 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         f" border: 1px solid {theme.line}; border-radius: 3px }}"
         f"QToolButton[checkable=true]:checked {{ color: {theme.on_colour}; background: {theme.accent} }}"
         f"QToolButton[checkable=true]:hover {{ border-color: {theme.accent} }}"
+        f"QCheckBox::indicator:unchecked, QGroupBox::indicator:unchecked, QAbstractItemView::indicator:unchecked"
+        f" {{ border: 1px solid {theme.faint}; border-radius: 2px; background: {theme.field};"
+        f" width: {BOX}px; height: {BOX}px }}"
     )
     if app.styleSheet() == sheet:
         return  # Qt would polish every widget anew, which takes a second

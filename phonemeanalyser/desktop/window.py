@@ -51,7 +51,7 @@ USUAL_SIZE, DECORATIONS = QSize(1280, 800), QSize(8, 40)
 NARROW = 1272
 """A window that is narrower than this has its filters behind the thresholds, unless the user moves them."""
 ANALYSE, CALIBRATE, TALK = range(3)
-KEYS_OF_DOCKS = {tr_noop("Head"): "F7", tr_noop("Averaged spectra"): "F8"}
+KEYS_OF_DOCKS = {tr_noop("Head"): "F7", tr_noop("Spectra"): "F8"}
 
 
 class MainWindow(QMainWindow):
@@ -97,7 +97,7 @@ class MainWindow(QMainWindow):
         self._lay_out()
         self._make_menus()
         self._connect()
-        self.state.restore(session, self.analysis.scroll_view)
+        self.state.restore(session, self.analysis)
         self._docks.laid_out_for(self.state.docks_width(), stacked=self.state.docks_stacked())
         self.redraw.refresh_all()
 
@@ -185,7 +185,7 @@ class MainWindow(QMainWindow):
             bar.addWidget(view)
         self.addToolBar(bar)
         self._filters = self._docks.add(tr_noop("Filters"), Qt.DockWidgetArea.LeftDockWidgetArea, self.filters)
-        self._spectra = self._docks.add_behind(self._filters, tr_noop("Averaged spectra"), self.curves)
+        self._spectra = self._docks.add_behind(self._filters, tr_noop("Spectra"), self.curves)
         self.setCentralWidget(self.pages)  # after what stands left of it, as Tab goes
         self.analysis.main_view.setFocus()  # else Qt gives the first button the focus, and Space is for Play
         analysis = self.analysis
@@ -341,9 +341,8 @@ class MainWindow(QMainWindow):
         self._docks.prefer({self._filters: FILTERS_WIDTH, self._thresholds: PHONEME_WIDTH})
         self._fit_docks()
 
-    def _draw_rewritten(self, column: int) -> None:
-        """Draw anew what was analysed anew, from a column on."""
-        self.analysis.scroll_view.sonagram.forget(column)
+    def _draw_rewritten(self, _column: int) -> None:
+        """Draw what was analysed anew."""
         self.redraw.dirty = True
 
     def _show_names(self) -> None:
@@ -469,7 +468,7 @@ class MainWindow(QMainWindow):
         if self._calibration_dialogs is not None:
             self._calibration_dialogs.save()
         self.talking_dialogs.save()
-        self.state.save(self._session, self.analysis.scroll_view)
+        self.state.save(self._session, self.analysis)
 
     def show_last_page(self) -> None:
         """Show the page that was seen when the program ended the last time."""

@@ -247,19 +247,30 @@ class TimeEyes:
         self.graphics = self.view.findChild(pg.GraphicsLayoutWidget)
         self.sonagram, self.lane, self.course = (self.graphics.ci.getItem(row, 0) for row in range(3))
         self.image: QImage = self.graphics.grab().toImage()
+        self.top: float = window.analysis.sonagram.top.currentData()
+
+    def share(self, frequency: float) -> float:
+        """Give where a frequency lies in the sonagram, 0..1 from below, while its axis is linear."""
+        return frequency / self.top
 
     def colour(self, plot: Any, x: float, y: float) -> QColor:
-        """Give the colour that is seen at a point of a plot."""
+        """Give the colour that is seen at a point of a plot; of the sonagram at a frequency, Hz."""
+        y = self.share(y) if plot is self.sonagram else y
         return self.image.pixelColor(place(self.graphics, plot, x, y))
 
     def brightest(self, seconds: float) -> float:
         """Give the frequency of the brightest pixel of a column of the sonagram, Hz: of several the middle one."""
-        low, high = self.sonagram.viewRange()[1]
-        column = [
-            (qGray(self.colour(self.sonagram, seconds, y).rgb()), y) for y in np.linspace(low + 20, high - 20, 400)
-        ]
+        column = self._column(seconds)
         most = max(light for light, _ in column)
         return float(np.median([y for light, y in column if light == most]))
+
+    def brightness(self, seconds: float) -> int:
+        """Give how bright the brightest pixel of a column of the sonagram is, 0..255."""
+        return max(light for light, _ in self._column(seconds))
+
+    def _column(self, seconds: float) -> list[tuple[int, float]]:
+        places = np.linspace(0.02, 0.98, 400) * self.top
+        return [(qGray(self.colour(self.sonagram, seconds, y).rgb()), y) for y in places]
 
 
 def lies_behind(widget: QWidget | None) -> bool:

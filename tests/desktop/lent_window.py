@@ -94,7 +94,7 @@ class WindowLender:
         _leave_sound(desktop.session)
         _forget_edits(desktop)
         _show_usual(window, self._checked)
-        window.state.restore(desktop.session, window.analysis.scroll_view)
+        window.state.restore(desktop.session, window.analysis)
         window.redraw.refresh_all()
         QApplication.processEvents()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

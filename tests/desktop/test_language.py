@@ -251,13 +251,12 @@ def test_what_is_chosen_stays_chosen_in_another_language(
     desktop = open_window("de")
     shown(desktop, qtbot)
     analysis = desktop.window.analysis
-    analysis.file.axis.setCurrentIndex(analysis.file.axis.findText("logarithmisch"))
-    analysis.file.colours.setCurrentIndex(analysis.file.colours.findText("grau"))
-    analysis.scroll_view.colours.setCurrentIndex(analysis.scroll_view.colours.findText("grau"))
+    analysis.sonagram.axis.setCurrentIndex(analysis.sonagram.axis.findText("logarithmisch"))
+    analysis.sonagram.colours.setCurrentIndex(analysis.sonagram.colours.findText("grau"))
     desktop.set_language("en")
     analysis = desktop.window.analysis
-    assert analysis.file.axis.currentText() == "logarithmic"
-    assert analysis.file.colours.currentText() == analysis.scroll_view.colours.currentText() == "grey"
+    assert analysis.sonagram.axis.currentText() == "logarithmic"
+    assert analysis.sonagram.colours.currentText() == "grey"
 
 
 def test_qts_own_buttons_and_keys_speak_german_too(spoken: Callable[[str], None], qtbot: QtBot) -> None:

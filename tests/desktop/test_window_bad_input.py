@@ -63,7 +63,7 @@ def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     known, duration = session.whole.tracks.phonemes.copy(), session.source.duration
     change(sound)
     session.view.show(TimeSpan(0.7, 0.8))  # finer than what is measured of the sonagram
-    window.analysis.file.view.show_over("formants", on=True)
+    window.analysis.sonagram.overlays["formants"].setChecked(True)
     session.view.select(TimeSpan(1.5, 1.9))
     for act in (window.selection.measure, window.dialogs.curves.add_selection):
         act()

@@ -63,9 +63,8 @@ def test_single_letters_of_the_menus_do_nothing_on_other_pages(desktop, qtbot, p
 def test_a_list_a_number_and_a_text_keep_what_is_typed_into_them(desktop, qtbot):
     window, session = shown(desktop, qtbot), desktop.session
     assert QApplication.focusWidget() is window.analysis.file.view
-    scroll = window.analysis.scroll_view
-    window.analysis.over_time.setCurrentWidget(scroll)
-    for control in (scroll.colours, scroll.low, window.transport.source):
+    number = next(iter(window.analysis.thresholds.rows.values())).number
+    for control in (window.analysis.score.scope, number, window.transport.source):
         control.setFocus()
         assert QApplication.focusWidget() is control
         QTest.keyClicks(control, "lbrn")
@@ -73,8 +72,8 @@ def test_a_list_a_number_and_a_text_keep_what_is_typed_into_them(desktop, qtbot)
     assert not session.playback.loop
     assert not desktop.preset.bypassed
     assert not session.microphone.recording
-    type_number(scroll.low, "-50")
-    assert scroll.low.value() == -50
+    type_number(number, "0.5")
+    assert number.value() == 0.5
     press(window, Qt.Key.Key_Space)  # which writes no number
     assert session.source.playing
 

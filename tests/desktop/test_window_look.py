@@ -259,14 +259,14 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     click(window.transport.loop)
     desktop.session.set_channel(Channel.LEFT)
     window.analysis.courses.choose("m_s1")
-    window.analysis.scroll_view.colours.setCurrentText("magma")
-    window.analysis.scroll_view.low.setValue(-80)
-    window.analysis.scroll_view.high.setValue(-10)
+    sonagram = window.analysis.sonagram
+    sonagram.colours.setCurrentText("magma")
+    sonagram.low.setValue(-80)
+    sonagram.high.setValue(-10)
     for switch in (
         window.analysis.spectrum.decibels,
         window.analysis.averaged.coarse,
         window.analysis.waveform.coarse,
-        window.analysis.scroll_view.decibels,
     ):
         click(switch)
     settle()
@@ -286,12 +286,12 @@ def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     assert again.session.channel is Channel.LEFT
     assert new.transport.channel.currentText() == "Left"
     assert new.analysis.courses.chosen == "m_s1"
-    assert new.analysis.scroll_view.colours.currentText() == "magma"
-    assert (new.analysis.scroll_view.low.value(), new.analysis.scroll_view.high.value()) == (-80, -10)
+    assert new.analysis.sonagram.colours.currentText() == "magma"
+    assert (new.analysis.sonagram.low.value(), new.analysis.sonagram.high.value()) == (-80, -10)
+    assert again.session.sonagram.level_range == (-80, -10)
     assert new.analysis.spectrum.decibels.isChecked()
     assert new.analysis.averaged.coarse.isChecked()
     assert new.analysis.waveform.coarse.isChecked()
-    assert not new.analysis.scroll_view.decibels.isChecked()
     assert not new.analysis.spectrum.coarse.isChecked()
 
 

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QAbstractButton, QComboBox, QSplitter, QStackedWid
 
 from phonemeanalyser.desktop.analyse.lanes.file_panel import FilePanel
 from phonemeanalyser.desktop.analyse.lanes.scroll_view import ScrollView
+from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
 from phonemeanalyser.desktop.analyse.recognition.phoneme_view import PhonemeView
 from phonemeanalyser.desktop.analyse.recognition.rule_editor import RuleEditor
 from phonemeanalyser.desktop.analyse.recognition.threshold_view import ThresholdView
@@ -36,6 +37,7 @@ class AnalysisPage(QWidget):
     ----------
     rows : the splitter between spectra, waveform and time view.
     spectra : the splitter between the two spectra.
+    sonagram : what is chosen of the sonagram, of files and of live sound.
     courses : the variables whose courses are drawn.
     score : how right what is recognised is.
     phoneme, variable, thresholds, rules : what is drawn of it in docks beside the page.
@@ -52,8 +54,9 @@ class AnalysisPage(QWidget):
         self.waveform = WaveformView(theme)
         self._session = session
         self.courses = Courses(preset)
-        self.scroll_view = ScrollView(session.history, self.courses, theme)
-        self.file = FilePanel(session, self.courses, theme)
+        self.sonagram = SonagramChoices(session, self)
+        self.scroll_view = ScrollView(session, self.courses, self.sonagram, theme)
+        self.file = FilePanel(session, self.courses, self.sonagram, theme)
         self.over_time = QStackedWidget()
         self.phoneme = PhonemeView(session, theme)
         self.thresholds = ThresholdView(preset, session.history, theme)
@@ -122,9 +125,8 @@ class AnalysisPage(QWidget):
         return {
             "score": self.score.shown,
             "file_follow": self.file.follow,
-            "file_filtered": self.file.filtered,
-            **{f"file_{name}": action for name, action in self.file.overlays.items()},
-            "sonagram_db": self.scroll_view.decibels,
+            "sonagram_filtered": self.sonagram.filtered,
+            **{f"sonagram_{name}": action for name, action in self.sonagram.overlays.items()},
             "coarse_spectrum": self.spectrum.coarse,
             "coarse_average": self.averaged.coarse,
             "coarse_waveform": self.waveform.coarse,
@@ -138,10 +140,10 @@ class AnalysisPage(QWidget):
     def choices(self) -> dict[str, QComboBox]:
         """What the user may have chosen, by the names under which it is kept."""
         return {
-            "file_axis": self.file.axis,
-            "file_window": self.file.window_length,
-            "file_levels": self.file.levels,
-            "file_colours": self.file.colours,
+            "sonagram_axis": self.sonagram.axis,
+            "sonagram_top": self.sonagram.top,
+            "sonagram_window": self.sonagram.window_length,
+            "sonagram_colours": self.sonagram.colours,
             "score_scope": self.score.scope,
         }
 
@@ -171,7 +173,6 @@ class AnalysisPage(QWidget):
         self._session.opened.connect(self._show_source)
         self._session.seen.looked_back.connect(self._show_source)
         self.scroll_view.back.clicked.connect(lambda _checked: self._session.look_back(True))
-        self.averaged.setMinimumWidth(270)  # on screens of 800 pixels their last buttons are cut, not the window
         self.over_time.setMinimumWidth(460)
         self._show_source()
         self.rows.setSizes([190, 130, 370])

@@ -6,15 +6,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from phonemeengine.analyser import Analysis
-from phonemeengine.arrays import IndexArray
+from phonemeengine.arrays import BoolArray, Float32Array, IndexArray
+from phonemeengine.dsp.framing import LEAD
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import NO_PHONEME
 from phonemeengine.recognition.segments import count_changes
-from phonemeengine.settings import FRAME_PERIOD, WINDOW
+from phonemeengine.settings import FRAME_PERIOD, HOP, WINDOW
 
 CAPACITY = 6000
 """Columns that are remembered: one minute."""
-MOST_BINS = WINDOW // 2
 GAP = 10
 """Empty columns where the sound does not go on: after a seek, a loop or a loss."""
 NOWHERE = -10
@@ -33,8 +33,7 @@ class History:
     Attributes
     ----------
     n : columns since Clear.
-    n_bins : bins of the newest spectrum; the rest of a column is 0.
-    spectra : float16, shape (CAPACITY, 1024).
+    samples : float32, shape (CAPACITY, 441): the sound of the columns, before all filters.
     frames : int64, shape (CAPACITY,): the column's frame in the file, or `NOWHERE`.
     phonemes, recognised : uint8, shape (CAPACITY,): with and without the statistics; `NO_PHONEME` in empty columns.
     intensities : float32, shape (CAPACITY,).
@@ -42,8 +41,7 @@ class History:
 
     def __init__(self) -> None:
         self.n = 0
-        self.n_bins = MOST_BINS // 4
-        self.spectra = np.zeros((CAPACITY, MOST_BINS), np.float16)
+        self.samples = np.zeros((CAPACITY, HOP), np.float32)
         self.frames = np.full(CAPACITY, NOWHERE, np.int64)
         self.phonemes = np.full(CAPACITY, NO_PHONEME, np.uint8)
         self.recognised = np.full(CAPACITY, NO_PHONEME, np.uint8)
@@ -102,6 +100,34 @@ class History:
         first = max(first, self._oldest)
         return np.arange(first, max(first, min(last, self.n))) % CAPACITY
 
+    def columns_with_sound(self, columns: IndexArray) -> BoolArray:
+        """Return which columns hold a frame that is still remembered, shape (n,)."""
+        known = (columns >= self._oldest) & (columns < self.n)
+        return np.asarray(known & (self.frames[columns % CAPACITY] != NOWHERE))
+
+    def sound_between(self, first: int, last: int) -> Float32Array:
+        """Return samples first..last-1, counted from Clear: silence in gaps, and beyond what is known.
+
+        That reaches beyond the newest column, as far as the window of its frame does.
+        """
+        begin, end = first // HOP, -(-last // HOP)
+        sound = np.zeros(((end - begin), HOP), np.float32)
+        known = np.arange(max(begin, self._oldest), max(begin, self._oldest, min(end, self.n)))
+        sound[known - begin] = self.samples[known % CAPACITY]
+        found = sound.ravel()[first - begin * HOP : last - begin * HOP]
+        if self.newest is not None and len(self.newest) and last > self.n * HOP:
+            ahead = self.newest.frames.windows[-1][LEAD + HOP :]
+            at = self.n * HOP - first
+            if at >= 0:
+                found[at : at + len(ahead)] = ahead[: max(0, len(found) - at)]
+        return found
+
+    @property
+    def n_samples(self) -> int:
+        """Samples that are known, counted from Clear."""
+        has_more = self.newest is not None and len(self.newest) > 0
+        return self.n * HOP + (WINDOW - LEAD - HOP if has_more else 0)
+
     def features(self, indices: IndexArray) -> Features:
         """Return the variables at these indices; NaN where one was not measured."""
         return Features(self._names, self._values[indices])
@@ -142,7 +168,7 @@ class History:
 
     def _leave_gap(self) -> None:
         at = self._room_for(GAP)
-        self.spectra[at] = 0
+        self.samples[at] = 0
         self.frames[at] = NOWHERE
         self.phonemes[at] = self.recognised[at] = NO_PHONEME
         self.intensities[at] = 0
@@ -152,10 +178,7 @@ class History:
     def _write(self, at: IndexArray, analysis: Analysis) -> None:
         if analysis.features.names != self._names:
             self._rename(analysis.features.names)
-        shown = analysis.linear_spectra
-        self.n_bins = shown.shape[1]
-        self.spectra[at, : self.n_bins] = shown
-        self.spectra[at, self.n_bins :] = 0
+        self.samples[at] = analysis.frames.windows[:, LEAD : LEAD + HOP]
         self.frames[at] = analysis.start + np.arange(len(analysis))
         self.phonemes[at] = analysis.phonemes
         self.recognised[at] = analysis.recognised

@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.curves import CurveTable
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
+from phonemeanalyser.desktop.session.live_sonagram import LiveSonagram
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.phoneme_writer import PhonemeWriter
 from phonemeanalyser.desktop.session.playback import Playback
@@ -49,6 +50,7 @@ class Session(QObject):
     results : what was recognised in what was played; `history` and `averages` are of it.
     seen : the sound that is seen on its own time; `view`, `whole`, `second`, `sonagram`, `formants` and `waveform`
         are of it.
+    live : sonagram and formants of what was played lately.
     curves : averaged spectra of any sounds, side by side.
     labels : of the current file.
     score : how right what is recognised is beside labels.
@@ -95,6 +97,9 @@ class Session(QObject):
         for part in (self.microphone, self.writer, self.labels, self.rules, self.score, self.results, self.curves):
             part.error.connect(self.error)
         self.seen.error.connect(self._tell_once)
+        self.live = LiveSonagram(self.history, self.sonagram)
+        self.results.cleared.connect(self.live.forget)
+        self.results.rewritten.connect(self.live.forget)
         self.results.cleared.connect(self.cleared)
         self.results.rewritten.connect(self.rewritten)
 

@@ -6,7 +6,7 @@ import time
 from collections import OrderedDict
 from collections.abc import Iterator
 from math import ceil, floor, log2
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,9 +15,8 @@ from PySide6.QtCore import Qt, QTimer, Signal
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.arrays import Float32Array
-from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.sonagram import LEVELS, SonagramSettings, sonagram_of
-from phonemeengine.execution import Progress, report_progress, subrange
+from phonemeengine.execution import Progress, no_progress, report_progress, subrange
 from phonemeengine.features.filtered_sonagram import filtered_sonagram_of
 from phonemeengine.presets.preset import PRE_ROLL
 from phonemeengine.settings import HOP, SAMPLE_RATE, WINDOW, AnalysisSettings
@@ -26,6 +25,7 @@ FINEST = 0.001
 """Seconds of a column at the finest scale; each further one is twice as coarse."""
 COLUMNS = 512
 """Of a tile."""
+USUAL_COLOURS = "viridis"
 MOST_READ = 20.0
 """Seconds of sound that are read at a time."""
 REST = 1.0
@@ -46,30 +46,65 @@ class Tile(NamedTuple):
     levels: NDArray[np.float16]
 
 
-class _Key(NamedTuple):
-    """A tile's scale and number: column k of it begins at (512 number + k) times 2 to the scale milliseconds."""
+class Key(NamedTuple):
+    """A tile's scale and number: column k begins at (n_columns number + k) times 2 to the scale milliseconds."""
 
     scale: int
     number: int
+    n_columns: int = COLUMNS
 
     @property
     def period(self) -> float:
+        """Seconds of a column."""
         return float(FINEST * 2**self.scale)
 
     @property
     def span(self) -> TimeSpan:
-        seconds = COLUMNS * self.period
+        """Seconds of the tile."""
+        seconds = self.n_columns * self.period
         return TimeSpan(self.number * seconds, (self.number + 1) * seconds)
 
 
+def keys_for(seen: TimeSpan, n_pixels: int, duration: float, n_columns: int = COLUMNS) -> list[Key]:
+    """Return the tiles that cover some seconds with one column a pixel, or up to two; the middle one first.
+
+    Parameters
+    ----------
+    seen : the seconds.
+    n_pixels : in which they are seen.
+    duration : of the sound, seconds.
+    n_columns : of a tile.
+    """
+    if seen.seconds <= 0 or n_pixels <= 0 or duration <= 0:
+        return []
+    scale = max(0, floor(log2(seen.seconds / n_pixels / FINEST) + 1e-9))
+    seconds = n_columns * FINEST * 2**scale
+    first, last = floor(max(0.0, seen.start) / seconds), ceil(min(seen.end, duration) / seconds)
+    middle = (seen.start + seen.end) / 2
+    keys = [Key(scale, number, n_columns) for number in range(first, max(first + 1, last))]
+    return sorted(keys, key=lambda key: abs((key.span.start + key.span.end) / 2 - middle))
+
+
+class Samples(Protocol):
+    """What is read of a sound: its samples, one after the other from any place on."""
+
+    def seek(self, sample: int) -> None:
+        """Go to a sample."""
+
+    def read_mono(self, n: int) -> Float32Array:
+        """Return the next samples, fewer at the end of the sound."""
+
+
 class SonagramTiles(SeenTrack):
-    """Measures what is looked at, and remembers it.
+    """Measures what is looked at, and remembers it; how that is measured and drawn goes for live sound, too.
 
     Attributes
     ----------
     settings : how it is measured.
     filters : through which it is measured; None for the sound itself.
     level_range : the levels, dB, that are drawn darkest and brightest, the same for every sound.
+    colour_map : the name of their colours.
+    overlays : which of ``formants``, ``pitch`` and ``level`` are drawn over it; ``words``: what is said below.
     """
 
     _kept = Signal()
@@ -82,10 +117,12 @@ class SonagramTiles(SeenTrack):
         self.settings = SonagramSettings()
         self.filters: AnalysisSettings | None = None
         self.level_range = LEVELS
+        self.colour_map = USUAL_COLOURS
+        self.overlays: frozenset[str] = frozenset()
         self._lock = threading.Lock()
         self._generation = 0
-        self._tiles: OrderedDict[_Key, Tile] = OrderedDict()
-        self._wanted: tuple[_Key, ...] = ()
+        self._tiles: OrderedDict[Key, Tile] = OrderedDict()
+        self._wanted: tuple[Key, ...] = ()
         self._kept.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         self._began = -math.inf
         self._resting = QTimer(self, singleShot=True)
@@ -107,6 +144,16 @@ class SonagramTiles(SeenTrack):
         self.level_range = (low, high)
         self.changed.emit()
 
+    def show_colours(self, name: str) -> None:
+        """Draw the levels in other colours."""
+        self.colour_map = name
+        self.changed.emit()
+
+    def show_over(self, name: str, *, on: bool) -> None:
+        """Draw something over the sonagram or below it, or not."""
+        self.overlays = self.overlays | {name} if on else self.overlays - {name}
+        self.changed.emit()
+
     def show_filtered(self, filters: AnalysisSettings | None) -> None:
         """Measure what is left after the filters of a recogniser; None for the sound itself."""
         kept = None if self.filters is None else self.filters.front_end()
@@ -119,7 +166,7 @@ class SonagramTiles(SeenTrack):
 
         What is missing is measured in the background, and `changed` tells when it is there.
         """
-        keys = self._keys_for(seen, n_pixels)
+        keys = keys_for(seen, n_pixels, self._duration)
         with self._lock:
             missing = tuple(key for key in keys if key not in self._tiles)
             known = {key for wanted in keys for key in self._nearest_known(wanted)}
@@ -135,24 +182,13 @@ class SonagramTiles(SeenTrack):
                 self._resting.start(round(1000 * rest))
         return found
 
-    def _keys_for(self, seen: TimeSpan, n_pixels: int) -> list[_Key]:
-        """Return the tiles that cover some seconds with one column a pixel, or up to two; the middle one first."""
-        if seen.seconds <= 0 or n_pixels <= 0 or self._duration <= 0:
-            return []
-        scale = max(0, floor(log2(seen.seconds / n_pixels / FINEST) + 1e-9))
-        seconds = COLUMNS * FINEST * 2**scale
-        first, last = floor(max(0.0, seen.start) / seconds), ceil(min(seen.end, self._duration) / seconds)
-        middle = (seen.start + seen.end) / 2
-        keys = [_Key(scale, number) for number in range(first, max(first + 1, last))]
-        return sorted(keys, key=lambda key: abs((key.span.start + key.span.end) / 2 - middle))
-
-    def _nearest_known(self, key: _Key) -> Iterator[_Key]:
+    def _nearest_known(self, key: Key) -> Iterator[Key]:
         """Give the tile, or the least coarse one that covers it, if any."""
         while key.span.start > 0 or key.span.seconds < 2 * self._duration:
             if key in self._tiles:
                 yield key
                 return
-            key = _Key(key.scale + 1, key.number // 2)
+            key = Key(key.scale + 1, key.number // 2)
         if key in self._tiles:
             yield key
 
@@ -168,12 +204,13 @@ class SonagramTiles(SeenTrack):
             with open_sound() as reader:
                 for k, key in enumerate(keys):
                     part = subrange(progress, k / len(keys), (k + 1) / len(keys))
-                    self._keep(key, _levels_of(reader, settings, filters, key, part), generation)
+                    levels = levels_of(reader, settings, filters, key.span.start, key.period, key.n_columns, part)
+                    self._keep(key, levels, generation)
             report_progress(progress, 1.0)
 
         self._work.replace(measure, lambda _: None)
 
-    def _keep(self, key: _Key, levels: Float32Array, generation: int) -> None:
+    def _keep(self, key: Key, levels: Float32Array, generation: int) -> None:
         """Remember a tile, in the thread that measured it; one that is outdated meanwhile is not wanted."""
         with self._lock:
             if generation != self._generation:
@@ -193,28 +230,42 @@ class SonagramTiles(SeenTrack):
         super()._forget()
 
 
-def _levels_of(
-    reader: SoundReader,
+def levels_of(
+    reader: Samples,
     settings: SonagramSettings,
     filters: AnalysisSettings | None,
-    key: _Key,
-    progress: Progress,
+    start: float,
+    period: float,
+    n_columns: int,
+    progress: Progress = no_progress,
     most_read: float = MOST_READ,
 ) -> Float32Array:
-    """Measure a tile from the file, some seconds at a time."""
-    period = key.period * SAMPLE_RATE
-    at_once = max(1, int(most_read / key.period))
+    """Return the levels of columns of a sonagram, dB, float32, shape (n_columns, n_rows).
+
+    Parameters
+    ----------
+    reader : the sound.
+    settings : how it is measured.
+    filters : through which; None for the sound itself.
+    start : seconds at which the first column begins.
+    period : seconds of a column.
+    n_columns : how many.
+    progress : is told the share that is done.
+    most_read : seconds of sound that are read at a time.
+    """
+    n_samples = period * SAMPLE_RATE
+    at_once = max(1, int(most_read / period))
     parts = []
-    for column in range(0, COLUMNS, at_once):
-        report_progress(progress, column / COLUMNS)
-        n = min(at_once, COLUMNS - column)
-        first = key.span.start * SAMPLE_RATE + column * period
+    for column in range(0, n_columns, at_once):
+        report_progress(progress, column / n_columns)
+        n = min(at_once, n_columns - column)
+        first = start * SAMPLE_RATE + column * n_samples
         margin = settings.n_samples if filters is None else PRE_ROLL * HOP
         begin = max(0, int((first - margin) // HOP)) * HOP
         reader.seek(begin)
-        samples = reader.read_mono(int(first + n * period) + WINDOW - begin)
+        samples = reader.read_mono(int(first + n * n_samples) + WINDOW - begin)
         if filters is None:
-            parts.append(sonagram_of(samples, settings, first - begin, n, period))
+            parts.append(sonagram_of(samples, settings, first - begin, n, n_samples))
         else:
-            parts.append(filtered_sonagram_of(samples, filters, settings, first - begin, n, period))
+            parts.append(filtered_sonagram_of(samples, filters, settings, first - begin, n, n_samples))
     return np.concatenate(parts)

@@ -6,15 +6,26 @@ from PySide6.QtWidgets import QLabel
 
 
 class ElidedLabel(QLabel):
-    """A label that shows as much of its text as there is room for, and makes no window wider."""
+    """A label that shows as much of its text as there is room for, and makes no window wider.
+
+    Parameters
+    ----------
+    text : what it says.
+    asks : whether it asks for the room of its text where there is enough.
+    """
+
+    def __init__(self, text: str = "", *, asks: bool = False) -> None:
+        super().__init__(text)
+        self._asks = asks
 
     def minimumSizeHint(self) -> QSize:
         """Ask for no width."""
         return QSize(0, super().minimumSizeHint().height())
 
     def sizeHint(self) -> QSize:
-        """Ask for no width."""
-        return QSize(0, super().sizeHint().height())
+        """Ask for no width, or for that of the text."""
+        wanted = super().sizeHint()
+        return wanted if self._asks else QSize(0, wanted.height())
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Write the text, with an ellipsis where it does not fit."""

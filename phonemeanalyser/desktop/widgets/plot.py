@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QGraphicsItem, QLabel, QWidget
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import Wrapping, column, row
+from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeengine.arrays import Float64Array
 
 READOUTS_PER_SECOND = 30
@@ -224,7 +225,7 @@ class Plot(QWidget):
 
     def showEvent(self, event: Any) -> None:
         """Have Tab come to the plot after what stands above it."""
-        items = [self.header.itemAt(k) for k in range(self.header.count())]
+        items = [bar.itemAt(k) for bar in (self.beside, self.header) for k in range(bar.count())]
         above = [item.widget() for item in items if item is not None]
         reached = [w for w in above if w is not None and w.focusPolicy() & Qt.FocusPolicy.TabFocus]
         for one, other in pairwise([*reached, self.graphics]):
@@ -249,10 +250,10 @@ class Plot(QWidget):
         self._cursor.setVisible(False)
 
     def _lay_out(self, title: str, tip: str) -> None:
-        self.heading = bold(QLabel(title))
+        self.heading = bold(ElidedLabel(title, asks=True))
         self.heading.setToolTip(tip or title)
-        self.header = row(1, spacing=4)
-        above = Wrapping(row(self.heading, 1), self.header, (6, 3, 6, 1))
+        self.beside, self.header = row((self.heading, 1), spacing=4), row(1, spacing=4)
+        above = Wrapping(self.beside, self.header, (6, 3, 6, 1))
         self._body = column(above, (self.graphics, 1), on=self, spacing=0)
         self._hint.setStyleSheet(f"color: {self.theme.faint}; background: transparent")
         self._hint.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)

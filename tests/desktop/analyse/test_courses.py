@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import course_of
-from phonemeanalyser.desktop.analyse.lanes.file_painter import usual_course_of, usual_of
+from phonemeanalyser.desktop.analyse.lanes.sonagram import usual_course_of, usual_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 
 
@@ -30,7 +30,7 @@ def test_far_from_near_a_course_goes_through_what_is_usual_and_has_gaps() -> Non
     pitch = np.full(72_000, 120.0, np.float32)
     pitch[::10] = 240.0
     pitch[36_000:54_000] = np.nan
-    times, values = usual_course_of(pitch, 0, TimeSpan(0.0, 720.0), 500)
+    times, values = usual_course_of(pitch, 0, 720.0, 500)
     assert len(times) <= 500
     assert np.all(np.diff(times) > 0)
     voiced = (times < 360) | (times > 540)

@@ -23,7 +23,7 @@ pytestmark = pytest.mark.usefixtures("lender")
 @pytest.fixture
 def window(desktop, qtbot):
     window = shown(desktop, qtbot, CARDS)
-    window.findChild(QDockWidget, "Averaged spectra").raise_()
+    window.findChild(QDockWidget, "Spectra").raise_()
     qtbot.waitUntil(window.curves.isVisible)
     return window
 
@@ -230,7 +230,7 @@ def test_the_menu_of_the_plot_shows_the_table(window, qtbot):
 
 
 def test_its_key_raises_the_table_and_hides_it(window, qtbot):
-    spectra, filters = (window.findChild(QDockWidget, name) for name in ("Averaged spectra", "Filters"))
+    spectra, filters = (window.findChild(QDockWidget, name) for name in ("Spectra", "Filters"))
     filters.raise_()
     qtbot.waitUntil(lambda: not filters.visibleRegion().isEmpty() and spectra.visibleRegion().isEmpty())
     press(window, Qt.Key.Key_F8)

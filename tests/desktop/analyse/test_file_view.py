@@ -209,7 +209,7 @@ def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
     tier = Tier("words", (RawLabel(0.5, 1.5, "hallo", ""),))
     desktop.session.labels.put(LabelState((tier,), (0,), 0))
     assert [lane.name for _, lane in view._layout.spoken_rows()] == ["Phones"]
-    window.analysis.file.overlays["words"].setChecked(False)
+    window.analysis.sonagram.overlays["words"].setChecked(False)
     assert view._layout.spoken_rows() == []
 
 

@@ -71,7 +71,7 @@ def test_the_page_survives_another_theme_with_its_takes(calibrator: Calibrator):
     assert verdicts(calibrator) == ["good"]
     click(calibrator.booth.window.switch.buttons[0])
     seen = {d.objectName() for d in calibrator.booth.window.findChildren(QDockWidget) if d.isVisible()}
-    assert seen == {"Filters", "Averaged spectra", "Phoneme", "Variable", "Thresholds", "Rules"}
+    assert seen == {"Filters", "Spectra", "Phoneme", "Variable", "Thresholds", "Rules"}
 
 
 # -- recording ----------------------------------------------------------------------------------------

@@ -171,7 +171,7 @@ def test_the_choice_is_there_after_another_start(desktop, qtbot, eight):
     choose(window, "7")
     desktop.set_theme("dark")  # makes another window, from what the first one kept
     desktop.session.set_channel(Channel.MIX)
-    desktop.window.state.restore(desktop.session, desktop.window.analysis.scroll_view)
+    desktop.window.state.restore(desktop.session, desktop.window.analysis)
     assert desktop.window.transport.channel.currentText() == "7"
 
 

@@ -1,6 +1,7 @@
 """Tiles of a file's sonagram: what is looked at is measured in the background, coarse ones serve meanwhile."""
 
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 from pathlib import Path
 
@@ -108,14 +109,14 @@ def test_nothing_is_measured_of_nothing(qtbot):
 
 
 def test_a_tile_that_is_read_in_parts_is_the_same():
-    module, key = sonagram_tiles, sonagram_tiles._Key(4, 0)
+    measured = partial(sonagram_tiles.levels_of, start=0.0, period=0.016, n_columns=COLUMNS)
     with SoundReader(CARDS) as reader:
-        whole = module._levels_of(reader, SonagramSettings(), None, key, lambda _: True)
+        whole = measured(reader, SonagramSettings(), None)
         filters = AnalysisSettings()
-        seen = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True)
-        again = module._levels_of(reader, SonagramSettings(), None, key, lambda _: True, 0.5)
+        seen = measured(reader, SonagramSettings(), filters)
+        again = measured(reader, SonagramSettings(), None, most_read=0.5)
         np.testing.assert_allclose(again, whole, atol=0.01)
-        parts = module._levels_of(reader, SonagramSettings(), filters, key, lambda _: True, 0.5)
+        parts = measured(reader, SonagramSettings(), filters, most_read=0.5)
     np.testing.assert_allclose(parts, seen, atol=0.05)
     assert np.abs(seen - whole).max() > 3
 
@@ -126,11 +127,11 @@ def test_filters_are_seen_on_demand(desktop, qtbot):
     tiles = session.sonagram
     qtbot.waitUntil(lambda: bool(tiles.tiles_for(session.view.seen, 400)))
     before = tiles.tiles_for(session.view.seen, 400)[-1].levels.copy()
-    click(window.analysis.file.filtered)
+    window.analysis.sonagram.filtered.trigger()
     qtbot.waitUntil(lambda: bool(tiles.tiles_for(session.view.seen, 400)))
     after = tiles.tiles_for(session.view.seen, 400)[-1].levels.copy()
     assert np.abs(before.astype(float) - after).max() > 3
     click(window.filters.switches["normalise"])
     assert tiles.filters == desktop.preset.in_force.settings
-    click(window.analysis.file.filtered)
+    window.analysis.sonagram.filtered.trigger()
     assert tiles.filters is None

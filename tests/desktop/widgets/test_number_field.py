@@ -41,7 +41,7 @@ def test_a_negative_threshold_can_be_typed(desktop, window, typed):
 
 
 def test_a_whole_number_has_no_decimals(window):
-    box = window.analysis.scroll_view.low
+    box = window.analysis.sonagram.low
     type_number(box, "-7,5")
     assert box.text() == "-7 dB"
 

@@ -29,6 +29,8 @@ HEADROOM = 0.08
 """Share of a lane that is left empty above the greatest value."""
 LETTERS = 10
 """Height of what is written in a lane, pixels."""
+SMALL = 34
+"""Pixels of height below which a lane has its short name at its left, and no words over its curve."""
 GROUND_ALPHA = 190
 """How opaque the ground of a variable's name is, 0..255."""
 
@@ -137,7 +139,7 @@ class CourseLanes:
         for polygon in course.polygons:
             painter.drawPolyline(polygon)
         edges = ((course.high, row.top()), (course.low, row.bottom() - 12))
-        for value, y in edges if row.height() >= 2 * LETTERS + 4 else edges[:1]:
+        for value, y in edges if row.height() >= SMALL else ():
             draw_text(painter, QRectF(0, y, LEFT - 7, 12), short(value), self._theme.faint, LETTERS, AT_RIGHT)
 
     def _paint_lines(self, painter: QPainter, variable: str, row: QRectF, course: Course) -> None:
@@ -150,16 +152,27 @@ class CourseLanes:
             painter.setPen(QPen(QColor(self._theme.bad), 2 if touched else 1, style))
             painter.drawLine(QPointF(row.left(), y), QPointF(row.right(), y))
             middle = min(max(y - 7, row.top() + 5), row.bottom() - 5)
-            if all(abs(middle - other) > LETTERS for other in taken):
+            has_room = touched or row.height() >= SMALL
+            if has_room and all(abs(middle - other) > LETTERS for other in taken):
                 taken.append(middle)
                 self._paint_words(painter, _words_of(line), self._theme.bad, row.right() - 2, middle - 6)
 
-    def _paint_name(self, painter: QPainter, variable: str, row: QRectF) -> None:
+    def named(self, variable: str) -> str:
+        """Return what a variable measures, and its short name."""
         words = tr_engine(readable_name(variable, self._session.preset.preset.variables))
-        words = words if words == variable else f"{words}  ·  {variable}"
+        return words if words == variable else f"{words}  ·  {variable}"
+
+    def _paint_name(self, painter: QPainter, variable: str, row: QRectF) -> None:
+        more = ""
         if self._courses.n_more and variable == self._courses.variables[-1]:
-            words += "  ·  " + tr("{n} further variables of these rules").format(n=self._courses.n_more)
-        self._paint_words(painter, words, self._theme.text, None, row.top() + 1)
+            more = tr("{n} further variables of these rules").format(n=self._courses.n_more)
+        if row.height() < SMALL:
+            place = QRectF(0, row.top(), LEFT - 4, row.height())
+            draw_text(painter, place, variable, self._theme.text, LETTERS - 1, AT_RIGHT)
+        else:
+            more = "  ·  ".join([self.named(variable), *([more] if more else [])])
+        if more:
+            self._paint_words(painter, more, self._theme.text, None, row.top() + 1)
 
     def _paint_words(self, painter: QPainter, words: str, colour: str, right: float | None, top: float) -> None:
         """Write words on a ground of their own, to the left of a place, or at the left edge."""

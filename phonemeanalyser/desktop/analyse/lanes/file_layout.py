@@ -7,6 +7,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from phonemeanalyser.desktop.analyse.lanes.sonagram import side_width
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.theme import Theme
@@ -16,7 +17,7 @@ from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import SHORTEST
 from phonemeengine.labels.timed_words import SYLLABLE_TIER, WORD_TIER
 
-LEFT, RIGHT, GAP = 52, 58, 3
+LEFT, GAP = 52, 3
 LANE_HEIGHT, LABEL_HEIGHT = 22, 19
 LANE = 1
 """Number of the row of what is recognised."""
@@ -50,14 +51,12 @@ class FileLayout:
 
     Attributes
     ----------
-    shows : which of ``formants``, ``pitch`` and ``level`` are drawn over the sonagram; ``words``: what is said below.
     spoken : lanes of what is said.
     n_courses : how many variables are drawn.
     """
 
     def __init__(self, session: Session, widget: QWidget, theme: Theme) -> None:
         self._session, self._widget, self._theme = session, widget, theme
-        self.shows: set[str] = set()
         self.spoken: list[Lane] = []
         self.n_courses = 1
         self._lanes: dict[int, tuple[Tier, tuple[int | None, bool], Lane]] = {}
@@ -65,7 +64,7 @@ class FileLayout:
     @property
     def width(self) -> int:
         """Pixels between the axis at the left and the right edge."""
-        return max(1, self._widget.width() - LEFT - RIGHT)
+        return max(1, self._widget.width() - LEFT - side_width(self._session.sonagram))
 
     def rows(self) -> tuple[QRectF, QRectF, QRectF, QRectF]:
         """Return where sonagram, lane, waveform and courses lie, from above."""
@@ -120,7 +119,7 @@ class FileLayout:
 
     def spoken_shown(self) -> list[Lane]:
         """Return the lanes of what is said of which no tier is there already, shown or not."""
-        if self._session.seen.looks_back or "words" not in self.shows:
+        if self._session.seen.looks_back or "words" not in self._session.sonagram.overlays:
             return []
         names = [tier.name.lower() for tier in self._session.labels.tiers if not tier.points]
         tiers = {tr(name) for name, begins in SHOWN_BY.items() if any(tier.startswith(begins) for tier in names)}

@@ -21,7 +21,6 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
 from phonemeanalyser.desktop.widgets.lanes import BoundaryDrag, Lane
-from phonemeengine.arrays import UInt32Array
 from phonemeengine.inspection.whole_sound import FrameState
 from phonemeengine.labels.label import ROUNDING
 from phonemeengine.phonemes import Phoneme
@@ -102,16 +101,6 @@ class FileView(QWidget):
         """Return where each variable whose course is drawn has its lane."""
         return self._lanes.rows()
 
-    @property
-    def shows(self) -> set[str]:
-        """What is drawn over the sonagram and below it, see `FileLayout`."""
-        return self._layout.shows
-
-    def set_colours(self, colours: UInt32Array) -> None:
-        """Choose the colours of the levels, 256 RGB values."""
-        self._painter.set_colours(colours)
-        self.update()
-
     def _show_courses(self) -> None:
         """Draw other variables, or only their thresholds where they are the same."""
         n = len(self._courses.variables)
@@ -121,11 +110,6 @@ class FileView(QWidget):
         else:
             # at once: what a threshold that is dragged changes is recognised after that
             self.repaint(self._layout.rows()[-1].toAlignedRect().adjusted(-LEFT, 0, 0, 1))
-
-    def show_over(self, name: str, *, on: bool) -> None:
-        """Draw formants, pitch or level over the sonagram, or not."""
-        self._layout.shows = self.shows | {name} if on else self.shows - {name}
-        self.update()
 
     def show_spoken(self, lanes: list[Lane]) -> None:
         """Draw other lanes of what is said; those that a tier of labels of the same name shows are left out."""
@@ -155,23 +139,23 @@ class FileView(QWidget):
             if under.contains(self._mouse) and (span := lane.span_at(time)) is not None:
                 parts.append(f"{lane.name}: {lane.texts[span]}")
         if row.contains(self._mouse):
-            frequencies = self._session.sonagram.settings.frequencies
             share = (row.bottom() - self._mouse.y()) / row.height()
-            parts.append(f"{np.interp(share, np.linspace(0, 1, len(frequencies)), frequencies):.0f} Hz")
+            tiles = self._session.sonagram.tiles_for(self._view.seen, self._layout.width)
+            parts += self._painter.sonagram.reading(tiles, time, share)
         parts += self._reading_over(values, frame)
         variable = self._lanes.variable_at(self._mouse) or self._courses.chosen
         if variable in values:
-            parts.append(f"{variable} {values[variable]:.4g}")
+            parts.append(f"{self._lanes.named(variable)} {values[variable]:.4g}")
         return "   ".join(parts)
 
     def _reading_over(self, values: dict[str, float], frame: int) -> list[str]:
         """Return the values of what is drawn over the sonagram."""
-        parts = []
-        if "pitch" in self.shows:
+        parts, shows = [], self._session.sonagram.overlays
+        if "pitch" in shows:
             parts.append(f"f0 {values['f0']:.0f} Hz" if values.get("f0") else tr("no f0"))
-        if "level" in self.shows:
+        if "level" in shows:
             parts.append(f"{20 * math.log10(max(values.get('volume', 0.0), 1e-6)):.0f} dB")
-        known = self._session.formants.formants_in(self._view.seen) if "formants" in self.shows else None
+        known = self._session.formants.formants_in(self._view.seen) if "formants" in shows else None
         if known is not None and 0 <= frame - known.first < len(known.frequencies):
             found = known.frequencies[frame - known.first, :3].tolist()
             parts += [f"F{k} {value:.0f}" for k, value in enumerate(found, 1) if not math.isnan(value)]

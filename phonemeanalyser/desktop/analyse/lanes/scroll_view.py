@@ -7,71 +7,141 @@ from typing import Any
 import numpy as np
 import pyqtgraph as pg
 from numpy.typing import NDArray
-from PySide6.QtCore import QPoint, QPointF, QRect, Qt
-from PySide6.QtGui import QImage, QPainter
+from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from phonemeanalyser.desktop.analyse.lanes.sonagram import (
-    SPAN,
-    PhonemeLane,
-    SonagramItem,
-    add_colour_maps,
-    colours_of,
-)
+from phonemeanalyser.desktop.analyse.lanes.sonagram import SIDE, Overlaid, SonagramPainter, side_width
+from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
-from phonemeanalyser.desktop.painting import set_size
 from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.session.sonagram_tiles import Tile
+from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import (
     Wrapping,
-    choice,
     column,
     label,
-    named,
     row,
     silent,
-    toggle_button,
     tool_button,
 )
-from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveCurve, ReadOut, live_axes
+from phonemeanalyser.desktop.widgets.lanes import TimeAxis, lane_of_frames, names_in_lanes, paint_lane
+from phonemeanalyser.desktop.widgets.plot import READOUTS_PER_SECOND, LiveAxis, LiveCurve, ReadOut, live_axes
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeengine.arrays import Float32Array, UInt32Array
-from phonemeengine.dsp.sonagram import LEVELS
+from phonemeengine.arrays import Float32Array
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD, SAMPLE_RATE
+from phonemeengine.settings import FRAME_PERIOD
 
-BAR = 14
-"""Width of the bar in pixels."""
+SPAN = CAPACITY * FRAME_PERIOD
+"""Seconds that can be seen."""
+
+
+class SonagramItem(pg.GraphicsObject):
+    """The last minute of live sound as a sonagram: measured, coloured and painted as that of a file.
+
+    Attributes
+    ----------
+    n_drawn : columns since Clear up to the newest that is drawn; while the views are frozen, others follow it.
+    """
+
+    def __init__(self, session: Session, theme: Theme) -> None:
+        super().__init__()
+        self._history, self._live, self._sonagram = session.history, session.live, session.sonagram
+        self._formants, self._theme = session.formants, theme
+        self.painter = SonagramPainter(session.sonagram, theme)
+        self.n_drawn = 0
+
+    def refresh(self) -> None:
+        """Draw what is new since the last call."""
+        self.n_drawn = self._history.n
+        self.update()
+
+    def boundingRect(self) -> QRectF:
+        """One minute by one."""
+        return QRectF(-SPAN, 0, SPAN, 1)
+
+    def tiles(self, axis: TimeAxis) -> list[Tile]:
+        """Return what is known of what is seen."""
+        return self._live.tiles_for(TimeSpan(axis.start, axis.end), max(1, round(axis.width)))
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint what is in view, and what is drawn over it."""
+        row, axis = row_of(self, painter, self.n_drawn)
+        painter.resetTransform()
+        painter.fillRect(row, QColor(self._theme.base))
+        self.painter.paint_tiles(painter, row, axis, self.tiles(axis))
+        first, last = floor(axis.start / FRAME_PERIOD), min(ceil(axis.end / FRAME_PERIOD), self.n_drawn)
+        at = self._history.indices(first, last)
+        seen, wanted = TimeSpan(axis.start, axis.end), "formants" in self._sonagram.overlays
+        formants = self._live.formants_in(seen, self._formants.ceiling) if wanted else None
+        over = Overlaid(last - len(at), self._history.features(at), formants)
+        self.painter.paint_over(painter, row, axis, over)
+
+
+class PhonemeLane(pg.GraphicsObject):
+    """The recognised phonemes as coloured segments, named where there is room; as far as the sonagram is drawn."""
+
+    def __init__(self, history: History, sonagram: SonagramItem, theme: Theme) -> None:
+        super().__init__()
+        self._history = history
+        self._sonagram = sonagram
+        self._theme = theme
+        colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
+        self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
+        self._names = [*names_in_lanes(), ""]
+
+    def boundingRect(self) -> QRectF:
+        """One minute by one."""
+        return QRectF(-SPAN, 0, SPAN, 1)
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint the segments that are in view, and the names of those that are wide enough."""
+        view, n = self.viewRect(), self._sonagram.n_drawn
+        first, last = (n + edge(side / FRAME_PERIOD) for edge, side in ((floor, view.left()), (ceil, view.right())))
+        last = min(last, n)
+        at = self._history.indices(first, last)
+        row, axis = row_of(self, painter, n)
+        painter.resetTransform()
+        codes = self._history.phonemes[at]
+        lane = lane_of_frames("", codes, self._names, self._pixels, first=last - len(at))
+        paint_lane(painter, row, lane, axis, self._theme)
+
+
+def row_of(item: pg.GraphicsObject, painter: QPainter, n_drawn: int) -> tuple[QRectF, TimeAxis]:
+    """Return where an item is painted, pixels, and where times since Clear lie there; `n_drawn` columns end at 0."""
+    view = item.viewRect()
+    row = painter.transform().mapRect(QRectF(view.left(), 0, view.width(), 1))
+    return row, TimeAxis(row.left(), row.width(), n_drawn * FRAME_PERIOD + view.left(), view.width())
+
+
+class MarksAxis(LiveAxis):
+    """The frequencies beside the live sonagram, written as beside that of a file."""
+
+    def __init__(self, painter: SonagramPainter, theme: Theme) -> None:
+        super().__init__("left")
+        self._painter, self._theme = painter, theme
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Write the frequencies."""
+        row = QRectF(0, 0, self.size().width(), self.size().height())
+        self._painter.paint_marks(painter, row, self._theme.faint, row.width() - 7)
 
 
 class ColourBar(QWidget):
-    """Shows which colour stands for which amplitude, brightest on top."""
+    """Shows which colour stands for which level, brightest on top, and the scales of what is drawn over them."""
 
-    def __init__(self) -> None:
+    def __init__(self, painter: SonagramPainter) -> None:
         super().__init__()
-        self._colours = np.zeros((256, 1), np.uint32)
-        self._labels = ("", "", "")
-        self.setFixedWidth(58)
-
-    def draw(self, colours: UInt32Array, low: str, middle: str, high: str) -> None:
-        """Draw a colour map, 256 pixels, with the values at its ends and middle."""
-        self._colours = np.ascontiguousarray(colours[::-1, None])
-        self._labels = (high, middle, low)
-        self.update()
+        self._painter = painter
+        self.setFixedWidth(SIDE)
 
     def paintEvent(self, _event: Any) -> None:
-        """Paint the bar and its three labels."""
-        painter = QPainter(self)
-        top, height = 12, self.height() - 24
-        image = QImage(self._colours.data, 1, 256, 4, QImage.Format.Format_RGB32)
-        painter.drawImage(QRect(4, top, BAR, height), image)
-        set_size(painter, 10)
-        align = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-        for words, y in zip(self._labels, (top, top + height // 2, top + height), strict=True):
-            painter.drawText(QRect(BAR + 7, y - 8, self.width() - BAR - 7, 16), align, words)
+        """Paint the bar and its levels."""
+        self._painter.paint_side(QPainter(self), QRectF(0, 1, 0, self.height() - 3))
 
 
 LANE_HEIGHT = 22
@@ -88,44 +158,30 @@ class ScrollView(QWidget):
     courses : the variables whose courses are drawn; here it is the chosen one.
     """
 
-    def __init__(self, history: History, courses: Courses, theme: Theme) -> None:
+    def __init__(self, session: Session, courses: Courses, choices: SonagramChoices, theme: Theme) -> None:
         super().__init__()
-        self._history = history
+        self._session, self._history = session, session.history
         self.courses = courses
         self._theme = theme
         self._graphics = pg.GraphicsLayoutWidget()
         self._graphics.setAccessibleName(tr("Live signal over time"))
-        self.sonagram = SonagramItem(history, theme)
-        self._lane = PhonemeLane(history, self.sonagram, theme)
+        self.sonagram = SonagramItem(session, theme)
+        self._lane = PhonemeLane(self._history, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: dict[str, pg.InfiniteLine] = {}
         self._course_range = (0.0, 0.0)
-        self._n_bins = 0
-        self.decibels = toggle_button("dB", tr("Colours by level in dB, or by linear amplitude"))
         self.back = tool_button(
             tr("History"), tr("Show all that the microphone recorded since Clear on its own time axis (Ctrl+B)")
         )
-        self.low = self._limit(
-            LEVELS[0],
-            tr("Level of the darkest colour"),
-            tr("Level of the darkest colour, dBFS; with linear colours, the amplitude of that level"),
-        )
-        self.high = self._limit(
-            LEVELS[1],
-            tr("Level of the brightest colour"),
-            tr("Level of the brightest colour, dBFS; with linear colours, the amplitude of that level"),
-        )
-        self.colours = choice((), tr("Colour map"), tr("Colours of the levels in the sonagram"))
         self._mouse: QPointF | None = None
         self._cursor_label = ReadOut(self._graphics, theme)
         self.menu = PlotMenu(self._graphics, "sonagram", self._values_at, self.reset_zoom)
         self._hint = pg.TextItem("", color=theme.faint, anchor=(0.5, 0.5))
-        self._colour_bar = ColourBar()
+        self._colour_bar = ColourBar(self.sonagram.painter)
         self._make_plots()
-        self._lay_out()
+        self._lay_out(choices)
         self._connect()
         self._show_courses()
-        self._choose_colours()
 
     def invite(self, text: str) -> None:
         """Say what the user may do, where nothing has been analysed yet."""
@@ -133,10 +189,6 @@ class ScrollView(QWidget):
 
     def refresh(self) -> None:
         """Draw what is new."""
-        if self._n_bins != self._history.n_bins:
-            self._n_bins = self._history.n_bins
-            self._plots[0].vb.setLimits(yMax=self._n_bins * BIN_WIDTH)
-            self._plots[0].setYRange(0, self._n_bins * BIN_WIDTH, padding=0)
         self.sonagram.refresh()
         self._lane.update()
         self._draw_course()
@@ -144,32 +196,42 @@ class ScrollView(QWidget):
         self._hint.setVisible(self._history.n == 0)
 
     def reset_zoom(self) -> None:
-        """Show the newest seconds, and all frequencies that the analysis reaches."""
+        """Show the newest seconds."""
         self._plots[0].setXRange(-SECONDS_SHOWN, 0, padding=0)
-        self._plots[0].setYRange(0, self._n_bins * BIN_WIDTH, padding=0)
+
+    def _show_look(self) -> None:
+        """Draw all anew, as is chosen now."""
+        self.sonagram.update()
+        self._plots[0].getAxis("left").update()
+        self._colour_bar.setFixedWidth(side_width(self._session.sonagram))
+        self._colour_bar.update()
 
     def _make_plots(self) -> None:
         layout = self._graphics.ci
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
-        self._plots = [layout.addPlot(row=row, col=0, enableMenu=False, axisItems=live_axes()) for row in range(3)]
-        labels = (tr("Frequency (Hz)"), "", tr("Variable"))
+        axes = [live_axes() for _ in range(3)]
+        axes[0]["left"] = MarksAxis(self.sonagram.painter, self._theme)
+        self._plots = [
+            layout.addPlot(row=row, col=0, enableMenu=False, axisItems=axes[row]) for row in range(len(axes))
+        ]
+        labels = ("", "", tr("Variable"))
         for plot, item, name in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
             plot.addItem(item)
             plot.hideButtons()
             plot.getAxis("left").setWidth(AXIS_WIDTH)
             plot.setLabel("left", name)
-            plot.setMouseEnabled(x=True, y=plot is self._plots[0])
+            plot.setMouseEnabled(x=True, y=False)
             plot.vb.setLimits(xMin=-SPAN, xMax=0)
             plot.vb.setDefaultPadding(0)
-        self._hint.setPos(-SECONDS_SHOWN / 2, SAMPLE_RATE / 16)
+        self._hint.setPos(-SECONDS_SHOWN / 2, 0.5)
         self._plots[0].addItem(self._hint, ignoreBounds=True)
         self._fix_ranges()
 
     def _fix_ranges(self) -> None:
         sonagram, lane, course = self._plots
-        sonagram.vb.setLimits(yMin=0)
-        lane.setYRange(0, 1, padding=0)
+        for plot in (sonagram, lane):
+            plot.setYRange(0, 1, padding=0)
         lane.setFixedHeight(LANE_HEIGHT)
         lane.getAxis("left").setStyle(showValues=False, tickLength=0)
         course.setFixedHeight(COURSE_HEIGHT)
@@ -180,14 +242,7 @@ class ScrollView(QWidget):
             plot.setXLink(sonagram)
         sonagram.setXRange(-SECONDS_SHOWN, 0, padding=0)
 
-    def _limit(self, value: float, name: str, tip: str) -> NumberField:
-        field = named(NumberField(-120, 0, unit=" dB"), name, tip)
-        field.setValue(value)
-        return field
-
-    def _lay_out(self) -> None:
-        add_colour_maps(self.colours)
-        self.decibels.setChecked(True)
+    def _lay_out(self, choices: SonagramChoices) -> None:
         plots = QGridLayout()
         plots.setSpacing(0)
         plots.addWidget(self._graphics, 0, 0, 2, 1)
@@ -196,41 +251,17 @@ class ScrollView(QWidget):
         plots.setRowStretch(0, 1)
         header = Wrapping(
             row(label(tr("<b>Sonagram and phonemes</b>")), 1, self.back, spacing=8),
-            row(
-                1,
-                self.decibels,
-                label(tr("Colours from")),
-                self.low,
-                label(tr("to")),
-                self.high,
-                label(tr("Colour map")),
-                self.colours,
-                spacing=8,
-            ),
+            row(1, *choices.buttons(), spacing=8),
             (6, 3, 6, 1),
         )
         column(header, (plots, 1), on=self, spacing=0)
 
     def _connect(self) -> None:
-        self.decibels.toggled.connect(lambda _on: self._choose_colours())
-        for box in (self.low, self.high):
-            box.valueChanged.connect(lambda _value: self._choose_colours())
-        self.colours.currentIndexChanged.connect(lambda _k: self._choose_colours())
+        self._session.sonagram.changed.connect(self._show_look)
         self.courses.changed.connect(self._show_courses)
         self._plots[0].vb.sigXRangeChanged.connect(lambda *_range: self._draw_course())  # who pans back sees it too
         scene = self._graphics.scene()
         self._proxy = pg.SignalProxy(scene.sigMouseMoved, rateLimit=READOUTS_PER_SECOND, slot=self._on_mouse)
-
-    # -- colours ------------------------------------------------------------------------------------------
-
-    def _choose_colours(self) -> None:
-        colours, in_decibels = colours_of(self.colours.currentData()), self.decibels.isChecked()
-        low, high = sorted((float(self.low.value()), float(self.high.value())))
-        if not in_decibels:
-            low, high = 10 ** (low / 20), 10 ** (high / 20)
-        self.sonagram.set_colours(colours, in_decibels, low, high)
-        form = "{:.0f} dB" if in_decibels else "{:.3g}"
-        self._colour_bar.draw(colours, *(form.format(value) for value in (low, (low + high) / 2, high)))
 
     # -- the variable -------------------------------------------------------------------------------------
 
@@ -316,9 +347,12 @@ class ScrollView(QWidget):
         phoneme = sound_name(Phoneme(int(self._history.phonemes[k])))
         text = f"{self._history.frames[k] * FRAME_PERIOD:.2f} s   {phoneme}"
         if plot is self._plots[0]:
-            level = float(self._history.spectra[k, min(1023, max(0, round(point.y() / BIN_WIDTH)))])
-            decibels = f"{20 * np.log10(level):.1f} dB" if level > 0 else "−∞ dB"
-            return f"{text}   {point.y():.0f} Hz   {level:.4f}   {decibels}"
+            left, right = plot.vb.viewRange()[0]
+            now = self.sonagram.n_drawn * FRAME_PERIOD
+            axis = TimeAxis(0, plot.vb.width(), now + left, right - left)
+            return "   ".join(
+                [text, *self.sonagram.painter.reading(self.sonagram.tiles(axis), now + point.x(), point.y())]
+            )
         name = self.courses.chosen
         values = self._history.features(at)
         return f"{text}   {name} {values[name][0]:.4g}" if name in values.names else text
@@ -327,8 +361,9 @@ class ScrollView(QWidget):
         """Return what is seen as a table: on the sonagram its amplitudes, else the chosen variable."""
         left, right = self._plots[0].vb.viewRange()[0]
         n, history = self.sonagram.n_drawn, self._history
-        seen = history.indices(n + floor(left / FRAME_PERIOD), n + ceil(right / FRAME_PERIOD))
-        seen = seen[history.frames[seen] != NOWHERE]
+        seen_columns = np.arange(n + floor(left / FRAME_PERIOD), min(n, n + ceil(right / FRAME_PERIOD)))
+        seen_columns = seen_columns[history.columns_with_sound(seen_columns)]
+        seen = seen_columns % CAPACITY
         columns: dict[str, Sequence[object] | NDArray[Any]] = {
             "time in the sound (s)": history.frames[seen] * FRAME_PERIOD,
             "phoneme": [Phoneme(code).label for code in history.phonemes[seen].tolist()],
@@ -336,9 +371,9 @@ class ScrollView(QWidget):
         }
         name = self.courses.chosen
         if self._plot_at(self._graphics.mapToScene(at)) is self._plots[0]:
-            low, high = (round(edge / BIN_WIDTH) for edge in self._plots[0].vb.viewRange()[1])
-            bins = range(max(0, low), min(high + 1, history.n_bins))
-            columns |= {f"amplitude at {k * BIN_WIDTH:.1f} Hz": history.spectra[seen, k] for k in bins}
+            levels = self._session.live.levels_of(seen_columns)
+            frequencies = self._session.sonagram.settings.frequencies.tolist()
+            columns |= {f"level at {f:.1f} Hz (dB)": levels[:, k] for k, f in enumerate(frequencies)}
         elif name in history.names:
             unit = self.courses.lines.unit_of(name)
             columns[f"{name} ({unit})"] = history.features(seen)[name]

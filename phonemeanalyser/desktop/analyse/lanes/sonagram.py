@@ -1,48 +1,55 @@
-"""The items that scroll: sonagram and phoneme lane, with time as seconds before now (0 at the right)."""
+"""How a sonagram is painted, of a file or of live sound: its levels as colours, scales, and what is drawn over it."""
 
-from math import ceil, floor
-from typing import Any
+import math
+from typing import NamedTuple
 
 import numpy as np
 import pyqtgraph as pg
-from numpy.typing import NDArray
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QColor, QImage, QPainter
+from PySide6.QtCore import QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPaintEngine, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QComboBox
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.history import CAPACITY, MOST_BINS, NOWHERE, History
-from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
-from phonemeanalyser.desktop.widgets.lanes import TimeAxis, lane_of_frames, names_in_lanes, paint_lane
-from phonemeengine.arrays import Float32Array, UInt8Array, UInt32Array
-from phonemeengine.dsp.sonagram import LEVELS
-from phonemeengine.phonemes import Phoneme
-from phonemeengine.settings import BIN_WIDTH, FRAME_PERIOD
+from phonemeanalyser.desktop.painting import AT_LEFT, AT_RIGHT, CENTRED, draw_text, set_size
+from phonemeanalyser.desktop.session.formant_track import MOST_SECONDS, KnownFormants
+from phonemeanalyser.desktop.session.sonagram_tiles import USUAL_COLOURS, SonagramTiles, Tile
+from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.lanes import TimeAxis
+from phonemeanalyser.desktop.widgets.plot import broken_line
+from phonemeengine.arrays import Float32Array, Float64Array, UInt32Array
+from phonemeengine.features.measure import Features
+from phonemeengine.settings import FRAME_PERIOD
 
-SPAN = CAPACITY * FRAME_PERIOD
-"""Seconds that can be seen."""
-COLOUR_MAPS = ("viridis", "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
+COLOUR_MAPS = (USUAL_COLOURS, "inferno", "magma", "plasma", "cividis", tr_noop("grey"))
+FREQUENCY_MARKS = (500, 1000, 2000, 3000, 4000, 5000, 6000, 8000, 10_000, 15_000, 20_000)
+LEVELS, PITCHES = (-80.0, 0.0), (0.0, 500.0)
+"""Decibels and Hz of the sonagram's lower and upper edge, for the lines on top of it."""
+FORMANT_COLOUR, PITCH_COLOUR, LEVEL_COLOUR = "#ff5050", "#50b4ff", "#ffe060"
+"""As in Praat: red dots, a blue and a yellow line."""
+NOTE_ALPHA = 215
+"""How opaque the ground of words over the sonagram is, 0..255."""
+DOTS_APART = 3
+"""Pixels between two dots of a formant at least."""
+SIDE, BAR_WIDTH, SCALE_WIDTH, SCALE_GAP = 58, 8, 46, 2
+"""Pixels at the right of the sonagram for its bar of colours, of that, of each further scale, and between them."""
+SCALE_GROUND = "#20252b"
+"""On which the colours of what is drawn over the sonagram are read, in a light window, too."""
+SCALES: tuple[tuple[str, tuple[float, float] | None, str, str], ...] = (
+    ("pitch", PITCHES, "Hz", PITCH_COLOUR),
+    ("formants", None, "Hz", FORMANT_COLOUR),
+    ("level", LEVELS, "dB", LEVEL_COLOUR),
+)
+"""What has a scale of its own, from left to right: the edges of the sonagram, the unit, and the colour."""
+LETTERS_APART = 14
+"""Pixels between two frequencies that are written."""
+NOTHING = 256
+"""The colour of what has no level, after those of the levels."""
 
 
 def add_colour_maps(box: QComboBox) -> None:
     """List all colour maps, each with its name as what is chosen."""
     for name in COLOUR_MAPS:
         box.addItem(tr(name), name)
-
-
-def as_measured(spectra: NDArray[np.float16], peaks: Float32Array) -> Float32Array:
-    """Return spectra as loud as they were measured, whatever normalising made of them: a quiet room stays dark.
-
-    Parameters
-    ----------
-    spectra : as they are shown, with or without normalising, shape (n, n_bins).
-    peaks : the largest amplitude of each before normalising, shape (n,); NaN where it is not known.
-    """
-    amplitudes = spectra.astype(np.float32)
-    shown = amplitudes.max(axis=1, initial=0.0)
-    measured = np.where(np.isnan(peaks), shown, peaks)
-    amplitudes *= (measured / np.maximum(shown, 1e-12)).astype(np.float32)[:, np.newaxis]
-    return amplitudes
 
 
 def colours_of(name: str) -> UInt32Array:
@@ -55,108 +62,248 @@ def colours_of(name: str) -> UInt32Array:
     return np.asarray(pixels, np.uint32)
 
 
-class SonagramItem(pg.GraphicsObject):
-    """The last minute of spectra as an image.
+def side_width(sonagram: SonagramTiles) -> int:
+    """Return how much room scales and bar of colours take at the right of a sonagram, pixels."""
+    return SIDE + (SCALE_WIDTH + SCALE_GAP) * sum(name in sonagram.overlays for name, *_ in SCALES)
 
-    The image is a ring: only new columns are coloured, and it is painted in two pieces; in one, until it has gone
-    round once.
 
-    Attributes
+class Overlaid(NamedTuple):
+    """What is drawn over a sonagram: variables of the frames from one on, and formants as far as they are known."""
+
+    first: int
+    features: Features
+    formants: KnownFormants | None
+
+
+class SonagramPainter:
+    """Paints tiles of a sonagram into a row, with what the choices of the sonagram say.
+
+    Parameters
     ----------
-    n_drawn : columns since Clear up to the newest that is drawn; while the views are frozen, others follow it.
+    sonagram : has the choices.
+    theme : the colours of what is no level.
     """
 
-    def __init__(self, history: History, theme: Theme) -> None:
-        super().__init__()
-        self._history = history
-        self._nothing = np.uint32(QColor(theme.base).rgb())
-        self._pixels = np.zeros((MOST_BINS, CAPACITY), np.uint32)
-        self._image = QImage(self._pixels.data, CAPACITY, MOST_BINS, 4 * CAPACITY, QImage.Format.Format_RGB32)
-        self.n_drawn = self._n_coloured = 0
-        self._colours = colours_of(COLOUR_MAPS[0])
-        self._in_decibels = True
-        self._low, self._high = LEVELS
+    def __init__(self, sonagram: SonagramTiles, theme: Theme) -> None:
+        self._sonagram, self._theme = sonagram, theme
+        self._colours, self._colour_map = colours_of(sonagram.colour_map), sonagram.colour_map
+        self._images: dict[int, tuple[Tile, tuple[object, ...], QImage]] = {}
 
-    def set_colours(self, colours: UInt32Array, in_decibels: bool, low: float, high: float) -> None:
-        """Choose colours, and the amplitudes (0..1 or dB) of the darkest and the brightest."""
-        self._colours, self._in_decibels, self._low, self._high = colours, in_decibels, low, high
-        self.recolour()
+    def paint_tiles(self, painter: QPainter, row: QRectF, axis: TimeAxis, tiles: list[Tile]) -> None:
+        """Paint what is known, coarse tiles first."""
+        if self._colour_map != self._sonagram.colour_map:
+            self._colour_map = self._sonagram.colour_map
+            self._colours = colours_of(self._colour_map)
+        painter.save()
+        painter.setClipRect(row, Qt.ClipOperation.IntersectClip)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        self._images = {id(t.levels): known for t in tiles if (known := self._images.get(id(t.levels)))}
+        for tile in tiles:
+            image = self._image_of(tile)
+            left, right = axis.x_of(tile.span.start), axis.x_of(tile.span.end)
+            if painter.paintEngine().type() is QPaintEngine.Type.SVG:  # which does not clip
+                image, left, right = _cut(image, left, right, row)
+            painter.drawImage(QRectF(left, row.top(), right - left, row.height()), image)
+        painter.restore()
 
-    def recolour(self) -> None:
-        """Draw everything remembered anew."""
-        self._colour(0, self.n_drawn)
+    def reading(self, tiles: list[Tile], seconds: float, share: float) -> list[str]:
+        """Return frequency and level at a time and a share of the height, in words; the level where it is known."""
+        frequencies = self._sonagram.settings.frequencies
+        share = min(max(share, 0.0), 1.0)
+        words = [f"{np.interp(share, np.linspace(0, 1, len(frequencies)), frequencies):.0f} Hz"]
+        for tile in reversed(tiles):  # the finest one comes last
+            if tile.span.start <= seconds < tile.span.end:
+                column = int((seconds - tile.span.start) / tile.span.seconds * len(tile.levels))
+                level = float(tile.levels[column, round(share * (len(frequencies) - 1))])
+                return words if math.isnan(level) else [*words, f"{level:.0f} dB"]
+        return words
 
-    def forget(self, column: int) -> None:
-        """Have the columns from this one on coloured anew at the next refresh."""
-        self._n_coloured = min(self._n_coloured, column)
+    def share_of(self, frequency: float) -> float:
+        """Return at which share of the height a frequency lies; -1 or 2 where that is below or above."""
+        frequencies = self._sonagram.settings.frequencies
+        return float(np.interp(frequency, frequencies, np.linspace(0, 1, len(frequencies)), -1, 2))
 
-    def refresh(self) -> None:
-        """Colour what is new since the last call."""
-        n = self._history.n
-        first = min(self._n_coloured, n)
-        self._pixels[:, np.arange(max(n, self.n_drawn - CAPACITY), self.n_drawn) % CAPACITY] = self._nothing
-        self.n_drawn = self._n_coloured = n
-        self._colour(first, n)
+    def marks(self, height: float) -> list[tuple[float, str]]:
+        """Return the frequencies that are written beside a sonagram of a height, pixels: shares of it, and words."""
+        found: list[tuple[float, str]] = []
+        top = height - LETTERS_APART / 3
+        for mark in FREQUENCY_MARKS:
+            share = self.share_of(mark)
+            if 0 <= share <= 1 and (found[-1][0] if found else -1) * height + LETTERS_APART < share * height < top:
+                found.append((share, f"{mark} Hz"))
+        return found
 
-    def boundingRect(self) -> QRectF:
-        """One minute by half the sample rate."""
-        return QRectF(-SPAN, 0, SPAN, MOST_BINS * BIN_WIDTH)
+    def paint_marks(self, painter: QPainter, row: QRectF, colour: str, right: float, *, ticks: bool = True) -> None:
+        """Write frequencies to the left of a place."""
+        for share, words in self.marks(row.height()):
+            y = row.bottom() - share * row.height()
+            if ticks:
+                painter.fillRect(QRectF(right + 3, y, 4, 1), QColor(colour))
+            draw_text(painter, QRectF(0, y - 7, right, 14), words, colour, 10, AT_RIGHT)
 
-    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint the ring's two pieces: what was written last ends at time 0."""
-        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)  # else a tone may fall between two pixels
-        split = self.n_drawn % CAPACITY
-        rows = min(MOST_BINS, int(self.viewRect().bottom() / BIN_WIDTH) + 2)
-        height = rows * BIN_WIDTH
-        older = CAPACITY - split if self.n_drawn >= CAPACITY else 0
-        x = -(older + split) * FRAME_PERIOD
-        for first, n in ((split, older), (0, split)):
-            visible = x + n * FRAME_PERIOD > self.viewRect().left()
-            if n and visible:
-                target = QRectF(x, -BIN_WIDTH / 2, n * FRAME_PERIOD, height)
-                painter.drawImage(target, self._image, QRectF(first, 0, n, rows))
-            x += n * FRAME_PERIOD
+    def paint_side(self, painter: QPainter, row: QRectF) -> None:
+        """Paint the scales of what is drawn over a row at its right, and which colour stands for which level."""
+        left = row.right() + SCALE_GAP
+        for _, edges, unit, colour in self._scales():
+            ground = QRectF(left, row.top(), SCALE_WIDTH, row.height())
+            painter.fillRect(ground, QColor(SCALE_GROUND))
+            if edges is None:  # formants lie on the axis of the sonagram
+                self.paint_marks(painter, row, colour, ground.right() - 2, ticks=False)
+            else:
+                words = [f"{value:.0f} {unit}" for value in np.linspace(*edges, 6).tolist()]
+                _paint_scale(painter, row, words, left + 3, SCALE_WIDTH, colour)
+            left = ground.right() + SCALE_GAP
+        low, high = self._sonagram.level_range
+        colours = np.ascontiguousarray(colours_of(self._sonagram.colour_map)[::-1])
+        bar = QRectF(left + SCALE_GAP, row.top(), BAR_WIDTH, row.height())
+        painter.drawImage(bar, QImage(colours.data, 1, len(colours), 4, QImage.Format.Format_RGB32))
+        marks = np.linspace(low, high, max(3, min(8, int(row.height() / 40)))).tolist()
+        words = [f"{level:.0f} dB" for level in marks]
+        _paint_scale(painter, row, words, bar.right() + 3, SIDE - BAR_WIDTH - 8, self._theme.faint)
 
-    def _colour(self, first: int, last: int) -> None:
-        at = self._history.indices(first, last)
-        if len(at):
-            spectra = as_measured(self._history.spectra[at], self._history.features(at)["max_energy"])
-            self._pixels[:, at] = self._colours[self._levels_of(spectra).T]
-            self._pixels[:, at[self._history.frames[at] == NOWHERE]] = self._nothing
-        self.update()
+    def _scales(self) -> list[tuple[str, tuple[float, float] | None, str, str]]:
+        return [scale for scale in SCALES if scale[0] in self._sonagram.overlays]
 
-    def _levels_of(self, amplitudes: Float32Array) -> UInt8Array:
-        if self._in_decibels:
-            amplitudes = 20 * np.log10(np.maximum(amplitudes, np.float32(1e-6)))
-        scaled = (amplitudes - self._low) * (255 / max(self._high - self._low, 1e-6))
-        return np.asarray(np.clip(scaled, 0, 255), np.uint8)
+    def paint_over(self, painter: QPainter, row: QRectF, axis: TimeAxis, over: Overlaid) -> None:
+        """Paint formants as dots, and pitch and level as lines on scales of their own, if these are chosen."""
+        shows = self._sonagram.overlays
+        painter.save()
+        painter.setClipRect(row, Qt.ClipOperation.IntersectClip)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        names = over.features.names
+        if "level" in shows and "volume" in names:
+            levels = 20 * np.log10(np.maximum(over.features["volume"], 1e-6))
+            _paint_line(painter, row, axis, over.first, levels, LEVELS, LEVEL_COLOUR)
+        if "pitch" in shows and "f0" in names:
+            pitch = over.features["f0"]
+            _paint_line(painter, row, axis, over.first, np.where(pitch > 0, pitch, np.nan), PITCHES, PITCH_COLOUR)
+        if "formants" in shows and over.formants is not None:
+            self._paint_formants(painter, row, axis, over.formants)
+        if "formants" in shows and axis.seconds > MOST_SECONDS:
+            words = tr("Formants: zoom in to {n:.0f} s or less").format(n=MOST_SECONDS)
+            self.paint_note(painter, row, words, above=False)
+        painter.restore()
+
+    def paint_note(self, painter: QPainter, row: QRectF, words: str, *, above: bool) -> None:
+        """Write words over a row: at its right upper edge, or at its left lower one."""
+        set_size(painter, 11)
+        width = painter.fontMetrics().horizontalAdvance(words) + 14
+        left, top = (row.right() - width - 4, row.top() + 4) if above else (row.left() + 4, row.bottom() - 22)
+        box, background = QRectF(left, top, width, 18), QColor(self._theme.base)
+        background.setAlpha(NOTE_ALPHA)
+        painter.fillRect(box, background)
+        draw_text(painter, box, words, self._theme.text, 11, CENTRED)
+
+    def _image_of(self, tile: Tile) -> QImage:
+        low, high = drawn = self._sonagram.level_range
+        known = self._images.get(id(tile.levels))
+        if known is not None and known[1] == (*drawn, self._colour_map):
+            return known[2]
+        scaled = (tile.levels.astype(np.float32) - low) * (255 / max(high - low, 1e-6))
+        there = ~np.isnan(scaled)
+        numbers = np.where(there, np.clip(np.where(there, scaled, 0), 0, 255), NOTHING).astype(np.uint16)
+        colours = np.append(self._colours, np.uint32(QColor(self._theme.base).rgb()))
+        pixels = np.ascontiguousarray(colours[numbers].T[::-1])
+        n_rows, n = pixels.shape
+        image = QImage(pixels.data, n, n_rows, 4 * n, QImage.Format.Format_RGB32).copy()
+        self._images[id(tile.levels)] = tile, (*drawn, self._colour_map), image
+        return image
+
+    def _paint_formants(self, painter: QPainter, row: QRectF, axis: TimeAxis, known: KnownFormants) -> None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(QColor(FORMANT_COLOUR))
+        begin = max(0, int(axis.start / FRAME_PERIOD) - known.first)
+        end = max(begin, int((axis.start + axis.seconds) / FRAME_PERIOD) + 1 - known.first)
+        per_dot = max(1, math.ceil(DOTS_APART / axis.width * axis.seconds / FRAME_PERIOD))
+        frequencies = usual_of(known.frequencies[begin:end], per_dot, begin + known.first)
+        for k, formants in enumerate(frequencies.tolist(), (begin + known.first) // per_dot):
+            x = axis.x_of((k + 0.5) * per_dot * FRAME_PERIOD)
+            for frequency in formants:
+                if not math.isnan(frequency):
+                    y = row.bottom() - self.share_of(frequency) * row.height()
+                    painter.drawEllipse(QPointF(x, y), 1.6, 1.6)
 
 
-class PhonemeLane(pg.GraphicsObject):
-    """The recognised phonemes as coloured segments, named where there is room; as far as the sonagram is drawn."""
+def _paint_scale(painter: QPainter, row: QRectF, words: list[str], left: float, width: float, colour: str) -> None:
+    """Write words beside a row, equally far apart, from its lower edge to its upper one."""
+    for k, text in enumerate(words):
+        y = row.bottom() - k / (len(words) - 1) * row.height()
+        place = QRectF(left, min(max(y - 7, row.top() - 1), row.bottom() - 13), width, 14)
+        draw_text(painter, place, text, colour, 10, AT_LEFT)
 
-    def __init__(self, history: History, sonagram: SonagramItem, theme: Theme) -> None:
-        super().__init__()
-        self._history = history
-        self._sonagram = sonagram
-        self._theme = theme
-        colours = [*(PHONEME_COLOURS[p] for p in Phoneme), theme.base]  # the last one is that of a gap
-        self._pixels = np.array([QColor(colour).rgb() for colour in colours], np.uint32)
-        self._names = [*names_in_lanes(), ""]
 
-    def boundingRect(self) -> QRectF:
-        """One minute by one."""
-        return QRectF(-SPAN, 0, SPAN, 1)
+def _paint_line(
+    painter: QPainter,
+    row: QRectF,
+    axis: TimeAxis,
+    first: int,
+    values: Float32Array,
+    scale: tuple[float, float],
+    colour: str,
+) -> None:
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for pen in (QPen(QColor(0, 0, 0, 150), 3), QPen(QColor(colour), 1.6)):  # seen on every colour
+        painter.setPen(pen)
+        for line in _line_in(row, axis, values, first, scale):
+            painter.drawPolyline(line)
 
-    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint the segments that are in view, and the names of those that are wide enough."""
-        view, n = self.viewRect(), self._sonagram.n_drawn
-        first, last = (n + edge(side / FRAME_PERIOD) for edge, side in ((floor, view.left()), (ceil, view.right())))
-        last = min(last, n)
-        at = self._history.indices(first, last)
-        row = painter.transform().mapRect(QRectF(view.left(), 0, view.width(), 1))
-        painter.resetTransform()
-        axis = TimeAxis(row.left(), row.width(), n * FRAME_PERIOD + view.left(), view.width())
-        codes = self._history.phonemes[at]
-        lane = lane_of_frames("", codes, self._names, self._pixels, first=last - len(at))
-        paint_lane(painter, row, lane, axis, self._theme)
+
+def _line_in(
+    row: QRectF, axis: TimeAxis, values: Float32Array, first: int, scale: tuple[float, float]
+) -> tuple[QPolygonF, ...]:
+    """Return the usual course of values of the frames from one on, between two values at the row's edges."""
+    low, high = scale
+    times, heights = usual_course_of(values, first, axis.seconds, round(axis.width))
+    x = axis.left + (times - axis.start) / axis.seconds * axis.width
+    return broken_line(x, row.bottom() - (heights - low) / max(high - low, 1e-12) * row.height())
+
+
+def _cut(image: QImage, left: float, right: float, row: QRectF) -> tuple[QImage, float, float]:
+    """Return the columns of an image between two places that lie within a row, and between which places these lie."""
+    column = (right - left) / image.width()
+    first = max(0, math.ceil((row.left() - left) / column))
+    last = min(image.width(), math.floor((row.right() - left) / column))
+    return image.copy(first, 0, max(1, last - first), image.height()), left + first * column, left + last * column
+
+
+# The usual course of what is drawn over the sonagram: as many points as pixels, however many frames lie under each.
+
+
+def usual_course_of(
+    values: Float32Array, first: int, seconds: float, n_columns: int
+) -> tuple[Float64Array, Float64Array]:
+    """Return the course of a variable as one line, however many frames lie under a column: see `usual_of`.
+
+    Times in seconds, and values; NaN where it is broken.
+
+    Parameters
+    ----------
+    values : of the frames from `first` on, shape (n,).
+    first : the number of the first frame.
+    seconds : that are seen, in `n_columns`.
+    """
+    per_point = max(1, int(np.ceil(seconds / FRAME_PERIOD / n_columns)))
+    usual = usual_of(values[:, np.newaxis], per_point, first)[:, 0]
+    times: Float64Array = (
+        (first // per_point + np.arange(len(usual), dtype=np.float64) + 0.5) * per_point * FRAME_PERIOD
+    )
+    return times, usual.astype(np.float64)
+
+
+def usual_of(values: Float32Array, n: int, first: int) -> Float32Array:
+    """Return the median of every `n` frames, shape (n_groups, n_values); NaN where most of them have no value.
+
+    Groups begin at multiples of `n`, so that they stay the same while the view scrolls.
+
+    Parameters
+    ----------
+    values : of the frames from `first` on, shape (n_frames, n_values).
+    """
+    if n == 1 or not len(values):
+        return values
+    before, after = first % n, -(first + len(values)) % n
+    groups = np.pad(values, ((before, after), (0, 0)), constant_values=np.nan).reshape(-1, n, values.shape[1])
+    known = np.isfinite(groups).sum(axis=1)
+    groups = np.sort(groups, axis=1)  # NaN comes last
+    middle = np.take_along_axis(groups, np.maximum(known - 1, 0)[:, np.newaxis] // 2, axis=1)[:, 0]
+    return np.where(2 * known >= n, middle, np.float32(np.nan)).astype(np.float32)

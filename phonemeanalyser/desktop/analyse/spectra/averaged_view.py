@@ -153,13 +153,13 @@ class AveragedView(SpectrumView):
             tr("Curves"), tr("Save the averaged spectrum as a curve, or load saved curves to compare with")
         )
         open_at_once(curves, menu)
-        self.header.addWidget(curves)
+        self.beside.addWidget(curves)
         self.legend.setParentItem(self.item.vb)
         self.legend.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
     def _add_region(self) -> None:
         self.measure.setFixedWidth(self.measure.sizeHint().width())  # other words on it must not widen the window
-        self.header.addWidget(self.measure)
+        self.beside.addWidget(self.measure)
         self.region.setVisible(False)
         for edge in self.region.lines:
             edge.setMovable(True)  # while a drag inside of it draws another
