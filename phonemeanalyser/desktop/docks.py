@@ -120,7 +120,7 @@ class Docks(QObject):
         The tabs of docks that lie behind one another are Qt's, and get a name for screen readers.
         """
         if isinstance(event, QChildEvent) and event.polished() and isinstance(event.child(), QTabBar):
-            tabs = cast(QTabBar, event.child())
+            tabs = cast("QTabBar", event.child())
             tabs.setAccessibleName(tr("Tabs of the docks"))
             tabs.setObjectName("DockTabs")
             tabs.setElideMode(Qt.TextElideMode.ElideNone)  # in a narrow dock they scroll: "Sch…" says nothing

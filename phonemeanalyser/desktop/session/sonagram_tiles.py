@@ -28,6 +28,10 @@ COLUMNS = 512
 USUAL_COLOURS = "viridis"
 MOST_READ = 20.0
 """Seconds of sound that are read at a time."""
+EXCERPT, LONG_COLUMN = 0.08, 0.25
+"""Seconds that are measured first of a column of that many seconds or more: of hours, a picture is there at once."""
+MOST_EXCERPTS = 1.0
+"""Seconds of the processor that excerpts of a tile may take; in some formats each place is far to seek."""
 REST = 1.0
 """Seconds between two beginnings of such work: who scrolls on and on wants each tile for a moment only, sees
 coarser ones meanwhile, and leaves the processor to others."""
@@ -122,6 +126,7 @@ class SonagramTiles(SeenTrack):
         self._lock = threading.Lock()
         self._generation = 0
         self._tiles: OrderedDict[Key, Tile] = OrderedDict()
+        self._of_excerpts: set[Key] = set()
         self._wanted: tuple[Key, ...] = ()
         self._kept.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         self._began = -math.inf
@@ -168,7 +173,7 @@ class SonagramTiles(SeenTrack):
         """
         keys = keys_for(seen, n_pixels, self._duration)
         with self._lock:
-            missing = tuple(key for key in keys if key not in self._tiles)
+            missing = tuple(key for key in keys if key not in self._tiles or key in self._of_excerpts)
             known = {key for wanted in keys for key in self._nearest_known(wanted)}
             for key in known:
                 self._tiles.move_to_end(key)
@@ -202,6 +207,11 @@ class SonagramTiles(SeenTrack):
 
         def measure(progress: Progress) -> None:
             with open_sound() as reader:
+                for key in keys:
+                    if key.period >= LONG_COLUMN and key not in self._tiles:
+                        self._keep(
+                            key, excerpts_of(reader, settings, filters, key, progress), generation, whole=False
+                        )
                 for k, key in enumerate(keys):
                     part = subrange(progress, k / len(keys), (k + 1) / len(keys))
                     levels = levels_of(reader, settings, filters, key.span.start, key.period, key.n_columns, part)
@@ -210,11 +220,12 @@ class SonagramTiles(SeenTrack):
 
         self._work.replace(measure, lambda _: None)
 
-    def _keep(self, key: Key, levels: Float32Array, generation: int) -> None:
+    def _keep(self, key: Key, levels: Float32Array, generation: int, *, whole: bool = True) -> None:
         """Remember a tile, in the thread that measured it; one that is outdated meanwhile is not wanted."""
         with self._lock:
             if generation != self._generation:
                 return
+            self._of_excerpts = self._of_excerpts - {key} if whole else self._of_excerpts | {key}
             self._tiles[key] = Tile(key.span, levels.astype(np.float16))
             while len(self._tiles) > self.most_tiles:
                 self._tiles.popitem(last=False)
@@ -225,7 +236,7 @@ class SonagramTiles(SeenTrack):
         self._began = -math.inf
         with self._lock:
             self._generation += 1
-            self._tiles = OrderedDict()
+            self._tiles, self._of_excerpts = OrderedDict(), set()
         self._wanted = ()
         super()._forget()
 
@@ -269,3 +280,21 @@ def levels_of(
         else:
             parts.append(filtered_sonagram_of(samples, filters, settings, first - begin, n, n_samples))
     return np.concatenate(parts)
+
+
+def excerpts_of(
+    reader: Samples, settings: SonagramSettings, filters: AnalysisSettings | None, key: Key, progress: Progress
+) -> Float32Array:
+    """Return a tile of which only the middle of each column is measured; NaN where that took too long.
+
+    Shape (n_columns, n_rows), see `levels_of`.
+    """
+    levels = np.full((key.n_columns, settings.n_rows), np.nan, np.float32)
+    began = time.thread_time()
+    for column in range(key.n_columns):
+        if time.thread_time() - began > MOST_EXCERPTS:
+            break
+        report_progress(progress, 0.0)
+        start = key.span.start + (column + 0.5) * key.period - EXCERPT / 2
+        levels[column] = levels_of(reader, settings, filters, start, EXCERPT, 1)[0]
+    return levels

@@ -63,6 +63,20 @@ def test_a_coarser_tile_serves_until_the_finer_one_is_there(tiles, qtbot):
     assert all(t.span.seconds < 2 for t in fine)
 
 
+def test_of_long_columns_excerpts_are_there_first_and_all_of_them_later(tiles, qtbot):
+    with qtbot.waitSignal(tiles.changed):
+        tiles.tiles_for(WHOLE, 60)
+    (first,) = tiles.tiles_for(WHOLE, 60)
+    middles = (np.arange(60) + 0.5) * first.span.seconds / COLUMNS
+    for column in (5, 15, 25, 50):  # the tone, the silence, the noise
+        expected = sonagram_of(SOUND, tiles.settings, (middles[column] - 0.04) * SAMPLE_RATE, 1, 0.08 * SAMPLE_RATE)
+        np.testing.assert_allclose(first.levels[column], expected[0], atol=0.3)
+    (whole,) = measured(tiles, qtbot, WHOLE, 60)
+    assert whole.levels is not first.levels
+    expected = sonagram_of(SOUND, tiles.settings, 0.0, 60, first.span.seconds / COLUMNS * SAMPLE_RATE)
+    np.testing.assert_allclose(whole.levels[:60], expected, atol=0.3)
+
+
 def test_no_picture_is_normalised_and_the_range_is_the_chosen_one(tiles, qtbot):
     measured(tiles, qtbot, TimeSpan(25, 26), 500)
     assert tiles.level_range == LEVELS
