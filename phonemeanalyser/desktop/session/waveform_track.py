@@ -1,8 +1,10 @@
 """The waveform of what is seen of a long file, read ahead of the analysis of the whole file."""
 
+import time
 from collections.abc import Callable
 
 import numpy as np
+from PySide6.QtCore import Qt, Signal
 
 from phonemeanalyser.desktop.session.seen_track import SeenTrack
 from phonemeanalyser.desktop.session.time_view import TimeSpan
@@ -12,8 +14,10 @@ from phonemeengine.dsp.waveform_peaks import FINEST, Peaks, WaveformPeaks, zero_
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.settings import SAMPLE_RATE
 
-MOST_SECONDS = 600.0
-"""Of a waveform that is read at once; of more, what the analysis has read is shown."""
+LONG = 600.0
+"""Seconds of sound from which on its outline is shown while it is still being read."""
+SHOWN_EVERY = 0.2
+"""Seconds between two pictures of an outline that is being read."""
 MOST_SAMPLED = 12.0
 """Of which each sample is known, for a view of single ones, and for zero crossings."""
 AROUND = 10.0
@@ -30,8 +34,11 @@ class WaveformTrack(SeenTrack):
     The outline is read if the analysis has not come so far yet.
     """
 
+    _grown = Signal()
+
     def __init__(self) -> None:
         super().__init__()
+        self._grown.connect(self.changed, Qt.ConnectionType.QueuedConnection)
         self._wanted = 0, 0
         self._first = 0
         self._peaks = WaveformPeaks()
@@ -50,7 +57,7 @@ class WaveformTrack(SeenTrack):
         if self.samples_in(seen) is not None:
             return self._peaks.between(first - self._first, last - self._first, n_columns)
         outline = known.between(first, last, n_columns)
-        if known.n_samples >= min(last, self._n_samples) or not 0 < seen.seconds <= MOST_SECONDS:
+        if known.n_samples >= min(last, self._n_samples) or seen.seconds <= 0:
             return outline
         self._want(int(first), min(self._n_samples, int(np.ceil(last))))
         mine = self._peaks.between(first - self._first, last - self._first, n_columns)
@@ -84,10 +91,13 @@ class WaveformTrack(SeenTrack):
 
     def _read(self, first: int, last: int, open_sound: Callable[[], SoundReader]) -> None:
         self._wanted = first, last
-        sampled = last - first <= MOST_KEPT
+        sampled, long = last - first <= MOST_KEPT, last - first > LONG * SAMPLE_RATE
+        peaks = WaveformPeaks(1 if sampled else FINEST)
+        if long:
+            self._first, self._peaks, self._samples = first, peaks, np.zeros(0, np.float32)
 
         def read(progress: Progress) -> tuple[int, WaveformPeaks, Float32Array]:
-            peaks, samples = WaveformPeaks(1 if sampled else FINEST), [np.zeros(0, np.float32)]
+            samples, shown = [np.zeros(0, np.float32)], time.monotonic()
             with open_sound() as reader:
                 reader.seek(first)
                 while (left := last - first - peaks.n_samples) > 0 and len(
@@ -97,6 +107,9 @@ class WaveformTrack(SeenTrack):
                     if sampled:
                         samples.append(block.copy())
                     report_progress(progress, peaks.n_samples / (last - first))
+                    if long and time.monotonic() > shown + SHOWN_EVERY:
+                        shown = time.monotonic()
+                        self._grown.emit()
             return first, peaks, np.concatenate(samples)
 
         self._work.replace(read, self._take)

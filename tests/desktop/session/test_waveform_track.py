@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.session.waveform_track import MOST_SECONDS, WaveformTrack
+from phonemeanalyser.desktop.session.waveform_track import WaveformTrack
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.waveform_peaks import WaveformPeaks
 from phonemeengine.settings import SAMPLE_RATE
@@ -52,8 +52,18 @@ def test_what_is_known_is_not_read_again_and_what_is_beside_is_there_at_once(tra
     assert not track.busy
 
 
-def test_of_a_longer_view_only_what_was_read_is_shown_and_of_no_file_nothing(track):
-    track.outline_in(TimeSpan(0.0, MOST_SECONDS + 1), read(0), 100)
+def test_a_longer_view_is_shown_as_it_is_read_and_of_no_file_nothing_is_read(track, qtbot, tmp_path):
+    (tmp_path / "long").mkdir()
+    path = wav(tmp_path / "long", np.tile(SOUND, 11))
+    track.open(lambda: SoundReader(path), 660.0)
+    seen = TimeSpan(0.0, 660.0)
+    assert np.isnan(track.outline_in(seen, read(0), 100).high).all()
+    qtbot.waitUntil(lambda: np.isfinite(track.outline_in(seen, read(0), 100).high[0]))
+    qtbot.waitUntil(lambda: not track.busy)
+    found = track.outline_in(seen, read(0), 660)
+    whole = WaveformPeaks()
+    whole.push(np.tile(SOUND, 11))
+    np.testing.assert_allclose(found.high, whole.between(0, 660 * SAMPLE_RATE, 660).high, atol=0.01)
     assert not track.busy
     track.leave()
     track.outline_in(TimeSpan(0.0, 10.0), read(0), 100)
