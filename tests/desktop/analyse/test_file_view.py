@@ -138,7 +138,7 @@ def test_the_page_turns_with_what_is_heard_unless_switched_off(desktop, panel):
 
 def test_another_axis_is_measured_anew_and_another_variable_drawn(desktop, panel, qtbot):
     before = panel.view.grab().toImage()
-    panel.axis.setCurrentIndex(1)
+    desktop.window.analysis.sonagram.axis.setCurrentIndex(1)
     assert desktop.session.sonagram.settings.axis is FrequencyAxis.MEL
     sonagram, width = desktop.session.sonagram, panel.view._layout.width
     qtbot.waitUntil(lambda: bool(sonagram.tiles_for(desktop.session.view.seen, width)))
@@ -168,12 +168,12 @@ def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(deskt
         QTest.mouseMove(view, QPoint(x, round(sonagram.center().y())))
     before, words = view.grab(sonagram.toRect()).toImage(), view.reading()
     assert "Hz" in words
-    panel.overlays[name].trigger()
-    told = {"formants": "F1 ", "pitch": "f0 ", "level": " dB"}[name]
+    desktop.window.analysis.sonagram.overlays[name].trigger()
+    told = {"formants": "F1 ", "pitch": "f0 ", "level": "level "}[name]
     qtbot.waitUntil(lambda: told in view.reading())
     assert told not in words
     assert view.grab(sonagram.toRect()).toImage() != before
-    panel.overlays[name].trigger()
+    desktop.window.analysis.sonagram.overlays[name].trigger()
     assert told not in view.reading()
 
 

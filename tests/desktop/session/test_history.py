@@ -8,28 +8,28 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from phonemeanalyser.desktop.session.history import CAPACITY, GAP, MOST_BINS, NOWHERE, History
+from phonemeanalyser.desktop.session.history import CAPACITY, GAP, NOWHERE, History
 from phonemeengine.analyser import Analyser, Analysis
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import Variable
 from phonemeengine.presets.preset import Preset
-from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Filter
+from phonemeengine.settings import BIN_WIDTH, HOP, WINDOW, AnalysisSettings, Filter
 from tests.sounds import tone
 
 NAMES = ("one", "two")
 EMPTY = Analyser(Preset()).push(np.zeros(0, np.float32))
 
 
-def block(first: int, n: int, n_bins: int = 256, names: tuple[str, ...] = NAMES) -> Analysis:
+def block(first: int, n: int, names: tuple[str, ...] = NAMES) -> Analysis:
     """Frames that say which ones they are: variable k of frame j is 100 k + j % 97."""
     frames = np.arange(first, first + n)
     values = 100 * np.arange(len(names)) + (frames % 97)[:, np.newaxis]
-    spectra = np.repeat((frames % 97)[:, np.newaxis], n_bins, axis=1).astype(np.float32)
+    windows = np.repeat((frames % 97)[:, np.newaxis], WINDOW, axis=1).astype(np.float32)
     features = Features(names, values.astype(np.float32))
     return replace(
         EMPTY,
         start=first,
-        frames=replace(EMPTY.frames, spectra=spectra, waveforms=spectra, features=features),
+        frames=replace(EMPTY.frames, windows=windows, spectra=windows, waveforms=windows, features=features),
         recognised=(frames % 11).astype(np.uint8),
         phonemes=((frames + 1) % 11).astype(np.uint8),
         intensities=(frames % 2).astype(np.float32),
@@ -52,7 +52,7 @@ def shows(history: History, n: int) -> None:
     assert history.recognised[indices].tolist() == (frames % 11).tolist()
     assert history.phonemes[indices].tolist() == ((frames + 1) % 11).tolist()
     assert history.intensities[indices].tolist() == (frames % 2).tolist()
-    np.testing.assert_array_equal(history.spectra[indices, 0], frames % 97)
+    np.testing.assert_array_equal(history.samples[indices, 0], frames % 97)
     np.testing.assert_array_equal(history.features(indices)["two"], 100 + frames % 97)
 
 
@@ -117,14 +117,20 @@ def test_a_variable_that_goes_leaves_the_others_as_they_are() -> None:
     assert history.extremes("two") == (149, pytest.approx((50 * 124.5 + 10 * 54.5) / 60), 50)
 
 
-def test_another_front_end_leaves_nothing_of_the_old_one_in_a_column() -> None:
+def test_the_sound_is_silent_in_gaps_and_goes_on_as_far_as_the_newest_window() -> None:
     history = History()
-    for first in range(0, CAPACITY, 1000):
-        history.append(block(first, 1000, n_bins=MOST_BINS))
-    history.append(block(CAPACITY, 10, n_bins=256))
-    assert history.n_bins == 256
-    assert not history.spectra[:10, 256:].any()
-    assert history.spectra[10:20, 1000].any()
+    history.append(block(1, 3))
+    history.append(block(50, 2))
+    sound = history.sound_between(0, (3 + GAP + 5) * HOP)
+    of_columns = [1, 2, 3, *[0] * GAP, 50, 51]
+    np.testing.assert_array_equal(sound[: len(of_columns) * HOP : HOP], of_columns)
+    ahead = WINDOW // 2 - HOP + HOP // 2
+    assert history.n_samples == len(of_columns) * HOP + ahead
+    assert set(sound[len(of_columns) * HOP : history.n_samples]) == {51}
+    assert not sound[history.n_samples :].any()
+    np.testing.assert_array_equal(history.sound_between(HOP - 2, HOP + 2), [1, 1, 2, 2])
+    there = history.columns_with_sound(np.arange(len(of_columns) + 2))
+    assert there.tolist() == [*[True] * 3, *[False] * GAP, True, True, False, False]
 
 
 def test_clearing_forgets_the_columns() -> None:

@@ -154,7 +154,8 @@ class FileView(QWidget):
         if "pitch" in shows:
             parts.append(f"f0 {values['f0']:.0f} Hz" if values.get("f0") else tr("no f0"))
         if "level" in shows:
-            parts.append(f"{20 * math.log10(max(values.get('volume', 0.0), 1e-6)):.0f} dB")
+            level = 20 * math.log10(max(values.get("volume", 0.0), 1e-6))
+            parts.append(tr("level {level:.0f} dB").format(level=level))
         known = self._session.formants.formants_in(self._view.seen) if "formants" in shows else None
         if known is not None and 0 <= frame - known.first < len(known.frequencies):
             found = known.frequencies[frame - known.first, :3].tolist()
