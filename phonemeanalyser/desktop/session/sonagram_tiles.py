@@ -108,7 +108,7 @@ class SonagramTiles(SeenTrack):
     filters : through which it is measured; None for the sound itself.
     level_range : the levels, dB, that are drawn darkest and brightest, the same for every sound.
     colour_map : the name of their colours.
-    overlays : which of ``formants``, ``pitch`` and ``level`` are drawn over it; ``words``: what is said below.
+    overlays : which of ``formants``, ``pitch`` and ``level`` are its overlays; ``words``: what is said below.
     """
 
     _kept = Signal()
@@ -261,7 +261,7 @@ def levels_of(
     start : seconds at which the first column begins.
     period : seconds of a column.
     n_columns : how many.
-    progress : is told the share that is done.
+    progress : called with the share that is done.
     most_read : seconds of sound that are read at a time.
     """
     n_samples = period * SAMPLE_RATE

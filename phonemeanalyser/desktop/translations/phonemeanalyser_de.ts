@@ -984,7 +984,7 @@
             <translation>Nach allen Filtern</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>After filters</source>
             <translation>Nach Filtern</translation>
         </message>
@@ -2049,22 +2049,17 @@
             <translation>Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Colour map</source>
             <translation>Farbschema</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
-            <source>Colours by level in dB, or by linear amplitude</source>
-            <translation>Farben nach Pegel in dB oder nach linearer Amplitude</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Colours from</source>
             <translation>Farben von</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Colours of the levels in the sonagram</source>
             <translation>Farben der Pegel im Sonagramm</translation>
         </message>
@@ -2239,7 +2234,7 @@
             <translation>Kurven (*.csv)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Curves drawn over the sonagram, and lanes below it: formants, pitch, level, words</source>
             <translation>Kurven über dem Sonagramm und Spuren darunter: Formanten, Grundfrequenz, Pegel, Wörter</translation>
         </message>
@@ -2825,7 +2820,7 @@
             <translation>Estnisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/time_view.py" />
             <source>Everything loaded</source>
             <translation>Alles Geladene</translation>
         </message>
@@ -3250,12 +3245,12 @@
             <translation>Folgen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Formants (red dots, Burg's method, as in Praat)</source>
             <translation>Formanten (rote Punkte, nach Burg, wie in Praat)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram.py" />
             <source>Formants: zoom in to {n:.0f} s or less</source>
             <translation>Formanten: auf höchstens {n:.0f} s hineinzoomen</translation>
         </message>
@@ -3350,24 +3345,19 @@
             <translation>Frequenzglättung</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <source>Frequencies, window, levels and colour map of the sonagram</source>
+            <translation>Frequenzen, Fenster, Pegel und Farbtabelle des Sonagramms</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>Frequency</source>
             <translation>Frequenz</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
-            <source>Frequency (Hz)</source>
-            <translation>Frequenz (Hz)</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Frequency axis</source>
             <translation>Frequenzachse</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
-            <source>Frequency axis, window, levels and colour map of the sonagram of files</source>
-            <translation>Frequenzachse, Fenster, Pegel und Farben des Sonagramms von Dateien</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
@@ -3610,6 +3600,11 @@
             <translation>Hochpass Anfang</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <source>Highest frequency</source>
+            <translation>Höchste Frequenz</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>highest peak</source>
             <translation>höchste Spitze</translation>
@@ -3800,14 +3795,9 @@
             <translation>Aktiv: {words}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/session/time_view.py" />
             <source>In view</source>
             <translation>Sichtbar</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
-            <source>in view</source>
-            <translation>sichtbarer Teil</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -4445,7 +4435,7 @@
             <translation>Länge aller Releases: 100 % wie in der Mundtabelle; weniger ist schneller, mehr langsamer</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Length of the sonagram's window: a short one (wide band, 6 ms) shows single pulses of the voice, a long one (narrow band, 30 ms) its harmonics</source>
             <translation>Länge des Analysefensters: Ein kurzes (breitbandig, 6 ms) zeigt einzelne Stimmimpulse, ein langes (schmalbandig, 30 ms) die Teiltöne</translation>
         </message>
@@ -4475,7 +4465,7 @@
             <translation>Pegel (dB)</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Level (yellow line, peaks from −80 to 0 dB)</source>
             <translation>Pegel (gelbe Linie, Spitzen von −80 bis 0 dB)</translation>
         </message>
@@ -4500,24 +4490,24 @@
             <translation>Pegel der gemittelten Frames vor den Filtern: Effektivwert, dBFS</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Level of the brightest colour</source>
             <translation>Pegel der hellsten Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
-            <source>Level of the brightest colour, dBFS; with linear colours, the amplitude of that level</source>
-            <translation>Pegel der hellsten Farbe, dBFS; bei linearen Farben die Amplitude dieses Pegels</translation>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <source>Level of the brightest colour, dBFS, the same for every sound</source>
+            <translation>Pegel der hellsten Farbe in dBFS, für jeden Ton gleich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Level of the darkest colour</source>
             <translation>Pegel der dunkelsten Farbe</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
-            <source>Level of the darkest colour, dBFS; with linear colours, the amplitude of that level</source>
-            <translation>Pegel der dunkelsten Farbe, dBFS; bei linearen Farben die Amplitude dieses Pegels</translation>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <source>Level of the darkest colour, dBFS, the same for every sound</source>
+            <translation>Pegel der dunkelsten Farbe in dBFS, für jeden Ton gleich</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
@@ -4525,14 +4515,9 @@
             <translation>Pegel der höchsten Spitze</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
-            <source>Levels</source>
-            <translation>Pegel</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
-            <source>Levels of the darkest and the brightest colour, dBFS, the same for every sound</source>
-            <translation>Pegel der dunkelsten und der hellsten Farbe in dBFS, für jeden Klang gleich</translation>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />
+            <source>level {level:.0f} dB</source>
+            <translation>Pegel {level:.0f} dB</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
@@ -6215,7 +6200,7 @@
             <translation>Ausgabegerät und Tempo</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Overlays</source>
             <translation>Überlagerungen</translation>
         </message>
@@ -6470,7 +6455,7 @@
             <translation>pip install "phonemeanalyser[whisper]" installiert ein genaueres</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Pitch (blue line, 0 to 500 Hz from bottom to top)</source>
             <translation>Grundfrequenz (blaue Linie, 0 bis 500 Hz von unten nach oben)</translation>
         </message>
@@ -7680,13 +7665,8 @@
             <translation>Alles auswählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
             <source>Selection</source>
-            <translation>Auswahl</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
-            <source>selection</source>
             <translation>Auswahl</translation>
         </message>
         <message>
@@ -7910,7 +7890,7 @@
             <translation>Nur die Regeln für dieses Phonem zeigen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Show the sonagram after all active filters, as recognisers that use the filters see it</source>
             <translation>Das Sonagramm nach allen aktiven Filtern zeigen, so wie Erkenner mit Filtern es sehen</translation>
         </message>
@@ -8060,7 +8040,7 @@
             <translation>Glättung: {recognised} → {phoneme}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Sonagram</source>
             <translation>Sonagramm</translation>
         </message>
@@ -8100,7 +8080,7 @@
             <translation>Quelle des Signals: Datei, Mikrofon, Ton oder Text</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Spacing of the frequencies in the sonagram: linear, mel or logarithmic</source>
             <translation>Teilung der Frequenzachse im Sonagramm: linear, mel oder logarithmisch</translation>
         </message>
@@ -8168,6 +8148,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
             <source>Speakers</source>
             <translation>Sprecher</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/window.py" />
+            <source>Spectra</source>
+            <translation>Spektren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -9645,11 +9630,6 @@
             <translation>Diese Datei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
-            <source>This file</source>
-            <translation>Diese Datei</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>This file: {name}</source>
             <translation>Diese Datei: {name}</translation>
@@ -9810,7 +9790,7 @@
             <translation>Bis</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>to</source>
             <translation>bis</translation>
         </message>
@@ -10028,6 +10008,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>Unterminated string starting at</source>
             <translation>Nicht abgeschlossener Text</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <source>Upper edge of the sonagram</source>
+            <translation>Oberer Rand des Sonagramms</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
@@ -10325,11 +10310,6 @@
             <translation>Was mit der Sprache, den anderen Mundformen und dem Blinzeln geschieht, solange ein Regler über 0 steht: Sie bleiben, und alle Bewegungen addieren sich; alles außer dem Blinzeln geht auf 0; auch das Blinzeln geht auf 0; oder erst die Sprache, dann die anderen Formen werden verringert, bis die Summe höchstens 100 % ist. Tasten und Schaltflächen setzen alles außer dem Blinzeln auf 0, solange sie gehalten werden</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
-            <source>What is seen</source>
-            <translation>Sichtbarer Teil</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>What Is This?</source>
             <translation>Was ist das?</translation>
@@ -10425,9 +10405,9 @@
             <translation>weißes Rauschen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
-            <source>whole recording</source>
-            <translation>ganze Aufnahme</translation>
+            <location filename="../../../phonemeanalyser/desktop/session/time_view.py" />
+            <source>Whole recording</source>
+            <translation>Ganze Aufnahme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
@@ -10435,7 +10415,7 @@
             <translation>Wessen Zahlen bearbeitet werden: die des Presets oder die eines Satzes für einen Grundfrequenzbereich</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Window</source>
             <translation>Fenster</translation>
         </message>
@@ -10485,7 +10465,7 @@
             <translation>Wörter, die schlecht zur Aufnahme passen; eines wählen, um es abzuspielen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Words, if known (lanes below: words, syllables or letters, phones, units)</source>
             <translation>Wörter, falls bekannt (Spuren darunter: Wörter, Silben oder Buchstaben, Phone, Einheiten)</translation>
         </message>
@@ -10878,11 +10858,6 @@
             <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
             <source>{lost} of the {counts} vertices that move are not in the mesh within {tolerance}: {n_named}{more}; choose the mesh of theirs, or a larger tolerance</source>
             <translation>{lost} von {counts} bewegten Eckpunkten fehlen im Mesh, Toleranz {tolerance}: {n_named}{more}; das zugehörige Mesh oder eine größere Toleranz wählen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
-            <source>{low:.0f} to {high:.0f} dB</source>
-            <translation>{low:.0f} bis {high:.0f} dB</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />

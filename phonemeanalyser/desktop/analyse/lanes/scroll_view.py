@@ -69,7 +69,7 @@ class SonagramItem(pg.GraphicsObject):
         return self._live.tiles_for(TimeSpan(axis.start, axis.end), max(1, round(axis.width)))
 
     def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
-        """Paint what is in view, and what is drawn over it."""
+        """Paint what is in view, and its overlays."""
         row, axis = row_of(self, painter, self.n_drawn)
         painter.resetTransform()
         painter.fillRect(row, QColor(self._theme.base))

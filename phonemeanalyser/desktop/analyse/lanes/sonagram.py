@@ -1,4 +1,4 @@
-"""How a sonagram is painted, of a file or of live sound: its levels as colours, scales, and what is drawn over it."""
+"""How a sonagram is painted, of a file or of live sound: its levels as colours, scales, and overlays."""
 
 import math
 from typing import NamedTuple
