@@ -13,6 +13,7 @@ from tests.homes import environment_of, home_of_this_run
 os.environ |= home_of_this_run()  # before anything looks for what the user keeps
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")  # tests need no display
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # where others work too, threads of PyTorch wait for each other busily
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)  # else each worker, and each program that tests start, compiles all
 
 import numpy as np
 import pytest
@@ -27,6 +28,8 @@ from tests.fakes.portaudio import FakePortAudio
 from tests.fakes.whisper_model import write_whisper_model
 from tests.sounds import noise, silence, vowel
 from tests.waiting import Clock
+
+sys.dont_write_bytecode = False  # of this process itself
 
 # A shell's background jobs ignore Ctrl-C and the terminal's end, and so would the programs that tests start.
 for number, handler in (("SIGINT", signal.default_int_handler), ("SIGHUP", signal.SIG_DFL)):

@@ -29,9 +29,8 @@ def window(desktop, qtbot):
     return shown(desktop, qtbot)
 
 
-@pytest.mark.parametrize("kind", PASSAGES)
-def test_the_manual_has_a_passage_for_each_part_of_the_window(kind):
-    assert len(passage(*PASSAGES[kind])) > 40
+def test_the_manual_has_a_passage_for_each_part_of_the_window():
+    assert [kind for kind, place in PASSAGES.items() if len(passage(*place)) <= 40] == []
 
 
 def test_the_pages_are_those_of_the_documentation():

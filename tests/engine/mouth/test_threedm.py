@@ -145,10 +145,10 @@ def test_a_wrong_3dm_file_is_refused_with_what_is_wrong(content: bytes, said: st
     assert len(str(refusal.value)) < 300
 
 
-@pytest.mark.parametrize("length", range(len(GOOD)))
-def test_a_3dm_file_that_is_cut_off_is_refused_wherever_it_is_cut(length: int):
-    with pytest.raises(MeshError):
-        parse_3dm(GOOD[:length])
+def test_a_3dm_file_that_is_cut_off_is_refused_wherever_it_is_cut():
+    for length in range(len(GOOD)):
+        with pytest.raises(MeshError):
+            parse_3dm(GOOD[:length])
 
 
 TEXT = format_3dma(parse_3dm(GOOD)).decode()
