@@ -150,7 +150,12 @@ class ScoreStrip(QWidget):
             self._headings[letter].setVisible(is_shown and both)
             for _, name, _, _ in SHOWN:
                 self.values[letter, name].setVisible(is_shown)
-        if agreement is not None:
+        if agreement is None:
+            for written in (*self._headings.values(), *self.values.values()):
+                written.clear()  # which a screen reader would still find
+            for button in self.confusions:
+                button.setText("")
+        else:
             self._show(agreement)
         self._show_changes(agreement)
         self._show_confusions(agreement)
