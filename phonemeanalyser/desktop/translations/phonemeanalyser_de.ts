@@ -389,6 +389,11 @@
             <translation>eine Datei mit Posen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/calibration/fits/fitting.py" />
+            <source>a fit needs labels of at least two sounds, and the recordings have only {only}; load some with others</source>
+            <translation>Zum Anpassen braucht es Beschriftungen von mindestens zwei Lauten, die Aufnahmen haben nur {only}; welche mit anderen laden</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
             <source>a folder has at most {most_tables} mouth tables, each with a name of its own, got {paths}; leave some out</source>
             <translation>Ein Ordner fasst höchstens {most_tables} Mundtabellen mit verschiedenen Namen, gefunden {paths}; einige weglassen</translation>
@@ -3758,6 +3763,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Improved on the loaded data, but not on a {left_out} left out of the fit. Load more data.</source>
             <translation>Verbessert bei den geladenen Daten, aber nicht bei ausgelassenen ({left_out}). Mehr Daten laden.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
+            <source>Improved on the loaded recording. With one alone nothing can be held out. Load more data.</source>
+            <translation>Besser auf der geladenen Aufnahme. Bei nur einer lässt sich nichts zurückhalten. Mehr Daten laden.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />

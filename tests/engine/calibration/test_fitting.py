@@ -180,3 +180,13 @@ def test_recordings_without_labels_are_nothing_to_fit_to(bench):
         fit_preset(LabelledFeatures(unlabelled, THESIS), THESIS)
     with pytest.raises(CorpusError, match="nothing to fit to"):
         fit_preset(LabelledFeatures((), THESIS), THESIS)
+
+
+def test_labels_of_one_sound_alone_are_refused_since_every_frame_would_become_it(bench):
+    known = {Phoneme.A, UNKNOWN}
+    only_a = [
+        replace(u, labels=tuple(s if s.phoneme in known else replace(s, phoneme=UNKNOWN) for s in u.labels))
+        for u in bench.utterances
+    ]
+    with pytest.raises(CorpusError, match="at least two sounds, and the recordings have only a"):
+        fit_preset(LabelledFeatures(only_a, THESIS), THESIS)

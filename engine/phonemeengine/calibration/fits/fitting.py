@@ -128,6 +128,12 @@ def fit_preset(
     """
     labelled = labelled.clone_for_thread()
     fitter = _Fitter(labelled, preset, seed, keep_successors=keep_successors)
+    known = set(np.unique(labelled.labels.phonemes).tolist()) - {Phoneme.UNIDENTIFIED}
+    if len(known) == 1:  # which every frame would become
+        only = Phoneme(known.pop()).label
+        raise CorpusError(
+            f"a fit needs labels of at least two sounds, and the recordings have only {only}; load some with others"
+        )
     everything = np.ones(len(labelled.utterances), bool)
     left_out, names = left_out_of(labelled)
     groups = groups_of(names, MOST_FOLDS) if left_out and leave_out else []

@@ -249,10 +249,12 @@ def read_mono(path: Path) -> Float32Array:
 
 def take_reports(project: TakeProject) -> dict[int, TakeReport]:
     """Check all takes, the silence first: it tells the room's level."""
-    reports: dict[int, TakeReport] = {}
-    for take in sorted(project.takes, key=lambda take: take.phoneme is not Phoneme.SILENCE):
-        reports[take.number] = take_report(project, take, room_level(project.takes, reports))
-    return reports
+    takes, reports = project.takes, dict[int, TakeReport]()
+    silences = tuple(take for take in takes if take.phoneme is Phoneme.SILENCE)
+    for take in silences:
+        reports[take.number] = take_report(project, take, room_level(silences, reports))
+    noise = room_level(silences, reports)
+    return reports | {t.number: take_report(project, t, noise) for t in takes if t.number not in reports}
 
 
 def take_report(project: TakeProject, take: Take, noise: float) -> TakeReport:

@@ -70,7 +70,9 @@ class FitPanel(QWidget):
             )
         if not report.gains:
             return tr("No better thresholds were found.")
-        if report.held_out is not None and report.held_out.macro_f1 < report.before.macro_f1:
+        if report.held_out is None:
+            return tr("Improved on the loaded recording. With one alone nothing can be held out. Load more data.")
+        if report.held_out.macro_f1 < report.before.macro_f1:
             return tr(
                 "Improved on the loaded data, but not on a {left_out} left out of the fit. Load more data."
             ).format(left_out=tr(report.left_out))
