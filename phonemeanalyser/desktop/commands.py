@@ -279,6 +279,7 @@ def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
         Command(tr_noop("Load Face Capture…"), "", dialogs.ask_expression),
         Command(tr_noop("Open Recorded Faces…"), "", dialogs.ask_performance),
         None,
+        Command(tr_noop("Save Text…"), "", dialogs.ask_save_text),
         Command(tr_noop("Save Words and Phones…"), "", dialogs.ask_save_words),
         Command(tr_noop("Save Spoken Text as Audio File…"), "", dialogs.ask_save_speech),
         None,

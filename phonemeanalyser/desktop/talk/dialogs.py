@@ -1,6 +1,8 @@
 """What the user is asked on the page of the head, and what of it is kept for the next start."""
 
+import json
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +14,9 @@ from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
+from phonemeengine.labels.table import write_text
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
 
 MESHES = tr_noop("Face meshes and blend shapes ({endings})")
@@ -23,9 +27,8 @@ LEXICONS = tr_noop("Lexicons (*.toml *.csv)")
 PERFORMANCES = tr_noop("Tables of recorded faces (*.sqlite)")
 EXPRESSIONS = tr_noop("Live Link Face captures (*.csv)")
 WORDS = "Praat TextGrid (*.TextGrid)"
+TEXT = tr_noop("Texts (*.txt)")
 SPEECH = "WAV (*.wav)"
-MOST_KEPT = 10_000
-"""Characters of a text that is kept for the next start."""
 
 
 class TalkDialogs(QObject):
@@ -107,7 +110,7 @@ class TalkDialogs(QObject):
         sound = self._talking.text.words.sound
         suggested = Path.home() / "text.TextGrid" if sound is None else sound.with_suffix(".TextGrid")
         path = self._files.ask_target(tr("Save Words and Phones"), suggested, WORDS, other_endings=True)
-        return path is not None and self._talking.text.save_words(path)
+        return path is not None and self._talking.text.edits.save(path)
 
     def ask_save_speech(self) -> None:
         """Let the user choose a WAV file to have the text spoken to."""
@@ -115,13 +118,30 @@ class TalkDialogs(QObject):
         if path := self._files.ask_target(tr("Save Spoken Text"), suggested, SPEECH, "speech", other_endings=True):
             self._talking.text.save_speech(path)
 
+    def ask_save_text(self) -> bool:
+        """Let the user choose a file to save the text to; beside the sound it is found again."""
+        texts, sound = self._talking.text, self._talking.text.words.sound
+        suggested = Path.home() / "text.txt" if sound is None else sound.with_suffix(".txt")
+        path = self._files.ask_target(tr("Save Text"), suggested, tr(TEXT), other_endings=True)
+        if path is None or not tried(lambda: write_text(texts.text, path), texts.error.emit):
+            return False
+        if path == suggested:
+            texts.written.note_saved()
+        return True
+
     def may_leave_words(self) -> bool:
-        """Ask what is to become of boundaries and keys that were edited and not saved; says whether to go on."""
-        words, keys = self._talking.text.words, self._talking.keys
-        if words.has_unsaved_changes and words.sound is not None:
-            question = tr("Save the boundaries that you moved in {sound}?").format(sound=words.sound.name)
-            if not ask_to_save(self._window, tr("Unsaved Boundaries"), question, self.ask_save_words):
-                return False
+        """Ask what is to become of text, words and keys that were edited and not saved; says whether to go on."""
+        texts, words, keys = self._talking.text, self._talking.text.words, self._talking.keys
+        if words.sound is not None:
+            name = words.sound.name
+            if texts.written.has_unsaved_changes:
+                question = tr("Save the changes to the text of {sound}?").format(sound=name)
+                if not ask_to_save(self._window, tr("Unsaved Text"), question, self.ask_save_text):
+                    return False
+            if words.has_unsaved_changes:
+                question = tr("Save the boundaries that you moved in {sound}?").format(sound=name)
+                if not ask_to_save(self._window, tr("Unsaved Boundaries"), question, self.ask_save_words):
+                    return False
         if not keys.has_unsaved_changes or keys.sound is None:
             return True
         question = tr("Save the keys that you edited in {sound}?").format(sound=keys.sound.name)
@@ -135,6 +155,10 @@ class TalkDialogs(QObject):
             for name, splitter in self._page.splitters.items():
                 self._settings.setValue(name, splitter.saveState())
             keep(self._settings, "talk/tab", self._page.tabs.currentIndex())
+        written = self._talking.text.written
+        written.remember()
+        self._settings.setValue("talk/texts", json.dumps(written.remembered))
+        self._settings.setValue("talk/languages", json.dumps(written.recent))
         files, performance = self._talking.face.files, self._talking.text.drivers.performance
         keep(self._settings, "talk/mesh", files.mesh or "")
         keep(self._settings, "talk/movestates", files.movestates or "")
@@ -149,6 +173,12 @@ class TalkDialogs(QObject):
             self._talking.face.files = FaceFiles(*(Path(name) if name else None for name in names))
         for choice in self._kept():
             choice.restore(self._settings)
+        written = self._talking.text.written
+        with suppress(ValueError, TypeError, AttributeError):  # the file was edited by hand
+            texts = json.loads(str(self._settings.value("talk/texts") or "{}"))
+            written.remembered = {path: (str(text), str(tag)) for path, (text, tag) in texts.items()}
+            written.recent = [*map(str, json.loads(str(self._settings.value("talk/languages") or "[]")))]
+        written.take("", None)
         chosen = read(self._settings, "talk/performance", "")
         tables = read_paths(self._settings, "talk/performances")
         self._talking.text.drivers.performance.keep(tables, Path(chosen) if chosen else None)
@@ -175,8 +205,6 @@ class TalkDialogs(QObject):
                 lambda: talking.release_factor,
                 lambda factor: talking.set_speed(talking.attack_factor, factor),
             ),
-            Kept("talk/text", lambda: text.text if len(text.text) <= MOST_KEPT else "", text.set_text),
-            Kept("talk/language", lambda: text.language, text.set_language),
             _kept_file("talk/lexicon", lambda: text.lexicon_path, text.set_lexicon),
             Kept("talk/literal", lambda: text.literal, text.set_literal),
             Kept("talk/voice", lambda: voice.choice.name, lambda name: voice.choose(name=name)),

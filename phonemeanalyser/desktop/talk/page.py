@@ -202,6 +202,7 @@ class TalkPage(QWidget):
         self.heads.refresh()
         self.lanes.refresh()
         self.key_panel.refresh()
+        self.text.refresh()
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
             for part in (self.bars, self.expression, self.heard, self.osc, self.pictures):
@@ -212,8 +213,9 @@ class TalkPage(QWidget):
         self.save_words.clicked.connect(lambda _checked: self.words_asked.emit())
         self.save_speech.clicked.connect(lambda _checked: self.speech_asked.emit())
         self.export.clicked.connect(lambda _checked: self.export_asked.emit())
-        self._talking.text.changed.connect(self._show_state)
         self._talking.keys.opened.connect(self._show_keys)
+        for signal in (self._talking.text.changed, self._talking.text.text_changed):
+            signal.connect(self._show_state)
         session.opened.connect(self._show_state)
         self._show_keys()
 

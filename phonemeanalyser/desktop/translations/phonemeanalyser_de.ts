@@ -4356,8 +4356,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Language of the text, which isn’t detected automatically</source>
-            <translation>Sprache des Textes; sie wird nicht automatisch erkannt</translation>
+            <source>Language of the text, those that were chosen last first; type its name to find it</source>
+            <translation>Sprache des Textes, die zuletzt gewählten zuerst; Namen tippen, um sie zu finden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />
@@ -7490,6 +7490,16 @@
             <translation>Gesprochenen Text speichern…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Save Text</source>
+            <translation>Text speichern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Save Text…</source>
+            <translation>Text speichern…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Save the averaged spectrum as a curve, or load saved curves to compare with</source>
             <translation>Das gemittelte Spektrum als Kurve speichern oder gespeicherte Kurven zum Vergleich laden</translation>
@@ -7503,6 +7513,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Save the changes to the labels of {sound}?</source>
             <translation>Änderungen an den Beschriftungen von {sound} speichern?</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Save the changes to the text of {sound}?</source>
+            <translation>Die Änderungen am Text von {sound} speichern?</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
@@ -7545,7 +7560,7 @@
             <translation>Gesprochener Text gespeichert als {path}, mit einer Beschriftungsdatei der Wörter und Phone</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
             <source>Saved words and phones as {path}.</source>
             <translation>Wörter und Phone als {path} gespeichert.</translation>
         </message>
@@ -8515,6 +8530,11 @@
             <translation>Text oder Beschriftungen neben den Dateien</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Texts (*.txt)</source>
+            <translation>Texte (*.txt)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Thai</source>
             <translation>Thailändisch</translation>
@@ -9305,6 +9325,11 @@
             <translation>Der Take ist zu kurz ({seconds:.2f} s). {phoneme} halten, solange der Laut gesprochen wird.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
+            <source>The text was changed: these words are from before. Align again.</source>
+            <translation>Der Text wurde geändert: Diese Wörter sind von vorher. Neu ausrichten.</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/calibration/workbench/labelled_features.py" />
             <source>the variable {variable} was not measured in these recordings; add it to the preset and have them measured anew</source>
             <translation>Die Variable {variable} wurde in diesen Aufnahmen nicht gemessen; zum Preset hinzufügen und die Aufnahmen neu messen</translation>
@@ -9410,7 +9435,7 @@
             <translation>Es gibt noch keine Ebenen. Beschriftungen laden mit Beschriftungen &gt; Beschriftungen laden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
             <source>There are no words to save; open an audio file and align its text first.</source>
             <translation>Keine Wörter zu speichern; zuerst eine Audiodatei öffnen und ihren Text ausrichten.</translation>
         </message>
@@ -10008,6 +10033,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Unsaved Labels</source>
             <translation>Ungespeicherte Beschriftungen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Unsaved Text</source>
+            <translation>Nicht gespeicherter Text</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -10843,6 +10873,11 @@
             <location filename="../../../engine/phonemeengine/audio/stream.py" />
             <source>{label} is not there</source>
             <translation>{label} ist nicht vorhanden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
+            <source>{language} (guessed)</source>
+            <translation>{language} (vermutet)</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
@@ -11780,12 +11815,12 @@
             <translation>{n} Audiodateien</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>{n} word</source>
             <translation>{n} Wort</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>{n} words</source>
             <translation>{n} Wörter</translation>
         </message>
@@ -12045,7 +12080,7 @@
             <translation>{said} erkannt als {taken}: {count} Frames von 10 ms, {share:.1%} von {said}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>{said}; boundaries fixed by the voice</source>
             <translation>{said}; Grenzen von der Stimme vorgegeben</translation>
         </message>

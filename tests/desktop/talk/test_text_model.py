@@ -220,10 +220,54 @@ def test_words_that_fit_badly_and_those_of_no_script_are_marked():
     assert fits_badly(word(UNKNOWN_WORD, 0, 1, 0.0))
 
 
-def test_how_many_words_fit_badly_is_said(desk, tmp_path):
+def test_words_that_fit_badly_are_gone_through(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
-    assert desk.texts.summary == "2 words, 1 poor match"
+    assert [said.text for said in desk.texts.edits.poor] == ["oh"]
+    desk.texts.edits.show_poor(1)
+    assert desk.session.source.position == 0.9
+
+
+def test_lanes_are_stale_once_other_words_are_written_and_not_for_marks_alone(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    assert not desk.texts.stale
+    desk.texts.set_text("So, oh!")
+    assert not desk.texts.stale
+    desk.texts.set_text("so what")
+    assert desk.texts.stale
+    desk.align("so what")
+    assert not desk.texts.stale
+    desk.session.preset.undo_stack.undo()
+    assert desk.texts.stale
+
+
+def test_a_text_belongs_to_its_sound_and_comes_back_with_it(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.texts.set_text("so oh")
+    desk.texts.set_language("en-us")
+    (tmp_path / "other").mkdir()
+    desk.open(tmp_path / "other")
+    assert desk.texts.text == ""
+    desk.texts.set_text("und das ist nicht der Text")
+    assert desk.texts.written.spoken_in == "de"
+    desk.open(tmp_path)
+    assert (desk.texts.text, desk.texts.written.language) == ("so oh", "en-us")
+
+
+def test_a_text_that_was_written_before_a_sound_was_open_waits_for_it(desk, tmp_path):
+    desk.texts.set_text("so oh")
+    desk.open(tmp_path)
+    assert desk.texts.text == "so oh"
+
+
+def test_a_text_from_a_file_that_was_changed_is_unsaved(desk, tmp_path):
+    (tmp_path / "said.txt").write_text("so oh", encoding="utf-8")
+    desk.open(tmp_path)
+    assert desk.texts.text == "so oh"
+    assert not desk.texts.written.has_unsaved_changes
+    desk.texts.set_text("so what")
+    assert desk.texts.written.has_unsaved_changes
 
 
 # -- the head says what is known ----------------------------------------------------------------------
@@ -299,7 +343,7 @@ def test_what_was_dragged_is_what_is_saved(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
     desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
-    assert desk.texts.save_words(tmp_path / "said.TextGrid")
+    assert desk.texts.edits.save(tmp_path / "said.TextGrid")
     written = read_utterance(tmp_path / "said.TextGrid", DURATION)
     assert np.allclose(spans_of(written, LabelUnit.WORD), spans_of(desk.texts.utterance, LabelUnit.WORD), atol=1e-6)
     assert "said.TextGrid" in desk.told[-1]
@@ -314,7 +358,7 @@ def test_what_was_moved_by_hand_is_unsaved_until_it_is_saved_or_taken_back(desk,
     desk.session.preset.undo_stack.undo()
     assert not desk.texts.words.has_unsaved_changes
     desk.session.preset.undo_stack.redo()
-    assert desk.texts.save_words(tmp_path / "said.TextGrid")
+    assert desk.texts.edits.save(tmp_path / "said.TextGrid")
     assert not desk.texts.words.has_unsaved_changes
     desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.7)
     assert desk.texts.words.has_unsaved_changes
@@ -324,7 +368,7 @@ def test_words_that_cannot_be_saved_stay_unsaved(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
     desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
-    assert not desk.texts.save_words(tmp_path / "gone" / "said.TextGrid")
+    assert not desk.texts.edits.save(tmp_path / "gone" / "said.TextGrid")
     assert "said.TextGrid" in desk.failed[0]
     assert desk.texts.words.has_unsaved_changes
 
@@ -356,7 +400,7 @@ def test_a_sound_that_may_not_be_left_stays_in_hand(desk, tmp_path):
 def test_syllables_of_pinyin_are_saved_with_their_pinyin(desk, tmp_path):
     desk.open(tmp_path)
     desk.texts.words.edit(Utterance((syllable("好", "hao3", 0.6, 1.1),), DURATION, "cmn"), "pinyin", by_hand=True)
-    desk.texts.save_words(tmp_path / "said.TextGrid")
+    desk.texts.edits.save(tmp_path / "said.TextGrid")
     again = words_beside(tmp_path / "said.wav", DURATION).utterance
     assert again is not None
     assert [said.text for spoken in again.words for said in spoken.syllables] == ["hao3"]

@@ -318,7 +318,10 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
     again = Desktop(qapp, settings, microphone=no_microphone)
     texts = again.talking.text
     qtbot.waitUntil(lambda: texts.lexicon_path == tmp_path / "mine.csv")
-    assert (texts.text, texts.language) == ("so oh", "de")
+    assert again.session.open(tmp_path / "said.wav")
+    qtbot.waitUntil(lambda: texts.text == "so oh")
+    assert texts.written.language == "de"
+    assert texts.written.recent == ["de"]
     assert texts.voice.choice == chosen
     assert texts.drivers.chosen is FaceDriver.RULES
     again.close()

@@ -28,7 +28,7 @@ class LanesPanel(QWidget):
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
-        self._texts = talking.text
+        self._texts, self._theme = talking.text, theme
         self.line = SpeechTimeline(talking, theme)
         self.summary = ElidedLabel()
         self._list = QMenu(self)
@@ -43,7 +43,8 @@ class LanesPanel(QWidget):
         bar.setContentsMargins(8, 0, 8, 0)
         column(bar, (self.line, 1), on=self, margins=(0, 2, 0, 0), spacing=2)
         self._list.aboutToShow.connect(self._fill_list)
-        self._texts.changed.connect(self._show_state)
+        for signal in (self._texts.changed, self._texts.text_changed):
+            signal.connect(self._show_state)
         self._show_state()
 
     def refresh(self) -> None:
@@ -54,12 +55,23 @@ class LanesPanel(QWidget):
         self._texts.view.show_all()
 
     def _show_state(self) -> None:
-        self.summary.setText(self._texts.summary)
+        self.summary.setText(self._summary())
+        self.summary.setStyleSheet(f"color: {self._theme.bad if self._texts.stale else self._theme.text}")
         n = len(self._texts.edits.poor)
         self.poor.setText(tr_count("{n} poor match", "{n} poor matches", n) + " ▾")
         for button in (self.previous, self.poor, self.next):
             button.setVisible(n > 0)
         self.whole.setEnabled(self._texts.view.duration > 0)
+
+    def _summary(self) -> str:
+        """Return what is known, in words."""
+        utterance = self._texts.utterance
+        if utterance is None:
+            return ""
+        if self._texts.stale:
+            return tr("The text was changed: these words are from before. Align again.")
+        said = tr_count("{n} word", "{n} words", len(utterance.words))
+        return said if self._texts.editable else tr("{said}; boundaries fixed by the voice").format(said=said)
 
     def _fill_list(self) -> None:
         self._list.clear()

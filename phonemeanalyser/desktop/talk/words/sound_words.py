@@ -31,10 +31,12 @@ class KnownWords:
     ----------
     utterance : what is said when; None where it is unknown.
     by_hand : whether the user moved anything in it.
+    text : as its words are written, with their marks; empty where that is not known.
     """
 
     utterance: Utterance | None = None
     by_hand: bool = False
+    text: str = ""
 
 
 class WordsEdit(QUndoCommand):
@@ -116,9 +118,10 @@ class SoundWords(QObject):
         self.known = known
         self.changed.emit()
 
-    def edit(self, utterance: Utterance, what: str, *, by_hand: bool) -> None:
-        """Say this of the sound from now on, until that is undone."""
-        self._undo_stack.push(WordsEdit(self, KnownWords(utterance, by_hand), what))
+    def edit(self, utterance: Utterance, what: str, *, by_hand: bool, text: str | None = None) -> None:
+        """Say this of the sound from now on, until that is undone; without a text, it stays what it was."""
+        known = KnownWords(utterance, by_hand, self.known.text if text is None else text)
+        self._undo_stack.push(WordsEdit(self, known, what))
 
     def note_saved(self) -> None:
         """Take note that what is known is in a file now."""

@@ -1,13 +1,12 @@
 """The words of the current sound: from labels beside it, from a script that is aligned with it, or from a voice."""
 
-import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.language import tr, tr_count
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import TextToSay
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind, SpokenSource
@@ -24,18 +23,16 @@ from phonemeanalyser.desktop.talk.words.scripts import (
     words_in,
     write_speech,
 )
-from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords, fits_badly
+from phonemeanalyser.desktop.talk.words.sound_words import KnownWords, RunningSpeech, SoundWords
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice, VoiceModel
 from phonemeanalyser.desktop.talk.words.word_edits import WordEdits
+from phonemeanalyser.desktop.talk.words.written_text import WrittenText, said_in, same_words
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.alignment.align import is_other_text
 from phonemeengine.dsp.waveform_peaks import Peaks, WaveformPeaks
-from phonemeengine.errors import CorpusError
 from phonemeengine.execution import Progress
-from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.performance.driver import UsedUnit
 from phonemeengine.performance.spoken_face import SpokenFace
@@ -43,7 +40,6 @@ from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.spooled import SpooledSpeech
 from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.storage.files import printable
-from phonemeengine.text import mandarin
 from phonemeengine.text.lexicon import Lexicon, load_lexicon
 
 SHOWN_WORDS = 8
@@ -68,7 +64,8 @@ class TextModel(QObject):
 
     Signals
     -------
-    changed : the words, the text, the language, the lexicon, the voice, what moves the mouth, or what is going on.
+    changed : the words, the lexicon, the voice, what moves the mouth, or what is going on.
+    text_changed : the text or its language.
     known_changed : `known` is another one; while a voice speaks, it grows without that.
     speech_saved : the path of a sound file to which a text was spoken.
     error, info : a sentence for the user; an empty error takes the one before away.
@@ -83,8 +80,7 @@ class TextModel(QObject):
     edits : changes them, and goes from one to another.
     speech_view : which seconds are seen of what a voice speaks.
     known : what is said in the current sound; None where that is not known.
-    text : the script of the current sound, or what is to be spoken.
-    language : of the text; empty where none is chosen.
+    written : the script of the current sound, or what is to be spoken, and its language.
     lexicon_path : goes before the language's voice; None for none.
     speakers : the speakers of the script of the current sound.
     speaker : the one whose words are taken; empty where none is chosen.
@@ -93,6 +89,7 @@ class TextModel(QObject):
     """
 
     changed = Signal()
+    text_changed = Signal()
     known_changed = Signal()
     speech_saved = Signal(str)
     error = Signal(str)
@@ -115,7 +112,7 @@ class TextModel(QObject):
         self.edits = WordEdits(session, self.words)
         self.speech_view = TimeView()
         self.known: Transcript | None = None
-        self.text = self.language = ""
+        self.written = WrittenText()
         self.lexicon_path: Path | None = None
         self.literal = False
         self.refused: ScriptedSound | None = None
@@ -137,6 +134,8 @@ class TextModel(QObject):
         self.drivers.info.connect(self.info)
         self.words.changed.connect(self._take_words)
         self.edits.error.connect(self.error)
+        self.edits.info.connect(self.info)
+        self.written.changed.connect(self._take_text)
         session.say = self.say
 
     # -- what is known ------------------------------------------------------------------------------------
@@ -184,18 +183,6 @@ class TextModel(QObject):
         return tr("Saving spoken text…") if self._saving.busy else self.drivers.performance.progress
 
     @property
-    def summary(self) -> str:
-        """What is known, in words."""
-        utterance = self.utterance
-        if utterance is None:
-            return ""
-        n, n_bad = len(utterance.words), sum(map(fits_badly, utterance.words))
-        said = tr_count("{n} word", "{n} words", n)
-        if not self.editable:
-            return tr("{said}; boundaries fixed by the voice").format(said=said)
-        return f"{said}, " + tr_count("{n} poor match", "{n} poor matches", n_bad) if n_bad else said
-
-    @property
     def to_say(self) -> TextToSay | None:
         """The text, where a voice says it and no sound file is open."""
         if self._session.source.kind is not SourceKind.TEXT or not self.text.strip():
@@ -205,17 +192,24 @@ class TextModel(QObject):
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
+    @property
+    def text(self) -> str:
+        """The script of the current sound, or what is to be spoken."""
+        return self.written.text
+
+    @property
+    def stale(self) -> bool:
+        """Whether the text is another one than that of the words, which were aligned before."""
+        known = self.words.known
+        return self.edits.possible and bool(known.text) and not same_words(known.text, self.text)
+
     def set_text(self, text: str) -> None:
         """Take another text."""
-        if text != self.text:
-            self.text, self.refused = text, None
-            self.changed.emit()
+        self.written.set_text(text)
 
     def set_language(self, tag: str) -> None:
-        """Take the text to be of another language; of an empty one, it is not known."""
-        if tag != self.language:
-            self.language, self.refused = tag, None
-            self.changed.emit()
+        """Take the text to be of another language; of an empty one, it is guessed."""
+        self.written.set_language(tag)
 
     def set_literal(self, on: bool) -> None:
         """Take the notation of scripts, such as speakers' names and directions, as words, or not."""
@@ -270,7 +264,7 @@ class TextModel(QObject):
                     session.channel,
                     session.preset.in_force,
                     self.text,
-                    self.language,
+                    self._language_of_text,
                     self._lexicon,
                     self.literal,
                     accepted,
@@ -305,20 +299,6 @@ class TextModel(QObject):
                 lambda _: self.speech_saved.emit(str(path)),
             )
 
-    def save_words(self, path: Path) -> bool:
-        """Write the words of the current sound file as a TextGrid; says whether that went well."""
-        if self.words.utterance is None:
-            self.error.emit(tr("There are no words to save; open an audio file and align its text first."))
-            return False
-        try:
-            write_text(format_utterance(self.words.utterance), path)
-        except CorpusError as error:
-            self.error.emit(str(error))
-            return False
-        self.words.note_saved()
-        self.info.emit(tr("Saved words and phones as {path}.").format(path=path))
-        return True
-
     def play_original(self, unit: UsedUnit, *, whole: bool = False) -> None:
         """Play what a unit of the face was taken from, or the whole recording."""
         table = self.drivers.performance.table
@@ -337,6 +317,7 @@ class TextModel(QObject):
             self.words.follow(session.path)
             self._work.cancel()
             if another:
+                self.written.leave(session.path)
                 self.speakers, self.speaker, self._script = (), "", None
             self._look_beside(with_script=another)
         self._tell()
@@ -368,8 +349,8 @@ class TextModel(QObject):
 
     @property
     def _language_of_text(self) -> str:
-        """The language that is chosen; Chinese characters tell theirs."""
-        return self.language or ("cmn" if re.search(mandarin.HANZI, self.text) else "")
+        """The language that is chosen, or that the text tells."""
+        return self.written.spoken_in
 
     def _may_read(self, *, by_voice: bool = False) -> bool:
         """Return whether there is a text and its language; say so if not."""
@@ -387,8 +368,16 @@ class TextModel(QObject):
         if sound is not None:
             self._looking.replace(
                 lambda _progress: words_beside(sound, duration),
-                lambda found: self._take_found(sound, found if with_script else replace(found, text="")),
+                lambda found: self._take_beside(sound, found, with_script=with_script),
             )
+        elif with_script:
+            self.written.take("", None)
+
+    def _take_beside(self, sound: Path, found: FoundWords, *, with_script: bool) -> None:
+        if sound == self.words.sound:
+            if with_script:
+                self.written.take(found.text, found.utterance)
+            self._take_found(sound, replace(found, text=found.text if with_script else ""))
 
     def _take_found(self, sound: Path, found: FoundWords) -> None:
         if sound != self.words.sound:
@@ -402,7 +391,7 @@ class TextModel(QObject):
             self._timed, self._timed_text = found.timed, found.text
             self.set_text(found.text)
         if found.utterance is not None and self.words.utterance is None:
-            self.words.put(KnownWords(found.utterance))
+            self.words.put(KnownWords(found.utterance, text=self.text or said_in(found.utterance)))
 
     def _take_script(self, sound: Path, found: FoundWords) -> None:
         """Take what a script says that the user has opened, instead of what was known before."""
@@ -410,9 +399,9 @@ class TextModel(QObject):
             return
         self.error.emit("")
         if found.utterance is not None:
-            self.words.edit(found.utterance, tr("loading of a script"), by_hand=False)
-            words = " ".join(word.text for word in found.utterance.words if word.text)
-            found = replace(found, text=found.text or words)
+            found = replace(found, text=found.text or said_in(found.utterance))
+        if found.utterance is not None:
+            self.words.edit(found.utterance, tr("loading of a script"), by_hand=False, text=found.text)
         self._take_found(sound, found)
         self.changed.emit()
 
@@ -434,7 +423,7 @@ class TextModel(QObject):
                 else tr("Not spoken in the recording: {words}.")
             )
             self.info.emit(told.format(words=words, n=more))
-        self.words.edit(found, tr("alignment"), by_hand=False)
+        self.words.edit(found, tr("alignment"), by_hand=False, text=script.text)
 
     @property
     def _voice(self) -> VoiceChoice:
@@ -466,6 +455,10 @@ class TextModel(QObject):
             if speech.follow(self._session.source.position):
                 self.speech_view.grow(0.0 if speech.utterance is None else speech.utterance.duration)
                 self._tell(grown=before is not None)
+
+    def _take_text(self) -> None:
+        self.refused = None
+        self.text_changed.emit()
 
     def _take_words(self) -> None:
         if self.editable:

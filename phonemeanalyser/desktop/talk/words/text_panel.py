@@ -1,13 +1,16 @@
 """The script below the head: what is said in the current sound, or what a voice is to say."""
 
+from bisect import bisect_right
+
 from PySide6.QtCore import QSize, Signal
-from PySide6.QtGui import QTextCursor
-from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QWidget
+from PySide6.QtGui import QColor, QTextCursor
+from PySide6.QtWidgets import QCheckBox, QComboBox, QPlainTextEdit, QTextEdit, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.voice_panel import VoiceButton
+from phonemeanalyser.desktop.talk.words.written_text import places_of
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
     choice,
@@ -21,6 +24,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     tool_button,
 )
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeengine.labels.utterance import Utterance
 
 N_LINES = 4
 NARROWEST = 90
@@ -58,6 +62,17 @@ class TextField(QPlainTextEdit):
         """Ask for no width."""
         return QSize(0, self.sizeHint().height())
 
+    def mark(self, start: int, end: int, theme: Theme) -> None:
+        """Mark the characters from one place to another, or none."""
+        marked = QTextEdit.ExtraSelection()
+        marked.cursor = self.textCursor()
+        marked.cursor.setPosition(min(start, self.document().characterCount() - 1))
+        last = min(end, self.document().characterCount() - 1)
+        marked.cursor.setPosition(last, QTextCursor.MoveMode.KeepAnchor)
+        marked.format.setBackground(QColor(theme.accent))
+        marked.format.setForeground(QColor(theme.on_colour))
+        self.setExtraSelections([marked] if end > start else [])
+
     def replace_text(self, text: str) -> None:
         """Write another text, so that Ctrl+Z brings the old one back."""
         cursor = self.textCursor()
@@ -82,14 +97,18 @@ class TextPanel(QWidget):
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
-        self._talking, self._texts = talking, talking.text
+        self._talking, self._texts, self._theme = talking, talking.text, theme
+        self._spoken: tuple[Utterance, list[float], list[tuple[int, int]]] | None = None
+        self._marked = (0, 0)
         self.field = TextField()
         self.script = spoken_button(
             tr("Script…"), tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times")
         )
         self.speaker = choice((), tr("Speaker"), tr("Speaker whose words are read from the labels"))
         self.language = choice(
-            (), tr("Language of the text"), tr("Language of the text, which isn’t detected automatically")
+            (),
+            tr("Language of the text"),
+            tr("Language of the text, those that were chosen last first; type its name to find it"),
         )
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.language.setMinimumWidth(NARROWEST)
@@ -116,6 +135,7 @@ class TextPanel(QWidget):
         self._lay_out()
         self._connect()
         self._show_state()
+        self._show_text()
         self._texts.voice.wake()
         self._texts.drivers.performance.wake()
 
@@ -142,6 +162,7 @@ class TextPanel(QWidget):
         self.act.clicked.connect(lambda _checked: texts.align() if self._aligns else texts.say())
         self.anyway.clicked.connect(lambda _checked: texts.align_anyway())
         texts.changed.connect(self._show_state)
+        texts.text_changed.connect(self._show_text)
         texts.voice.changed.connect(self._show_state)
         session.transport_changed.connect(self._show_state)
         session.opened.connect(self._show_state)
@@ -164,12 +185,9 @@ class TextPanel(QWidget):
 
     def _show_state(self) -> None:
         texts = self._texts
-        if self.field.toPlainText() != texts.text:
-            with silent(self.field):
-                self.field.replace_text(texts.text)
         self._show_speakers()
-        self._show_languages()
         self._show_lexicon()
+        self._show_languages()
         self._show_act()
         for part in (self.anyway, self.refusal):
             part.setVisible(texts.refused is not None and not texts.busy)
@@ -177,6 +195,32 @@ class TextPanel(QWidget):
         lack = "" if texts.voice.choice.by_program else tr_engine(texts.voice.lack)
         self.state.setText(texts.progress or lack)
         self.state.setToolTip(self.state.text())
+
+    def _show_text(self) -> None:
+        """Show text and language; what is typed is not written again."""
+        if self.field.toPlainText() != self._texts.text:
+            with silent(self.field):
+                self.field.replace_text(self._texts.text)
+        self._spoken = None
+        self._show_languages()
+        self._show_state()
+
+    def refresh(self) -> None:
+        """Mark the word that is playing."""
+        utterance = self._texts.utterance
+        if utterance is None or not self._talking.session.source.playing:
+            span = (0, 0)
+        else:
+            if self._spoken is None or self._spoken[0] is not utterance:
+                starts = [word.start for word in utterance.words]
+                self._spoken = utterance, starts, places_of(utterance, self._texts.text)
+            position = self._talking.session.source.position
+            k = bisect_right(self._spoken[1], position) - 1
+            is_said = k >= 0 and position < utterance.words[k].end
+            span = self._spoken[2][k] if is_said else (0, 0)
+        if span != self._marked:
+            self._marked = span
+            self.field.mark(*span, self._theme)
 
     def _show_act(self) -> None:
         """Show what the button does now; while that goes on, it ends it."""
@@ -196,13 +240,15 @@ class TextPanel(QWidget):
         self.speaker.setVisible(len(speakers) > 1)
 
     def _show_languages(self) -> None:
-        languages = self._texts.voice.installed.languages
-        if self.language.count() != 1 + len(languages):  # which are learnt once
-            self.language.clear()
-            self.language.addItem(tr(NO_LANGUAGE), "")
-            for language in sorted(languages, key=lambda language: tr(_short(language.name))):
-                self.language.addItem(tr(_short(language.name)), language.tag)
-        self.language.setCurrentIndex(max(0, self.language.findData(self._texts.language)))
+        """List the languages that were chosen last, then all; without a choice the one that is guessed is named."""
+        written = self._texts.written
+        names = {one.tag: tr(_short(one.name)) for one in self._texts.voice.installed.languages}
+        none = tr(NO_LANGUAGE)
+        if written.guess in names:
+            none = tr("{language} (guessed)").format(language=names[written.guess])
+        recent = [(names[tag], tag) for tag in written.recent if tag in names]
+        every = sorted((name, tag) for tag, name in names.items() if tag not in written.recent)
+        offer(self.language, [(none, ""), *recent, *every], written.language)
 
     def _show_lexicon(self) -> None:
         path = self._texts.lexicon_path

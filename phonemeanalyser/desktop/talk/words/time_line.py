@@ -5,6 +5,7 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import (
+    QBrush,
     QColor,
     QHelpEvent,
     QKeyEvent,
@@ -43,6 +44,8 @@ LEFT, GAP, HEIGHT = 66, 1, 20
 LEAST_WAVE = 24
 """Pixels of the waveform at least; it takes what the lanes leave."""
 UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
+STALE = 0.55
+"""How much of the lanes of another text is hidden, 0..1."""
 WHEEL_STEP = 0.8
 """How much less is seen after a notch of the wheel."""
 CLICK = 3
@@ -86,7 +89,9 @@ class SpeechTimeline(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setAccessibleName(tr("Time line: words and phones over time"))
+        self._stale = False
         self._texts.changed.connect(self.show_words)
+        self._texts.text_changed.connect(self._show_stale)
         for signal in (self._session.whole.changed, self._session.view.moved, self._texts.speech_view.moved):
             signal.connect(self._touch)
         self._session.opened.connect(self._touch)
@@ -99,7 +104,6 @@ class SpeechTimeline(QWidget):
         known = (texts.utterance, letters, units, texts.editable)
         if not self._shown or any(one is not other for one, other in zip(known, self._shown, strict=True)):
             self._shown = known
-            self._drag.release()
             self.setToolTip(tr(EDITABLE if texts.editable else FIXED))
             lanes = [Lane(tr(name)) for name in NAMES]
             if texts.utterance is not None:
@@ -107,7 +111,16 @@ class SpeechTimeline(QWidget):
             self._units = in_a_row(units)
             self.lanes = (*lanes, *([lane_of_units(self._units)] if units else ()))
             self.setMinimumHeight(LEAST_WAVE + len(self.lanes) * (HEIGHT + GAP) + TIME_HEIGHT + 2 * GAP)
-        self._touch()
+            self._touch()
+        self._drag.release()
+        self._show_stale()
+        self.update()
+
+    def _show_stale(self) -> None:
+        """Hatch the lanes while the text is another one than theirs."""
+        if self._texts.stale != self._stale:
+            self._stale = self._texts.stale
+            self._touch()
 
     def refresh(self) -> None:
         """Go along with what is playing."""
@@ -186,6 +199,11 @@ class SpeechTimeline(QWidget):
         for row, lane in self.rows():
             paint_name(painter, row, lane.name, self._theme)
             paint_lane(painter, row, lane, axis, self._theme)
+            if self._stale:
+                ground = QColor(self._theme.base)
+                ground.setAlphaF(STALE)
+                painter.fillRect(row, ground)
+                painter.fillRect(row, QBrush(QColor(self._theme.faint), Qt.BrushStyle.BDiagPattern))
         paint_times(painter, self.height() - TIME_HEIGHT, axis, self._theme, self.width())
 
     def _touch(self) -> None:

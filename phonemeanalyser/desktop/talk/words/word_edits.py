@@ -1,5 +1,7 @@
 """What is done with the words of the current sound: they are played, looked through, and changed by hand."""
 
+from pathlib import Path
+
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
@@ -8,7 +10,9 @@ from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeanalyser.desktop.talk.words.sound_words import SoundWords, fits_badly
 from phonemeengine.errors import CorpusError
+from phonemeengine.labels.table import write_text
 from phonemeengine.labels.utterance import LabelUnit, Word, with_boundary
+from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.settings import FRAME_PERIOD
 
 
@@ -17,10 +21,11 @@ class WordEdits(QObject):
 
     Signals
     -------
-    error : a sentence for the user.
+    error, info : a sentence for the user.
     """
 
     error = Signal(str)
+    info = Signal(str)
 
     def __init__(self, session: Session, words: SoundWords) -> None:
         super().__init__()
@@ -66,3 +71,17 @@ class WordEdits(QObject):
             self._words.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
         else:
             self._words.edit(moved, tr("move of a boundary ({unit})").format(unit=tr(unit.value)), by_hand=True)
+
+    def save(self, path: Path) -> bool:
+        """Write the words as a TextGrid; says whether that went well."""
+        if self._words.utterance is None:
+            self.error.emit(tr("There are no words to save; open an audio file and align its text first."))
+            return False
+        try:
+            write_text(format_utterance(self._words.utterance), path)
+        except CorpusError as error:
+            self.error.emit(str(error))
+            return False
+        self._words.note_saved()
+        self.info.emit(tr("Saved words and phones as {path}.").format(path=path))
+        return True

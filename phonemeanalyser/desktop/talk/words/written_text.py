@@ -1,0 +1,139 @@
+"""The text that is said, and its language; and what is remembered of both for each sound."""
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.text.language_guess import guess_language
+from phonemeengine.text.pronunciation import MARKS
+
+MOST_SOUNDS, MOST_LANGUAGES = 50, 5
+"""Sounds whose texts are remembered, and languages that are offered first, because they were chosen last."""
+MOST_REMEMBERED = 200_000
+"""Characters of all texts that are remembered."""
+
+
+class WrittenText(QObject):
+    """Holds the text of the current sound, or what a voice is to say, and remembers those of other sounds.
+
+    Signals
+    -------
+    changed : another text, or another language.
+
+    Attributes
+    ----------
+    text : as it is written.
+    language : that was chosen; empty where none is.
+    guess : the language that the text is probably in; empty where it tells none.
+    recent : the languages that were chosen last, the newest first.
+    remembered : text and language by the path of the sound, the newest last; those of no sound by an empty path.
+    """
+
+    changed = Signal()
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.text = self.language = self.guess = ""
+        self.recent: list[str] = []
+        self.remembered: dict[str, tuple[str, str]] = {}
+        self._in_file = ""
+        self._sound: Path | None = None
+        self._typed_without = False
+
+    @property
+    def spoken_in(self) -> str:
+        """The language that is chosen; without one, that which is guessed."""
+        return self.language or self.guess
+
+    @property
+    def has_unsaved_changes(self) -> bool:
+        """Whether the text of a sound would be lost: its file has another one, or it is too long to be remembered."""
+        too_long = len(self.text) > MOST_REMEMBERED and self.text != self._in_file
+        return self._sound is not None and (too_long or (bool(self._in_file) and self.text != self._in_file))
+
+    def set_text(self, text: str) -> None:
+        """Take another text."""
+        if text != self.text:
+            self._typed_without = self._sound is None
+            self._put(text, self.language)
+
+    def set_language(self, tag: str) -> None:
+        """Take the text to be of another language; of an empty one, it is guessed."""
+        if tag:
+            self.recent = [tag, *(other for other in self.recent if other != tag)][:MOST_LANGUAGES]
+        if tag != self.language:
+            self._put(self.text, tag)
+
+    def leave(self, sound: Path | None) -> None:
+        """Remember the text of the current sound, since another one, or none, is current now."""
+        self.remember()
+        self._sound = sound
+
+    def remember(self) -> None:
+        """Remember the text of the current sound."""
+        key = str(self._sound or "")
+        self.remembered.pop(key, None)
+        if self.text.strip():
+            self.remembered[key] = self.text, self.language
+        while (
+            len(self.remembered) > MOST_SOUNDS
+            or sum(len(text) for text, _ in self.remembered.values()) > MOST_REMEMBERED
+        ):
+            del self.remembered[next(iter(self.remembered))]
+
+    def take(self, found: str, known: Utterance | None) -> None:
+        """Take the text of the current sound: from a file, from memory, from its words; else there is none.
+
+        What was typed before any sound was open stays, since it waited for this one.
+        """
+        text, language = self.remembered.get(str(self._sound or ""), ("", ""))
+        self._in_file = found
+        if not (found or text) and known is not None:
+            text = said_in(known)
+        elif not (found or text) and self._typed_without:
+            text, language = self.text, self.language
+        self._typed_without = False
+        if found and found != text:
+            text = found
+        self._put(text, language)
+
+    def note_saved(self) -> None:
+        """Take note that the file beside the sound has this text now."""
+        self._in_file = self.text
+
+    def _n_remembered(self) -> int:
+        return sum(len(text) for text, _ in self.remembered.values())
+
+    def _put(self, text: str, language: str) -> None:
+        if text != self.text:
+            self.guess = guess_language(text)
+        if (text, language) != (self.text, self.language):
+            self.text, self.language = text, language
+            self.changed.emit()
+
+
+def said_in(utterance: Utterance) -> str:
+    """Return the words of an utterance, as they are written."""
+    return " ".join(word.text for word in utterance.words if word.text)
+
+
+def same_words(one: str, other: str) -> bool:
+    """Return whether two texts have the same words, whatever their marks and capitals."""
+    first, second = ([w for word in text.casefold().split() if (w := word.strip(MARKS))] for text in (one, other))
+    return first == second
+
+
+def places_of(utterance: Utterance, text: str, reach: int = 200) -> list[tuple[int, int]]:
+    """Return where each word stands in a text, start and end; both are 0 where it does not.
+
+    Parameters
+    ----------
+    reach : characters after the word before in which a word is looked for.
+    """
+    places, at = [], 0
+    for word in utterance.words:
+        found = text.find(word.text, at, at + reach) if word.text else -1
+        places.append((found, found + len(word.text)) if found >= 0 else (0, 0))
+        at = max(at, places[-1][1])
+    return places
