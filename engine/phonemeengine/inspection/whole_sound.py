@@ -241,6 +241,8 @@ class RetunedSound:
             scores = Sensitivity(less).apply(scores.T).T
         values = {name: tracks.columns[tracks.names.index(name)] for name in names_of(preset)}
         self._retuner = Retuner(values, tracks.recognised.copy(), scores, np.array([0, tracks.n_frames]))
+        self._levels = tracks.columns[tracks.names.index("volume")]
+        self._loudness: tuple[tuple[float, float], Float32Array] | None = None
 
     def retune(self, preset: Preset) -> bool:
         """Write into the tracks what another preset says; says whether that can be known without the sound."""
@@ -250,8 +252,10 @@ class RetunedSound:
         tracks.recognised[:], codes = self._retuner.recognise(preset)
         scores = self._retuner.scores(preset)
         tracks.phonemes[:] = codes
-        levels = tracks.columns[tracks.names.index("volume")]
-        tracks.intensities[:] = intensities_of(levels, settings.intensity_low, settings.intensity_high)
+        bounds = settings.intensity_low, settings.intensity_high
+        if self._loudness is None or self._loudness[0] != bounds:
+            self._loudness = bounds, intensities_of(self._levels, *bounds)
+        tracks.intensities[:] = self._loudness[1]
         tracks.intensities[codes == 0] = 0
         if scores is not None:
             first = tracks.names.index(SCORES[0])
