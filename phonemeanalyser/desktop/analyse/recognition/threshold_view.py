@@ -24,6 +24,8 @@ from phonemeengine.features.variables import readable_name
 from phonemeengine.presets.controls import Control, ControlGroup, Moment
 
 LABEL_WIDTH = 112
+NBSP_HZ = "\u00a0Hz"
+"""A unit that stays beside its number where a name is written on several lines."""
 LARGEST = 1e6
 """A number that is typed lies within ± this."""
 BY_KEY = (Qt.FocusReason.TabFocusReason, Qt.FocusReason.BacktabFocusReason)
@@ -58,6 +60,7 @@ class ThresholdSlider(QWidget):
         self._theme = theme
         self._mark_at = -1
         self.setMinimumSize(62, 20)
+        self.setMaximumHeight(22)  # beside a name of several lines, too
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.installEventFilter(ArrowKeys(self))
 
@@ -267,7 +270,7 @@ class ThresholdView(QScrollArea):
         if control.variable and control.variable in control.label and words != control.variable:
             called.setTextFormat(Qt.TextFormat.RichText)
             short = f"<span style='color:{self._theme.faint}; font-size:10px'>{escape(control.label)}</span>"
-            called.setText(f"{escape(words)}<br>{short}")
+            called.setText(f"<span style='font-size:11px'>{escape(words).replace(' Hz', NBSP_HZ)}</span><br>{short}")
         return called
 
     def _hint_of(self, control: Control) -> str:
