@@ -9,6 +9,7 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, NoReturn
 
+from phonemeanalyser.rendering import Framing
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP_SIZE
 from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
@@ -208,6 +209,9 @@ def add_clip(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="size in pixels (default: 640x640)"
     )
+    views = [str(view) for view in Framing]
+    parser.add_argument("--view", choices=views, default="face", help="how much is in the picture (default: face)")
+    parser.add_argument("--transparent", action="store_true", help="nothing behind the heads: .png and .gif")
     add_theme(parser)
 
 

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from tqdm import tqdm
 
 from phonemeanalyser.colours import DARK, LIGHT
+from phonemeanalyser.rendering import Framing
 from phonemeanalyser.rendering.clip_options import USUAL_CLIP_RATE, ClipOptions
 from phonemeengine.execution import Progress
 
@@ -15,7 +16,8 @@ from phonemeengine.execution import Progress
 def clip_options(options: argparse.Namespace) -> ClipOptions:
     """Return how the clip of a command line with the arguments of `add_clip` looks."""
     rate = USUAL_CLIP_RATE if options.fps is None else options.fps
-    return ClipOptions(options.size, rate, {"light": LIGHT, "dark": DARK}[options.theme])
+    theme = {"light": LIGHT, "dark": DARK}[options.theme]
+    return ClipOptions(options.size, rate, theme, Framing(options.view), options.transparent)
 
 
 @contextmanager

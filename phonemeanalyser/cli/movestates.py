@@ -7,6 +7,7 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_examples, add_options, file_place, number_in
 from phonemeengine import (
+    Head,
     MeshError,
     MorphMesh,
     MorphTargets,
@@ -27,21 +28,19 @@ from phonemeengine.mouth.table import table_to_toml
 from phonemeengine.storage.files import write_file
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
-OWN = "head"
-"""What is named instead of a file, for the head that ships with the program."""
 EPILOG = (
     "Formats: .3dm, .3dma (text), .glb; meshes: .obj, .gltf, .glb, .vrm, .x, or the word head for the program's own. "
     "For each, movestates WHAT --help."
 )
 
 EXAMPLES = (
-    "phonemeanalyser movestates convert head face.glb",
+    "phonemeanalyser movestates convert woman face.glb",
     "phonemeanalyser movestates info face.glb",
     "phonemeanalyser movestates export base.obj smile.obj -o smile.3dm",
 )
 EXAMPLES_OF = {
     "convert": (
-        "phonemeanalyser movestates convert head face.glb",
+        "phonemeanalyser movestates convert woman face.glb",
         "phonemeanalyser movestates convert face.glb face.3dma",
         "phonemeanalyser movestates convert face.3dma face.3dm --overwrite",
     ),
@@ -81,7 +80,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     info.add_argument("file", type=Path, metavar="FILE", help=".3dm, .3dma, .glb or .gltf")
     info.set_defaults(act=_info)
     convert = kinds.add_parser("convert", help="convert a file", description="Write movestates in another format.")
-    convert.add_argument("source", type=Path, metavar="IN", help="a file, or the word head")
+    convert.add_argument("source", type=Path, metavar="IN", help="a file, or a head of the program: woman or man")
     convert.add_argument("out", type=file_place, metavar="OUT", help=".3dm, .3dma or .glb")
     convert.add_argument("--mesh", type=Path, metavar="M", help="mesh of IN, if its vertices are to be renumbered")
     distance = number_in(0, math.inf, "units of the mesh")
@@ -193,12 +192,12 @@ def _convert(options: argparse.Namespace) -> Iterator[str]:
 
 
 def _morph_mesh_of(path: Path) -> MorphMesh:
-    return load_head() if str(path) == OWN else load_morph_mesh(path)
+    return load_morph_mesh(path)
 
 
 def _targets_of(path: Path) -> MorphTargets:
-    if str(path) == OWN:
-        head = load_head()
+    if str(path) in {*Head}:
+        head = load_head(str(path))
         return morph_targets_of(head.mesh, head.states)
     return load_morph_targets(path)
 

@@ -19,7 +19,7 @@ CLIPS = ("mp4", "gif")
 
 EXAMPLES = (
     "phonemeanalyser preview speech.wav -o speech.mp4",
-    "phonemeanalyser preview speech.wav -o speech.gif --size 320x320 --fps 10",
+    "phonemeanalyser preview speech.wav -o pictures --mesh man --view bust --size 1080x1350 --transparent",
     "phonemeanalyser preview recordings -o clips --size 320x320 --theme dark",
 )
 
@@ -40,11 +40,11 @@ def run(options: argparse.Namespace) -> int:
     if options.kind is not None and not is_batch(options.inputs) and not printed:
         options.parser.error("--format goes with several files; for one, end the name of OUT with the format")
     kind = options.kind or CLIPS[0]
-    check_clip(Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out, options.size)
+    look = clip_options(options)
+    check_clip(Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out, look)
     asked = given(options)
     preset = file_preset(asked.preset, asked.model)
     jobs = jobs_of(options.inputs, options.out, f".{kind}") if is_batch(options.inputs) else _single(options)
-    look = clip_options(options)
     work = ClipWork.of(asked, preset, look, f".{kind}", [job.source for job in jobs], say_note)
     return finish_jobs(jobs, work, options, n_cores() if is_batch(options.inputs) else 1)
 

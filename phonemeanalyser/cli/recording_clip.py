@@ -40,11 +40,11 @@ def write_recording_clip(options: argparse.Namespace) -> None:
     EngineError : the table has no such recording, or the clip cannot be made.
     """
     printed = options.out == STANDARD_OUTPUT
-    check_clip(Path("clip.mp4") if printed else options.out, options.size)
+    look = clip_options(options)
+    check_clip(Path("clip.mp4") if printed else options.out, look)
     with PerformanceTable.open(options.table) as table, ExitStack() as stack:
         performance = table.recording_called(options.recording)
         start, end = _part_of(performance, options)
-        look = clip_options(options)
         animation = _animation_of(performance, start, end, look.rate)
         caption = f"{performance.name}, as recorded: {table.about.title}"
         sound = _sound_of(table, start, end, options, stack)

@@ -230,7 +230,8 @@ class Dialogs(QObject):
         words = tr(
             "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
             "was recognised.<p>Version {version}, MIT licence; <i>Help &gt; Licences</i> lists all components. The "
-            "demo is a synthetic voice of the Festival project (CMU slt). The head is in the public domain (CC0)."
+            "demo is a synthetic voice of the Festival project (CMU slt). The heads are made "
+            "from MakeHuman's mesh and targets, and face units by Mika Suominen (CC0)."
             "<p><b>The preset Learned.</b> {notes}"
         ).format(notes=notes, version=__version__)
         title, close = tr("About PhonemeAnalyser"), QMessageBox.StandardButton.Close

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QSpinBox, QWidg
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, FaceInUse
 from phonemeanalyser.desktop.settings import read
+from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import (
     BLINKS_TIP,
     DETAIL_TIP,
@@ -29,6 +30,7 @@ from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.head import USUAL_HEAD
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.presets.files import load_preset
@@ -190,7 +192,7 @@ class ExportChoices(QFormLayout):
         self.table = choice([(self._table_on_talk, ON_TALK), (tr(USUAL), None), *tables])
         by_talk = tr(ON_TALK_WORDS).format(name=tr(self._face.driver.driver.caption))
         self.driver = choice([(by_talk, ON_TALK), (tr(FaceDriver.RULES.caption), None)])
-        meshes: list[tuple[str, str | None]] = [(tr("Default head"), None)]
+        meshes: list[tuple[str, str | None]] = [(tr(HEADS[USUAL_HEAD]), None)]
         if talk.mesh is not None:
             meshes.insert(0, (tr(ON_TALK_WORDS).format(name=Path(talk.mesh).name), ON_TALK))
         self.mesh = choice(meshes)

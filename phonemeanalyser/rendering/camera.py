@@ -6,13 +6,14 @@ from functools import cached_property
 
 import numpy as np
 
+from phonemeanalyser.rendering import Framing
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import Mesh
 
 # How a head turns on its neck.
 
-NECK_LENGTH = 0.42
+NECK_LENGTH = 0.34
 """How far down the neck of a head with shoulders reaches from where it turns, as a share of all that is below."""
 SHOULDERS = 1.4
 """What is below the neck are shoulders where it is this many times as wide as what is above."""
@@ -57,6 +58,10 @@ def rotation_of(pose: HeadPose) -> Float32Array:
     return np.asarray(turn.as_matrix(), np.float32)
 
 
+MOUTH_HEIGHT, MOUTH_SHARE = 0.25, 0.36
+"""Where a mouth is in a head with its neck, from below, and how much of the head is seen around it, as shares."""
+BUST_SHARE, BUST_DOWN = 1.5, 0.22
+"""How much more than the head is seen of a bust, and how far its middle is below the head's, in its heights."""
 FIELD_OF_VIEW = math.radians(24)
 """The angle between the upper and the lower edge of the picture; narrower in pictures that are taller than wide."""
 HIGHEST = math.radians(85)
@@ -97,18 +102,28 @@ class Camera:
     whole: float = 10.0
 
     @classmethod
-    def facing(cls, mesh: Mesh) -> "Camera":
-        """Return the camera that sees a head from the front, of shoulders what is in the picture then."""
+    def facing(cls, mesh: Mesh, framing: Framing = Framing.FACE) -> "Camera":
+        """Return the camera that sees a head from the front, of shoulders what is in the picture then.
+
+        Parameters
+        ----------
+        framing : the face with its hair and neck, the mouth alone, or shoulders, too.
+        """
         head = NeckPivot.of(mesh).turning(mesh)
         low, high = head.min(axis=0).astype(float), head.max(axis=0).astype(float)
-        centre = (low + high) / 2
+        centre, height = (low + high) / 2, float(high[1] - low[1])
         across = float(np.linalg.norm((head - centre)[:, ::2], axis=1).max())
         radius = max(float(np.linalg.norm(mesh.positions - centre, axis=1).max()), 1e-6)
         whole = MARGIN * max(
             across / math.sin(FIELD_OF_VIEW / 2), across + (high - low)[1] / 2 / math.tan(FIELD_OF_VIEW / 2)
         )
         x, y, z = centre.tolist()
-        return cls(0.0, 0.0, max(whole, radius), (x, y, z), (x, y, z), radius, max(whole, radius))
+        far = max(whole, radius)
+        if framing is Framing.MOUTH:
+            return cls(0.0, 0.0, MOUTH_SHARE * far, (x, y - (0.5 - MOUTH_HEIGHT) * height, z), (x, y, z), radius, far)
+        if framing is Framing.BUST and len(head) < len(mesh):
+            return cls(0.0, 0.0, BUST_SHARE * far, (x, y - BUST_DOWN * height, z), (x, y, z), radius, far)
+        return cls(0.0, 0.0, far, (x, y, z), (x, y, z), radius, far)
 
     def orbit(self, dx: float, dy: float) -> "Camera":
         """Return the camera after going round what it looks at: to the right and upwards, radians."""

@@ -112,23 +112,24 @@ class SideBySide:
     ----------
     size : width and height of the whole, pixels.
     captions : of the heads, from left to right; none for a single head.
-    ink, background : the colours of captions and of what is behind them, as #rrggbb.
+    ink, background : the colours of captions and of what is behind them, as #rrggbb; nothing is behind them where the
+        background is None.
 
     Attributes
     ----------
     head_size : width and height of the picture of each head.
     """
 
-    def __init__(self, size: tuple[int, int], captions: Sequence[str], ink: str, background: str) -> None:
+    def __init__(self, size: tuple[int, int], captions: Sequence[str], ink: str, background: str | None) -> None:
         strip = round(size[1] * STRIP) if captions else 0
         self.head_size = (size[0] // max(len(captions), 1), size[1] - strip)
-        self._whole = np.array(Image.new("RGB", size, background))
+        self._whole = np.array(_sheet(size, background))
         for number, caption in enumerate(captions if strip else ()):
             line = _line_of(caption, (self.head_size[0], strip), ink, background)
             self._whole[-strip:, self._columns(number)] = line
 
     def picture(self, heads: Sequence[UInt8Array]) -> UInt8Array:
-        """Return the whole: uint8, shape (height, width, 3).
+        """Return the whole: uint8, shape (height, width, 3); with a fourth, how opaque it is, without a background.
 
         Parameters
         ----------
@@ -143,9 +144,13 @@ class SideBySide:
         return slice(number * self.head_size[0], (number + 1) * self.head_size[0])
 
 
-def _line_of(text: str, size: tuple[int, int], ink: str, background: str) -> UInt8Array:
+def _sheet(size: tuple[int, int], background: str | None) -> Image.Image:
+    return Image.new("RGBA", size) if background is None else Image.new("RGB", size, background)
+
+
+def _line_of(text: str, size: tuple[int, int], ink: str, background: str | None) -> UInt8Array:
     """Return the picture of a line of text in its middle."""
-    image = Image.new("RGB", size, background)
+    image = _sheet(size, background)
     letters, room, middle = max(LETTERS * size[1], 1.0), WIDEST * size[0], (size[0] / 2, size[1] / 2)
     text, name = _with_font(printable(text))
     length = max(_font(name, letters).getlength(text[:LONGEST]), 1.0)
@@ -186,7 +191,7 @@ BLOCK = SAMPLE_RATE // 10
 """Samples of the sound that are encoded at a time."""
 
 
-def check_clip(out: Path, size: tuple[int, int]) -> None:
+def check_clip(out: Path, look: ClipOptions) -> None:
     """Refuse a clip that cannot be written, before anything is made of it.
 
     Raises
@@ -196,7 +201,7 @@ def check_clip(out: Path, size: tuple[int, int]) -> None:
     kind = out.suffix.lower()
     if kind not in {"", ".mp4", ".gif"} and not out.is_dir():
         raise RenderingError(f"{out.name}: a preview is an .mp4, a .gif or a folder; name one of them with -o")
-    if kind == ".mp4" and (reason := why_no_film(size)):
+    if kind == ".mp4" and (reason := why_no_film(look.size, transparent=look.transparent)):
         raise RenderingError(reason)
 
 
@@ -232,9 +237,11 @@ def write_clip(
     if out.suffix.lower() == ".gif" and (reason := why_no_gif(n_frames, options.rate)):
         raise RenderingError(reason)
     players = [AnimationPlayer(morph_mesh, animation.held(n_frames)) for animation in animations]
-    sheet = SideBySide(options.size, captions, options.theme.text, options.theme.window)
+    background = None if options.transparent else options.theme.window
+    sheet = SideBySide(options.size, captions, options.theme.text, background)
     with OffscreenRenderer(morph_mesh, sheet.head_size) as offscreen:
-        heads = _pictures_of(players, morph_mesh, offscreen, options.theme.window, progress)
+        camera = Camera.facing(morph_mesh.mesh, options.framing).orbit(ASIDE, ABOVE)
+        heads = _pictures_of(players, camera, offscreen, background, progress)
         _write(out, n_frames, map(sheet.picture, heads), options, sound, guard)
 
 
@@ -258,13 +265,13 @@ def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = Non
 
 def _pictures_of(
     players: Sequence[AnimationPlayer],
-    morph_mesh: MorphMesh,
+    camera: Camera,
     offscreen: OffscreenRenderer,
-    background: str,
+    background: str | None,
     progress: Progress,
 ) -> Iterator[list[UInt8Array]]:
     """Take the pictures of all heads, frame by frame."""
-    camera, colour = Camera.facing(morph_mesh.mesh).orbit(ASIDE, ABOVE), colour_of(background)
+    colour = None if background is None else colour_of(background)
     for k, heads in enumerate(zip(*(player.scenes() for player in players), strict=True)):
         report_progress(progress, k / max(1, len(players[0])))
         yield [offscreen.picture(camera, positions, pose, background=colour, glow=True) for positions, pose in heads]

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from phonemeanalyser.colours import LIGHT, Theme
+from phonemeanalyser.rendering import Framing
 
 USUAL_CLIP_RATE = 30.0
 """Frames per second."""
@@ -19,11 +20,15 @@ class ClipOptions:
     size : width and height, pixels.
     rate : frames per second.
     theme : the colours of the background and of captions.
+    framing : how much of a person is in the picture.
+    transparent : whether nothing is behind the heads: in pictures and .gif files alone.
     """
 
     size: tuple[int, int] = USUAL_CLIP_SIZE
     rate: float = USUAL_CLIP_RATE
     theme: Theme = LIGHT
+    framing: Framing = Framing.FACE
+    transparent: bool = False
 
 
 USUAL_CLIP = ClipOptions()

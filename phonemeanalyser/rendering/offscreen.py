@@ -106,13 +106,18 @@ class OffscreenRenderer:
         positions: Float32Array,
         pose: HeadPose = STILL,
         *,
-        background: Colour,
+        background: Colour | None,
         wireframe: bool = False,
         light: Light = LIGHT,
         fine: bool = True,
         glow: bool = False,
     ) -> UInt8Array:
-        """Take a picture; the arguments are those of `HeadRenderer.draw`."""
+        """Take a picture; the arguments are those of `HeadRenderer.draw`.
+
+        Returns
+        -------
+        uint8, shape (height, width, 3), where the background is None, with a fourth: how opaque it is.
+        """
         width, height = self._sheet.size
         with self._context:
             self._renderer.draw(
@@ -127,9 +132,10 @@ class OffscreenRenderer:
                 glow=glow,
                 target=self._sheet,
             )
-            rows = np.frombuffer(self._sheet.read(components=3, alignment=1), np.uint8)
-        picture: UInt8Array = rows.reshape(height, width, 3)[::-1]
-        return picture
+            n = 4 if background is None else 3
+            rows = np.frombuffer(self._sheet.read(components=n, alignment=1), np.uint8)
+        picture: UInt8Array = rows.reshape(height, width, n)[::-1]
+        return picture if background else _separated(picture)
 
     def release(self) -> None:
         """Free all that the graphics driver holds."""
@@ -137,6 +143,13 @@ class OffscreenRenderer:
             self._renderer.release()
             _let_go(self._sheet)
         self._context.release()
+
+
+def _separated(picture: UInt8Array) -> UInt8Array:
+    """Return a picture whose colours at edges are those of what is seen, which were mixed with nothing, black."""
+    opaque = np.maximum(picture[..., 3:], 1)
+    colours = np.minimum(picture[..., :3] * np.float32(255) / opaque, 255)
+    return np.concatenate((np.round(colours).astype(np.uint8), picture[..., 3:]), axis=2)
 
 
 def _sheet(context: moderngl.Context, size: tuple[int, int]) -> moderngl.Framebuffer:

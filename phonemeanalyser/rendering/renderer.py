@@ -42,6 +42,8 @@ LINES = ((0.10, 0.12, 0.16), (0.90, 0.92, 0.96))
 LIFT = 0.01
 """How far above the skin its shadow is looked up, as a share of the radius of all: skin casts none on itself."""
 STILL = HeadPose()
+NOTHING = (0.0, 0.0, 0.0)
+"""The colour behind heads in pictures that are transparent there."""
 
 Colour = tuple[float, float, float]
 """Red, green, blue in 0..1 (sRGB)."""
@@ -114,7 +116,7 @@ class HeadRenderer:
         pose: HeadPose = STILL,
         *,
         size: tuple[int, int],
-        background: Colour,
+        background: Colour | None,
         wireframe: bool = False,
         light: Light = LIGHT,
         fine: bool = True,
@@ -129,7 +131,7 @@ class HeadRenderer:
         positions : float32, shape (n_vertices, 3): what `MovestateSet.morphed` gives.
         pose : how the head is turned.
         size : width and height, pixels of the framebuffer (not of the screen's logical ones).
-        background : behind the head.
+        background : behind the head; None for nothing, so that the picture is transparent there.
         wireframe : the edges of the triangles alone, those that nothing hides.
         light : the light that it stands in.
         fine : with several samples a pixel and soft shadows, which takes longer where there is no graphics card.
@@ -145,18 +147,18 @@ class HeadRenderer:
         finish = FINE if fine else QUICK
         canvas = self._canvases[finish].of(size)
         self._move(positions)
-        self._set_uniforms(camera, pose, size, light, background, finish)
+        self._set_uniforms(camera, pose, size, light, background or NOTHING, finish)
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self._context.depth_func, self._context.cull_face = "<", "back"
         if not wireframe:
             self._cast_shadow(finish)
         canvas.use()
-        canvas.clear(*background, 1.0, depth=1.0)
+        canvas.clear(*(background or NOTHING), float(background is not None), depth=1.0)
         if wireframe:
-            self._draw_wires(background)
+            self._draw_wires(background or NOTHING)
         else:
             self._draw_skin(finish)
-            if glow:
+            if glow and background is not None:
                 self._backdrop.draw(background)
         if finish.samples:
             self._context.copy_framebuffer(target, canvas)

@@ -13,6 +13,8 @@ from phonemeengine.mouth.movestate import Movestate, movestate_of
 
 ROUND = 0.03
 """A part is a ball, an eye, where the distances from its centre vary by less than this share of them."""
+STRIP = 0.7
+"""What reaches less far than this many radii along an axis is a strip of a ball, such as lashes."""
 FEWEST = 40
 """Vertices that a ball has at least."""
 RED = (0.70, 0.60)
@@ -117,7 +119,8 @@ def _is_ball(points: Float64Array) -> bool:
     (*centre, rest), *_ = np.linalg.lstsq(np.column_stack((2 * points, np.ones(len(points)))), squares, rcond=None)
     apart = np.linalg.norm(points - centre, axis=1)
     radius = float(np.sqrt(max(rest + np.square(centre).sum(), 0.0)))
-    return bool(np.std(apart) < ROUND * radius < ROUND * np.ptp(points, axis=0).max())
+    reach = np.ptp(points, axis=0)
+    return bool(np.std(apart) < ROUND * radius < ROUND * reach.max() and reach.min() > STRIP * radius)
 
 
 # A smoother mesh: four triangles for each one, on a surface without edges.

@@ -22,6 +22,10 @@ FASTEST_GIF = 50.0
 """Frames per second: programs show faster ones slowly."""
 ROUNDS = 2
 """In which the 256 colours of a .gif are brought nearer to those of the picture; without, blue eyes would be grey."""
+COLOURS, HALF = 256, 128
+"""Of a .gif, of which one is transparent if any is; and how opaque something must be to be seen in it, of 255."""
+CLEARED: dict[str, Any] = {"transparency": COLOURS - 1, "disposal": 2}
+"""How a transparent .gif is saved: each picture in place of the one before."""
 LONGEST_GIF = 1800
 """Frames of a .gif, which is held in memory."""
 
@@ -44,8 +48,10 @@ class SoundTrack:
     blocks: Blocks
 
 
-def why_no_film(size: tuple[int, int]) -> str:
+def why_no_film(size: tuple[int, int], *, transparent: bool = False) -> str:
     """Return in a sentence why no .mp4 of this size can be written; empty if it can."""
+    if transparent:
+        return "an .mp4 has no transparent ground; name a .gif, or a folder for .png"
     if size[0] % 2 or size[1] % 2:
         return f"an .mp4 has an even width and height, got {size[0]}x{size[1]}; choose another size"
     try:
@@ -92,14 +98,23 @@ def write_film(
 def write_gif(file: BinaryIO, pictures: Iterable[UInt8Array], n_frames: int, rate: float) -> None:
     """Write a .gif that goes on and on; it has no sound."""
     coverage = Image.Quantize.MAXCOVERAGE  # small things of their own colour keep it, such as eyes
-    images = (
-        Image.fromarray(picture).quantize(method=coverage, kmeans=ROUNDS, dither=Image.Dither.NONE)
-        for picture in pictures
-    )
+    images = (_indexed(Image.fromarray(picture), coverage) for picture in pictures)
     ends = np.round(np.arange(n_frames + 1) / rate * 100).astype(int)
     durations = (np.diff(ends) * 10).tolist()
     first = next(images)
-    first.save(file, "GIF", save_all=True, append_images=images, duration=durations, loop=0)
+    cleared = CLEARED if "transparency" in first.info else {}
+    first.save(file, "GIF", save_all=True, append_images=images, duration=durations, loop=0, **cleared)
+
+
+def _indexed(image: Image.Image, method: Image.Quantize) -> Image.Image:
+    """Return a picture in 256 colours at most, of which one stands for what is transparent."""
+    if image.mode != "RGBA":
+        return image.quantize(method=method, kmeans=ROUNDS, dither=Image.Dither.NONE)
+    clear = image.getchannel("A").point(lambda opaque: 255 if opaque < HALF else 0)
+    found = image.convert("RGB").quantize(COLOURS - 1, method, ROUNDS, dither=Image.Dither.NONE)
+    found.paste(COLOURS - 1, mask=clear)
+    found.info["transparency"] = COLOURS - 1
+    return found
 
 
 def write_pictures(folder: Path, pictures: Iterable[UInt8Array]) -> None:

@@ -59,7 +59,7 @@ def test_the_morph_targets_of_a_gltf_count_as_targets(folder: Path, capsys: pyte
 
 
 def test_the_programs_own_head_becomes_a_glb_that_others_read(folder: Path, capsys: pytest.CaptureFixture[str]):
-    code, out, _ = run(folder, "convert", "head", "face.glb", capsys=capsys)
+    code, out, _ = run(folder, "convert", "woman", "face.glb", capsys=capsys)
     assert code == 0
     assert out.startswith("face.glb: 52 movestates, ")
     gltf, head = GLTF2().load(str(folder / "face.glb")), load_head()
@@ -84,8 +84,8 @@ def test_the_programs_own_head_becomes_a_glb_that_others_read(folder: Path, caps
 def test_movestates_of_the_programs_own_head_go_through_the_thesis_format(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ):
-    assert run(folder, "convert", "head", "face.3dm", capsys=capsys)[0] == 0
-    code, out, _ = run(folder, "convert", "face.3dm", "again.glb", "--mesh", "head", capsys=capsys)
+    assert run(folder, "convert", "woman", "face.3dm", capsys=capsys)[0] == 0
+    code, out, _ = run(folder, "convert", "face.3dm", "again.glb", "--mesh", "woman", capsys=capsys)
     assert code == 0
     assert "renumbered" not in out
     assert [s.name for s in load_morph_targets(folder / "again.glb").states] == [s.name for s in load_head().states]

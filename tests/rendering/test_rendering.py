@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
-from phonemeanalyser.rendering import RenderingError
+from phonemeanalyser.rendering import Framing, RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
@@ -20,7 +20,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.streams import expression_presets, held_expression
-from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.mouth.head import Head, load_head
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
@@ -31,14 +31,23 @@ from tests.graphics import DARK, LIGHT, MAGENTA, Picture, ball, context, joined,
 from tests.meshes import cube, morph_mesh_of_cube
 
 __all__ = ["context", "offscreen"]  # fixtures
-EYES, TEETH, TONGUE = (1, 3), (2, 5), (4,)
+EYES, TEETH, TONGUE, LASHES = (1, 3), (2, 5), (4,), 7
 """The numbers of these parts in the head's file."""
 Hire = Callable[..., OffscreenRenderer]
 
 
 @pytest.fixture(scope="module")
 def head() -> MorphMesh:
-    return load_head()
+    return load_head("man")
+
+
+@pytest.fixture(scope="module")
+def plain(head: MorphMesh) -> MorphMesh:
+    """The head without lashes and brows, which have a back, and are as dark as what is inside."""
+    with np.load(Head.MAN.path, allow_pickle=False) as file:
+        kept = file["part"][head.mesh.triangles[:, 0]] != LASHES
+    mesh = mesh_of(head.mesh.positions, head.mesh.triangles[kept], colours=head.mesh.colours)
+    return MorphMesh(mesh, head.states)
 
 
 def saying(head: MorphMesh, phoneme: Phoneme) -> Float32Array:
@@ -50,7 +59,7 @@ def saying(head: MorphMesh, phoneme: Phoneme) -> Float32Array:
 
 def painted(head: MorphMesh, *colours: tuple[tuple[int, ...], tuple[float, float, float]]) -> MorphMesh:
     """The head with some of its parts, by their numbers in its file, in other colours."""
-    with np.load(HEAD, allow_pickle=False) as file:
+    with np.load(Head.MAN.path, allow_pickle=False) as file:
         part = file["part"]
     looks = head.mesh.colours.copy()
     for parts, colour in colours:
@@ -73,7 +82,8 @@ def darkness(picture: Picture, part: tuple[slice, slice]) -> int:
 
 
 def irises(picture: Picture) -> NDArray[np.int_]:
-    """Rows and columns of blue pixels, of which a face has none but there, shape (n, 2)."""
+    """Rows and columns of blue pixels, of which a face above its chin has none but there, shape (n, 2)."""
+    picture = picture[: len(picture) * 2 // 3]
     red, _, blue = (picture[..., k].astype(int) for k in range(3))
     return np.argwhere((blue > red + 12) & seen(picture))
 
@@ -103,12 +113,12 @@ def test_from_the_other_side_the_head_is_its_mirror_image(head: MorphMesh, offsc
 
 
 @pytest.mark.parametrize("yaw", [-2.0, -4.5, 2.0, 5.5])
-def test_no_speck_of_the_inside_shows_along_an_outline(yaw: float, head: MorphMesh, offscreen: Hire):
-    hired, camera = offscreen(head, (536, 446)), Camera.facing(head.mesh)
+def test_no_speck_of_the_inside_shows_along_an_outline(yaw: float, plain: MorphMesh, offscreen: Hire):
+    hired, camera = offscreen(plain, (536, 446)), Camera.facing(plain.mesh)
     for nod in (-1, 0, 1, 2):
         pose = HeadPose(yaw=yaw, pitch=nod * yaw / 3)
-        picture = hired.picture(camera, head.mesh.positions, pose, background=LIGHT, fine=False)
-        assert np.abs(picture - np.multiply(255, INSIDE)).max(axis=2).min() > 6
+        picture = hired.picture(camera, plain.mesh.positions, pose, background=LIGHT, fine=False)
+        assert np.abs(picture - np.multiply(255, INSIDE)).max(axis=2).min() > 3
 
 
 def test_nobody_looks_through_an_open_mouth(head: MorphMesh, offscreen: Hire):
@@ -144,6 +154,30 @@ def test_a_picture_has_the_size_that_was_asked_for_and_all_of_the_head(
     assert not edges.any()
     rows, columns = np.argwhere(above_the_shoulders).T
     assert max(np.ptp(rows) / size[1], np.ptp(columns) / size[0]) > 0.4
+
+
+def test_a_transparent_picture_shows_the_head_alone_with_its_own_colours(head: MorphMesh, offscreen: Hire):
+    camera, hired = Camera.facing(head.mesh), offscreen(head, (160, 160))
+    clear = hired.picture(camera, head.mesh.positions, background=None, glow=True)
+    bright, dark = (hired.picture(camera, head.mesh.positions, background=ground) for ground in (LIGHT, DARK))
+    assert clear.shape == (160, 160, 4)
+    opaque = clear[..., 3:] / 255
+    assert {0, 255} < {*np.unique(clear[..., 3]).tolist()}
+    for ground, picture in ((LIGHT, bright), (DARK, dark)):
+        laid = opaque * clear[..., :3] + (1 - opaque) * 255 * np.array(ground)
+        assert np.abs(laid - picture).max() <= 3
+
+
+def test_mouth_face_and_bust_show_less_and_more(head: MorphMesh, offscreen: Hire):
+    red = painted(head, (TEETH, MAGENTA))
+    hired, positions = offscreen(red, (200, 200)), saying(red, Phoneme.I)
+    teeth, shown = [], []
+    for framing in (Framing.MOUTH, Framing.FACE, Framing.BUST):
+        picture = hired.picture(Camera.facing(head.mesh, framing), positions, background=DARK)
+        teeth.append(_n_magenta(picture))
+        shown.append(np.argwhere(seen(picture))[:, 0].min())
+    assert teeth[0] > 5 * teeth[1] > 5 * teeth[2]
+    assert shown[0] == 0 < shown[1]
 
 
 def test_pictures_may_change_their_size(head: MorphMesh, offscreen: Hire):
@@ -186,16 +220,16 @@ def test_the_tongue_is_seen_for_th_and_neither_at_rest_nor_for_f(head: MorphMesh
 
 
 @pytest.mark.parametrize("blink", [0.0, 0.5, 1.0])
-def test_no_expression_nor_two_of_them_tear_the_lids(blink: float, head: MorphMesh, offscreen: Hire):
+def test_no_expression_nor_two_of_them_tear_the_lids(blink: float, plain: MorphMesh, offscreen: Hire):
     """Eyes are painted as bright as skin, so that all that is nearly black is an inside."""
     names = [*expression_presets()]
     shown = [(), *((name,) for name in names), *combinations(names, 2)]
-    hired = offscreen(painted(head, (EYES, (0.9, 0.85, 0.8))), (600, 200))
-    camera = Camera.facing(head.mesh).zoom(14).pan(0.0, 0.36)  # eyes and brows
+    hired = offscreen(painted(plain, (EYES, (0.9, 0.85, 0.8))), (600, 200))
+    camera = Camera.facing(plain.mesh).zoom(14).pan(0.0, 0.28)  # eyes and brows
     for azimuth in (-0.7, 0.0, 0.7):
         turned = camera.orbit(azimuth, 0.0)
         dark = [
-            hired.picture(turned, expressing(head, kept, blink), background=LIGHT).max(axis=2) < 50 for kept in shown
+            hired.picture(turned, expressing(plain, kept, blink), background=LIGHT).max(axis=2) < 50 for kept in shown
         ]
         n_dark = [int(picture.sum()) for picture in dark]
         assert max(n_dark) <= n_dark[0] + 3, shown[int(np.argmax(n_dark))]

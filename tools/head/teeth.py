@@ -15,11 +15,11 @@ ROWS = ((0.0, 0.0), (0.35, 1.0), (0.78, 0.95), (0.97, 0.55), (1.0, -0.6), (0.45,
 """Rows from the gum over the edge to the back: how far towards the edge, 0..1, and how far out, in `BULGE`."""
 BULGE = 0.022
 """How far a tooth stands out of its row."""
-GROOVE = 0.55
+GROOVE = 0.7
 """Of that, what is left between two teeth."""
-ROUNDNESS = 0.10
+ROUNDNESS = 0.05
 """How much shorter a tooth is at its corners, as a share of its height."""
-ENAMEL, GUM, GAP = (238, 232, 218), (186, 104, 104), (150, 132, 118)
+ENAMEL, GUM, GAP = (248, 244, 234), (196, 112, 110), (196, 180, 166)
 
 
 @dataclass(frozen=True)
@@ -38,8 +38,8 @@ class Row:
     upper: bool
 
 
-UPPER = Row((0.088, 0.068, 0.076, 0.070, 0.068, 0.096), (1.0, 0.90, 1.0, 0.90, 0.86, 0.80), True)
-LOWER = Row((0.056, 0.062, 0.070, 0.072, 0.072, 0.104), (0.92, 0.94, 1.0, 0.94, 0.9, 0.84), False)
+UPPER = Row((0.086, 0.070, 0.076, 0.070, 0.068, 0.096), (1.0, 0.95, 0.97, 0.90, 0.86, 0.80), True)
+LOWER = Row((0.058, 0.062, 0.068, 0.072, 0.072, 0.104), (0.97, 0.97, 1.0, 0.95, 0.9, 0.84), False)
 
 
 def row_of_teeth(old: Floats, row: Row) -> tuple[Floats, Numbers, Colours]:

@@ -43,8 +43,13 @@ COMPARE = {"compare-light.png": ("1280", "800", "light", "1.02", "en")}
 """Two heads that say a text in step, a recorded face and the rules."""
 MOVING = "window.gif"
 """The window while it plays the demo, on two pages."""
-HEAD = {"head": {"head-visemes.png": "light"}, "contact_sheet": {"contact-sheet.png": "light"}}
-"""The head that says a, e, i, o, u and m; and a sentence of the demo, sound by sound, beside its labels."""
+HEAD = {
+    "head-visemes.png": ("head", "light", "visemes"),
+    "head-shapes.png": ("head", "light", "shapes"),
+    "contact-sheet.png": ("contact_sheet", "light"),
+}
+"""The head that says a, e, i, o, u and m; all mouth shapes of both heads; and a sentence of the demo, sound by sound,
+beside its labels."""
 
 
 def main() -> None:
@@ -65,10 +70,9 @@ def main() -> None:
     subprocess.run(moving, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
     tutorials = [sys.executable, "-m", "tools.screenshots.tutorials", str(ROOT / "screenshots")]
     subprocess.run(tutorials, check=True, cwd=ROOT, env=os.environ | OFFSCREEN)
-    for module, pictures in HEAD.items():
-        for name, theme in pictures.items():
-            command = [sys.executable, "-m", f"tools.screenshots.{module}", str(_place(name)), theme]
-            subprocess.run(command, check=True, cwd=ROOT)
+    for name, (module, *look) in HEAD.items():
+        command = [sys.executable, "-m", f"tools.screenshots.{module}", str(_place(name)), *look]
+        subprocess.run(command, check=True, cwd=ROOT)
     with tempfile.TemporaryDirectory() as folder, VirtualSound() as sound:
         wav = Path(folder) / "demo.wav"
         samples, rate = soundfile.read(DEMO)

@@ -1,52 +1,89 @@
-"""Makes the picture of the head that says a, e, i, o, u and m: `python -m tools.screenshots.head OUT THEME`."""
+"""Makes pictures of the heads: `python -m tools.screenshots.head OUT THEME visemes|shapes`.
+
+The one of the woman who says a, e, i, o, u and m; and all mouth shapes of both heads, with some expressions.
+"""
 
 import sys
+from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from phonemeanalyser.colours import DARK, LIGHT
+from phonemeanalyser.colours import DARK, LIGHT, Theme
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.arrays import UInt8Array
-from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.head import Head, load_head
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
 
 SAID = (Phoneme.A, Phoneme.E, Phoneme.I, Phoneme.O, Phoneme.U, Phoneme.M)
-N_COLUMNS, SIZE, LABEL_AT = 3, 400, (16, 8)
-AZIMUTH, ELEVATION, STEPS, DOWN = 0.38, 0.04, 4.5, -0.045
+N_COLUMNS, SIZE = 3, 400
+N_SMALL, SMALL = 7, 240
+"""Pictures in a row of all shapes, and their size."""
+AZIMUTH, ELEVATION, STEPS, DOWN = 0.3, 0.04, 4.0, -0.05
 """Where the camera is: a little to the side, and near enough for the mouth to be seen."""
+SMILE = {"mouthSmile": 100, "cheekSquint": 60}
+FELT = {
+    "blink": {"eyeBlink": 100},
+    "smile": SMILE,
+    "smile, blink": {**SMILE, "eyeBlink": 100},
+    "disgust": {"noseSneer": 100, "mouthUpperUp": 60, "browDown": 80, "eyeSquint": 60, "mouthFrown": 50},
+    "surprise": {"eyeWide": 100, "browInnerUp": 100, "browOuterUp": 80, "jawOpen": 30},
+    "look aside": {"eyeLookOutLeft": 80, "eyeLookInRight": 80},
+}
+"""Expressions, in percent; a name without Left or Right stands for both sides."""
 
 
-def visemes(theme: str) -> UInt8Array:
-    """Give the picture of all of them."""
-    colours = {"light": LIGHT, "dark": DARK}[theme]
-    morph_mesh = subdivided(load_head())
-    face, table = MovestateSet(morph_mesh.mesh, morph_mesh.states), load_table("arkit")
+def visemes(colours: Theme) -> UInt8Array:
+    """Return the picture of the woman's."""
+    table = load_table("arkit")
+    shapes = {phoneme.label: table.shapes[table.phonemes[phoneme]] for phoneme in SAID}
+    return _sheet(Head.WOMAN, shapes, colours, SIZE, N_COLUMNS)
+
+
+def shapes(colours: Theme) -> UInt8Array:
+    """Return the picture of all shapes of both heads."""
+    wanted = {**load_table("arkit").shapes, **FELT}
+    return np.concatenate([_sheet(head, wanted, colours, SMALL, N_SMALL) for head in Head])
+
+
+def _sheet(
+    head: Head, shapes: Mapping[str, Mapping[str, float]], colours: Theme, size: int, n_columns: int
+) -> UInt8Array:
+    morph_mesh = subdivided(load_head(head))
+    face = MovestateSet(morph_mesh.mesh, morph_mesh.states)
     camera = Camera.facing(morph_mesh.mesh).orbit(AZIMUTH, ELEVATION).zoom(STEPS).pan(0.0, DOWN)
-    shown = []
-    with OffscreenRenderer(morph_mesh, (SIZE, SIZE)) as offscreen:
-        for phoneme in SAID:
-            face.set_percentages(dict(zip(table.movestates, 100.0 * table.weights()[phoneme], strict=True)))
-            picture = offscreen.picture(
-                camera, face.morphed(), HeadPose(), background=colour_of(colours.window), glow=True
-            )
-            shown.append(_labelled(picture, phoneme.label, colours.text))
-    rows = [np.concatenate(shown[k : k + N_COLUMNS], axis=1) for k in range(0, len(shown), N_COLUMNS)]
+    background, shown = colour_of(colours.window), []
+    with OffscreenRenderer(morph_mesh, (size, size)) as offscreen:
+        for name, shape in shapes.items():
+            wanted = {state: shape.get(state, shape.get(_both(state), 0.0)) for state in ARKIT}
+            face.set_percentages(wanted)
+            picture = offscreen.picture(camera, face.morphed(), HeadPose(), background=background, glow=True)
+            shown.append(_labelled(picture, name, colours.text))
+    blank = np.full_like(shown[0], np.round(255 * np.array(background)))
+    shown += [blank] * (-len(shown) % n_columns)
+    rows = [np.concatenate(shown[k : k + n_columns], axis=1) for k in range(0, len(shown), n_columns)]
     return np.concatenate(rows)
+
+
+def _both(state: str) -> str:
+    return state.removesuffix("Left").removesuffix("Right")
 
 
 def _labelled(picture: UInt8Array, label: str, colour: str) -> UInt8Array:
     image = Image.fromarray(picture)
-    ImageDraw.Draw(image).text(LABEL_AT, label, font=ImageFont.load_default(34), fill=colour)
+    letters = len(picture) / 12
+    ImageDraw.Draw(image).text((letters / 2, letters / 4), label, font=ImageFont.load_default(letters), fill=colour)
     return np.asarray(image)
 
 
 if __name__ == "__main__":
-    Image.fromarray(visemes(sys.argv[2])).save(Path(sys.argv[1]), optimize=True)
+    made = {"visemes": visemes, "shapes": shapes}[sys.argv[3]]({"light": LIGHT, "dark": DARK}[sys.argv[2]])
+    Image.fromarray(made).quantize(kmeans=1, dither=Image.Dither.NONE).save(Path(sys.argv[1]), optimize=True)

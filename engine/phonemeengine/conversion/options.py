@@ -285,7 +285,7 @@ class ConversionOptions:
     )
     keywords: tuple[Path, ...] = _files("your own words with gestures, and conjunctions (TOML)", "F", needs=_TABLE)
     units: Path | None = _file("write which recording each unit comes from", "OUT.csv", needs=_TABLE)
-    mesh: Path | None = _file("your own face: .glb, .vrm, .gltf, .obj or .x", "M")
+    mesh: Path | None = _file("head: woman or man, or your own face: .glb, .vrm, .gltf, .obj or .x", "M")
     movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")
     keys: Path | None = _file("edited keys of blend shapes, or auto: x.keys.toml beside x.wav")
     overwrite: bool = _switch("replace existing files, however they were made", elsewhere=False)

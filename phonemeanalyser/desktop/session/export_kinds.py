@@ -147,7 +147,7 @@ def work_of(order: ExportOrder) -> Work:
     from phonemeanalyser.rendering.clip import ClipWork, check_clip  # noqa: PLC0415 - no window waits for it
 
     options, look = order.options, ClipOptions(rate=order.options.rate or USUAL_CLIP.rate)
-    check_clip(Path("clip" + kind.ending), look.size)
+    check_clip(Path("clip" + kind.ending), look)
     face = FaceFiles(None if options.mesh is None else Path(options.mesh), order.movestates)
     return ClipWork(
         options, order.preset, order.channel, texts, order.driver, face, look, keys=keys, overwrite=overwrite

@@ -18,6 +18,7 @@ from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeengine.labels.table import write_text
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
+from phonemeengine.mouth.head import Head
 
 MESHES = tr_noop("Face meshes and blend shapes ({endings})")
 MESH_ENDINGS = " ".join(f"*{kind}" for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))
@@ -169,7 +170,7 @@ class TalkDialogs(QObject):
     def restore(self) -> None:
         """Take up what was chosen at the last start."""
         names = [read(self._settings, f"talk/{name}", "") for name in ("mesh", "movestates")]
-        if any(names) and all(Path(name).is_file() for name in names if name):
+        if any(names) and all(name in {*Head} or Path(name).is_file() for name in names if name):
             self._talking.face.files = FaceFiles(*(Path(name) if name else None for name in names))
         for choice in self._kept():
             choice.restore(self._settings)

@@ -155,8 +155,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
-            <source>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme was recognised.&lt;p&gt;Version {version}, MIT licence; &lt;i&gt;Help &amp;gt; Licences&lt;/i&gt; lists all components. The demo is a synthetic voice of the Festival project (CMU slt). The head is in the public domain (CC0).&lt;p&gt;&lt;b&gt;The preset Learned.&lt;/b&gt; {notes}</source>
-            <translation>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Kalibriert die Phonemerkennung in Echtzeit für Lippensynchronisation und zeigt, warum ein Phonem erkannt wurde.&lt;p&gt;Version {version}, MIT-Lizenz; &lt;i&gt;Hilfe &amp;gt; Lizenzen&lt;/i&gt; nennt alle Bestandteile. Die Demo ist eine künstliche Stimme des Festival-Projekts (CMU slt). Der Kopf ist gemeinfrei (CC0).&lt;p&gt;&lt;b&gt;Das Preset Learned.&lt;/b&gt; {notes}</translation>
+            <source>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme was recognised.&lt;p&gt;Version {version}, MIT licence; &lt;i&gt;Help &amp;gt; Licences&lt;/i&gt; lists all components. The demo is a synthetic voice of the Festival project (CMU slt). The heads are made from MakeHuman's mesh and targets, and face units by Mika Suominen (CC0).&lt;p&gt;&lt;b&gt;The preset Learned.&lt;/b&gt; {notes}</source>
+            <translation>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Kalibriert die Phonemerkennung in Echtzeit für Lippensynchronisation und zeigt, warum ein Phonem erkannt wurde.&lt;p&gt;Version {version}, MIT-Lizenz; &lt;i&gt;Hilfe &amp;gt; Lizenzen&lt;/i&gt; nennt alle Bestandteile. Die Demo ist eine künstliche Stimme des Festival-Projekts (CMU slt). Die Köpfe sind aus Netz und Targets von MakeHuman und Gesichtseinheiten von Mika Suominen gemacht (CC0).&lt;p&gt;&lt;b&gt;Das Preset Learned.&lt;/b&gt; {notes}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -1564,6 +1564,11 @@
             <translation>Bulgarisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <source>Bust</source>
+            <translation>Büste</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>By how much another phoneme must score higher to replace the current one. The bar shows by how much it does now.</source>
             <translation>Um wie viel ein anderes Phonem besser bewertet sein muss, um das aktuelle zu ersetzen. Der Balken zeigt, um wie viel es das jetzt ist.</translation>
@@ -2307,11 +2312,6 @@
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Decimation</source>
             <translation>Dezimierung</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
-            <source>Default head</source>
-            <translation>Standardkopf</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
@@ -5000,6 +5000,11 @@
             <translation>Maltesisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
+            <source>Man</source>
+            <translation>Mann</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Manual</source>
             <translation>Handbuch</translation>
@@ -5278,6 +5283,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
             <source>Most conditions</source>
             <translation>Höchstens Bedingungen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <source>Mouth</source>
+            <translation>Mund</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
@@ -7875,6 +7885,11 @@
             <translation>Ausdrücke zeigen, die andere Programme senden: /expression NAME 0..1 oder die Blendshapes einer Gesichtserfassung (VMC)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <source>Show head and shoulders from the front</source>
+            <translation>Kopf und Schultern von vorn zeigen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Show History</source>
             <translation>Verlauf anzeigen</translation>
@@ -7906,8 +7921,13 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
-            <source>Show the head that ships with the program</source>
-            <translation>Den mitgelieferten Kopf zeigen</translation>
+            <source>Show the man's head that ships with the program</source>
+            <translation>Den Kopf des Mannes zeigen, der zum Programm gehört</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <source>Show the mouth from the front</source>
+            <translation>Den Mund von vorn zeigen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
@@ -7923,6 +7943,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
             <source>Show the whole head from the front (Home or double-click)</source>
             <translation>Ganzen Kopf von vorn zeigen (Pos1 oder Doppelklick)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <source>Show the woman's head that ships with the program</source>
+            <translation>Den Kopf der Frau zeigen, der zum Programm gehört</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/pages.py" />
@@ -10483,6 +10508,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Recorded Faces</source>
             <translation>Mit aufgezeichneten Gesichtern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
+            <source>Woman</source>
+            <translation>Frau</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />

@@ -58,7 +58,7 @@ void main() {
     float cosine = dot(n, key);
     vec3 mirror = reflect(-view, n);
     float inside = smoothstep(0.02, 0.3, open); // what a closed mouth hides is never quite bright
-    float sun = mix(lit(cosine), 0.7, 0.9 * wetness * (1.0 - inside)); // light is thrown about between teeth
+    float sun = mix(lit(cosine), 0.85, 0.9 * wetness * (1.0 - inside)); // light is thrown about between teeth
     sun *= mix(0.25 + 0.75 * wetness, 1.0, inside);
 
     vec3 bleeding = BLEEDING * (1.0 - 0.6 * wetness);

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from phonemeengine.mouth.files.io import FaceFiles, save_morph_targets
-from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head import Head, load_head
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphTargets, morph_targets_of
 from phonemeengine.mouth.movestate import movestate_of
@@ -70,7 +70,7 @@ def test_a_bad_mesh_is_refused_in_one_sentence_and_the_face_stays(stage: Stage, 
     assert sentence.startswith("bad.glb: ")
     assert "\n" not in sentence
     assert stage.talking.face.morph_mesh is before
-    assert stage.talking.face.is_shipped
+    assert stage.talking.face.head is Head.WOMAN
 
 
 def test_a_mesh_without_movestates_is_refused_with_what_to_do(stage: Stage, tmp_path: Path) -> None:
@@ -117,8 +117,8 @@ def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, deskto
     window.files.show = FileAnswers(tmp_path / "bad.obj")
     click(button(window.talk, "Load face…"))
     qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
-    assert desktop.talking.face.is_shipped
-    assert window.talk.choices.face.text() == "Default head"
+    assert desktop.talking.face.head is Head.WOMAN
+    assert window.talk.choices.face.text() == "Woman"
 
 
 def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop, qtbot, tmp_path):
@@ -130,9 +130,22 @@ def test_a_mesh_of_ones_own_is_shown_and_the_programs_head_again(window, desktop
     assert [name for name, _ in window.talk.bars.rows] == ["A", "I", "U", "E", "O"]
     n_drawn = window.talk.head.surface.n_drawn
     qtbot.waitUntil(lambda: window.talk.head.surface.n_drawn > n_drawn)
-    click(window.talk.choices.shipped)
-    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "Default head")
+    click(window.talk.choices.heads[Head.WOMAN])
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "Woman")
     assert "jawOpen" in desktop.talking.percentages
+
+
+def test_woman_and_man_are_chosen_by_a_click_and_the_choice_is_kept(window, desktop, qtbot):
+    choices = window.talk.choices
+    assert not choices.heads[Head.WOMAN].isEnabled()
+    click(choices.heads[Head.MAN])
+    qtbot.waitUntil(lambda: choices.face.text() == "Man")
+    assert desktop.talking.face.head is Head.MAN
+    assert [button.isEnabled() for button in choices.heads.values()] == [True, False]
+    window.talking_dialogs.save()
+    desktop.talking.face.files = FaceFiles()
+    window.talking_dialogs.restore()
+    assert desktop.talking.face.files == FaceFiles(Path("man"))
 
 
 def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):
@@ -147,7 +160,7 @@ def test_a_mesh_that_cannot_be_seen_is_told_and_another_one_is_shown(window, des
     head = window.talk.head
     window.talking_dialogs.open([tmp_path / "points.glb"])
     qtbot.waitUntil(lambda: head.trouble.startswith("The head cannot be shown: the mesh has no triangles"))
-    click(window.talk.choices.shipped)
+    click(window.talk.choices.heads[Head.WOMAN])
     qtbot.waitUntil(lambda: not head.trouble)
     drawn(head, qtbot)
 

@@ -16,6 +16,7 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import PICTURE_RATES
 from phonemeanalyser.desktop.window import MainWindow
+from phonemeanalyser.rendering import Framing
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
 from phonemeengine.mouth.idle_motion import EYES
@@ -190,7 +191,7 @@ def test_arrows_go_round_and_with_shift_move_and_the_dots_move_the_light(window)
     assert head.light.azimuth > light
     click(window.talk.heads.light_left)
     assert head.light.azimuth == pytest.approx(light)
-    click(window.talk.heads.home)
+    click(window.talk.heads.framings[Framing.FACE])
     assert head.camera == Camera.facing(desktop_mesh(window))
 
 

@@ -19,7 +19,7 @@ from phonemeengine.mouth.files.gltf_document import (
 )
 from phonemeengine.mouth.files.gltf_writing import format_glb
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, files_beside, load_morph_mesh
-from phonemeengine.mouth.head import HEAD, load_head
+from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
 from phonemeengine.storage.files import printable_name, read_file
 
 BINARY = (".glb", ".vrm")
@@ -89,13 +89,13 @@ class Glb:
         return ExportError(f"{self._name}: {fault}; save the face as one GLB file with everything in it")
 
 
-def shipped_glb() -> Glb:
-    """Return the head that ships with the program, with its movestates as morph targets."""
-    return Glb(format_glb(load_head()), HEAD.name)
+def shipped_glb(head: Head = USUAL_HEAD) -> Glb:
+    """Return a head that ships with the program, with its movestates as morph targets."""
+    return Glb(format_glb(load_head(head)), head.path.name)
 
 
 def read_face(path: Path) -> Glb:
-    """Read a face: .glb, .gltf with what lies beside it, or another mesh with morph targets in it.
+    """Read a face: a `Head` by its name, .glb, .gltf with what is beside it, or a mesh with morph targets in it.
 
     Of a .glb and a .gltf everything stays, such as skeletons and pictures.
 
@@ -103,6 +103,8 @@ def read_face(path: Path) -> Glb:
     ------
     ExportError : it cannot be read, is damaged, or has no morph targets.
     """
+    if str(path) in {*Head}:
+        return shipped_glb(Head(str(path)))
     name, kind = printable_name(path), path.suffix.lower()
     try:
         if kind == ".gltf":

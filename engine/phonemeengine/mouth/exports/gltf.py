@@ -20,7 +20,7 @@ from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shippe
 from phonemeengine.mouth.files.gltf_document import Document, chunks_of, document_of
 from phonemeengine.mouth.files.gltf_writing import GENERATOR
 from phonemeengine.mouth.files.vrm import expressions_of
-from phonemeengine.mouth.head import HEAD
+from phonemeengine.mouth.head import USUAL_HEAD
 
 FLOAT = 5126
 """glTF's code for float32."""
@@ -54,7 +54,7 @@ def write(export: Export) -> bytes:
     animation = _of_targets(export.face_animation, glb, faces)
     movestates = animation.movestates
     if not known & set(movestates):
-        wanted, face = ", ".join(movestates[:3]), (export.mesh or HEAD).name
+        wanted, face = ", ".join(movestates[:3]), (export.mesh or USUAL_HEAD.path).name
         raise ExportError(
             f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
             "a table for its names with --table, or name the targets in your modelling program"

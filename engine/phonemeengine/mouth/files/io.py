@@ -12,7 +12,7 @@ from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.threedm import format_3dm, parse_3dm
 from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
-from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, bust_of, matched, morph_targets_of
 from phonemeengine.storage.files import MEGABYTE, read_file, write_file
 
@@ -26,13 +26,15 @@ Beside = Callable[[str], bytes | None]
 
 
 def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
-    """Load a mesh, and the movestates that its file has: .obj, .gltf, .glb, .vrm or .x.
+    """Load a mesh and the movestates of its file: .obj, .gltf, .glb, .vrm or .x; or a head, ``woman`` or ``man``.
 
     Raises
     ------
     MeshError : the file cannot be read or is no mesh; the message begins with the file's name.
     """
     path = Path(path)
+    if str(path) in {*Head}:
+        return load_head(str(path))
     kind = _kind_of(path, MESH_SUFFIXES)
     content = read_file(path, LARGEST[kind] * MEGABYTE, "such a file", MeshError)
     try:
@@ -44,16 +46,23 @@ def load_morph_mesh(path: str | os.PathLike[str]) -> MorphMesh:
 
 @dataclass(frozen=True)
 class FaceFiles:
-    """The files of a face; without a mesh it is the head that ships with the program.
+    """The files of a face; without a mesh it is the usual one of the heads that ship with the program.
 
     Attributes
     ----------
-    mesh : .obj, .gltf, .glb, .vrm or .x.
+    mesh : .obj, .gltf, .glb, .vrm or .x; or the name of a `Head`.
     movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted.
     """
 
     mesh: Path | None = None
     movestates: Path | None = None
+
+    @property
+    def head(self) -> Head | None:
+        """Which head of the program it is, as it is; None for a face of the user's."""
+        if self.movestates is not None:
+            return None
+        return USUAL_HEAD if self.mesh is None else Head(str(self.mesh)) if str(self.mesh) in {*Head} else None
 
     def load(self) -> MorphMesh:
         """Load it, of a whole body head and shoulders; it may have no movestates.

@@ -5,12 +5,13 @@ from collections.abc import Mapping
 import numpy as np
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.files.io import FaceFiles
+from phonemeengine.mouth.head import USUAL_HEAD, Head
 from phonemeengine.mouth.idle_motion import EYES, Gaze, HeadPose, gaze_weights
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import MOST_PERCENT, MovestateSet
@@ -18,6 +19,8 @@ from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable, load_table, shipped_tables
 
 MOST_WEIGHT = MOST_PERCENT / 100
+HEADS = {Head.WOMAN: tr_noop("Woman"), Head.MAN: tr_noop("Man")}
+"""The heads of the program, as people call them."""
 
 
 class FaceModel(QObject):
@@ -60,12 +63,12 @@ class FaceModel(QObject):
     @property
     def name(self) -> str:
         """What the face is called."""
-        return self._shown.mesh.name if self._shown.mesh else tr("Default head")
+        return self._shown.mesh.name if self._shown.mesh and not self.head else tr(HEADS[self.head or USUAL_HEAD])
 
     @property
-    def is_shipped(self) -> bool:
-        """Whether it is the head that ships with the program, as it is."""
-        return self._shown == FaceFiles()
+    def head(self) -> Head | None:
+        """Which head of the program it is, as it is; None for a face of the user's."""
+        return self._shown.head
 
     def wake(self) -> None:
         """Load the face, now that it is in view."""

@@ -9,8 +9,9 @@ from phonemeanalyser.desktop.talk.head.face_model import MovingHead
 from phonemeanalyser.desktop.talk.head.head_view import LIGHT_STEP, HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import column, named, row, spoken_button
+from phonemeanalyser.desktop.widgets.builders import column, named, row, spoken_button, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.rendering import Framing
 
 
 class CaptionedHead(QWidget):
@@ -56,8 +57,12 @@ class HeadPair(QWidget):
         self.wireframe = named(QCheckBox(tr("Wireframe")), tip=tr("Draw only the edges of the mesh (W)"))
         self.light_left = spoken_button("☀ ◂", tr("Move the light to the left (,)"))
         self.light_right = spoken_button("▸", tr("Move the light to the right (.)"))
-        self.home = spoken_button("⌂", tr("Show the whole head from the front (Home or double-click)"))
-        self.looks = (self.wireframe, self.light_left, self.light_right, self.home)
+        self.framings = {
+            Framing.MOUTH: tool_button(tr("Mouth"), tr("Show the mouth from the front")),
+            Framing.FACE: tool_button(tr("Face"), tr("Show the whole head from the front (Home or double-click)")),
+            Framing.BUST: tool_button(tr("Bust"), tr("Show head and shoulders from the front")),
+        }
+        self.looks = (self.wireframe, self.light_left, self.light_right, *self.framings.values())
         self._connect()
         self.main.view.looked.connect(lambda: self._look_alike(self.main.view, self.beside.view))
         self.beside.view.looked.connect(lambda: self._look_alike(self.beside.view, self.main.view))
@@ -72,7 +77,9 @@ class HeadPair(QWidget):
 
     def _connect(self) -> None:
         head = self.main.view
-        self.home.clicked.connect(lambda _checked: head.go_home())
+        self.framings[Framing.MOUTH].clicked.connect(lambda _checked: head.go_home(Framing.MOUTH))
+        self.framings[Framing.FACE].clicked.connect(lambda _checked: head.go_home())
+        self.framings[Framing.BUST].clicked.connect(lambda _checked: head.go_home(Framing.BUST))
         self.wireframe.toggled.connect(lambda on: head.look(wireframe=on))
         self.light_left.clicked.connect(lambda _checked: head.move_light(-LIGHT_STEP))
         self.light_right.clicked.connect(lambda _checked: head.move_light(LIGHT_STEP))

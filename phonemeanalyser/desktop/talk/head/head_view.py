@@ -21,6 +21,7 @@ from phonemeanalyser.desktop.talk.head.head_surface import (
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
+from phonemeanalyser.rendering import Framing
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
 from phonemeengine.mouth.morph_mesh import MorphMesh
@@ -115,10 +116,10 @@ class HeadView(QWidget):
             self.surface.redraw()
         self.looked.emit()
 
-    def go_home(self) -> None:
-        """Look at the whole head from the front, in the usual light."""
+    def go_home(self, framing: Framing = Framing.FACE) -> None:
+        """Look at the whole head from the front, or at the mouth or the bust, in the usual light."""
         if self._morph_mesh is not None:
-            self.look(camera=Camera.facing(self._morph_mesh.mesh), light=LIGHT)
+            self.look(camera=Camera.facing(self._morph_mesh.mesh, framing), light=LIGHT)
 
     def release_gl(self) -> None:
         """Free all that the graphics driver holds, and draw no more."""

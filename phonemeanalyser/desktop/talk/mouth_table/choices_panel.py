@@ -1,5 +1,7 @@
 """Whose face it is, how it moves, and how fast the mouth is for which sound."""
 
+from pathlib import Path
+
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSizePolicy, QWidget
@@ -7,17 +9,23 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QSizePolicy, QWidget
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import set_size
+from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import choice, grid, label, named, offer, row, silent, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.mouth.files.io import FaceFiles
+from phonemeengine.mouth.head import Head
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import SPEAKING, TABLES
 from phonemeengine.phonemes import Phoneme
 
 ROW, NAMES_WIDTH, LINE = 15, 46, 2
+HEAD_TIPS = {
+    Head.WOMAN: tr_noop("Show the woman's head that ships with the program"),
+    Head.MAN: tr_noop("Show the man's head that ships with the program"),
+}
 MEANING = tr_noop(
     "Attack: time in which the mouth covers 90 % of the way to the shape of a phoneme. Release: time in which "
     "it covers 90 % of the way back when silence follows. To change them, copy a mouth table from {tables}, "
@@ -113,7 +121,7 @@ class ChoicesPanel(QWidget):
         self.own = tool_button(
             tr("Load face…"), tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)")
         )
-        self.shipped = tool_button(tr("Default head"), tr("Show the head that ships with the program"))
+        self.heads = {head: tool_button(tr(name), tr(HEAD_TIPS[head])) for head, name in HEADS.items()}
         self.table = choice(
             (),
             tr("Mouth table"),
@@ -145,7 +153,7 @@ class ChoicesPanel(QWidget):
     def _lay_out(self) -> None:
         table = grid(self, across=8, down=5)
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
-            (tr("Face"), (self.face, self.own, self.shipped)),
+            (tr("Face"), (self.face, *self.heads.values(), self.own)),
             (tr("Mouth table"), (self.table, label(tr("Detail")), self.detail)),
             (
                 tr("Speed"),
@@ -164,7 +172,8 @@ class ChoicesPanel(QWidget):
     def _connect(self) -> None:
         talking = self._talking
         self.own.clicked.connect(lambda _checked: self.mesh_asked.emit())
-        self.shipped.clicked.connect(lambda _checked: talking.face.load(FaceFiles()))
+        self.heads[Head.WOMAN].clicked.connect(lambda _checked: talking.face.load(FaceFiles(Path(Head.WOMAN))))
+        self.heads[Head.MAN].clicked.connect(lambda _checked: talking.face.load(FaceFiles(Path(Head.MAN))))
         self.table.activated.connect(self._choose_table)
         self.detail.activated.connect(lambda k: talking.set_detail(self.detail.itemData(k)))
         for box in (self.attack, self.release):
@@ -190,7 +199,8 @@ class ChoicesPanel(QWidget):
         with silent(self.attack, self.release, self.blinks, self.motion, self.random):
             self.face.setText(talking.face.name)
             self.face.setToolTip(talking.face.name)
-            self.shipped.setEnabled(not talking.face.is_shipped)
+            for head, button in self.heads.items():
+                button.setEnabled(talking.face.head is not head)
             self._list_tables()
             self.detail.setCurrentIndex(self.detail.findData(talking.idle.detail))
             self.attack.setValue(round(100 * talking.attack_factor))
