@@ -14,7 +14,7 @@ from phonemeengine.alignment.evidence import Evidence, evidence_of, joined, shor
 from phonemeengine.alignment.manners import KINDS
 from phonemeengine.alignment.passage import Passage
 from phonemeengine.alignment.viterbi import LeastFrames, cheapest_way
-from phonemeengine.analyser import Analysis, analyse_file
+from phonemeengine.analyser import Analysis, analyse_file, analyse_range
 from phonemeengine.arrays import Float32Array, Float64Array, UInt8Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.phone_sets import ipa_phoneme
@@ -58,6 +58,8 @@ def align_timed(
     return Utterance(tuple(found), duration, language)
 
 
+FINE = 1e-6
+"""Frames by which a time that is the beginning of one may be rounded."""
 _NO_FRAMES = Evidence(np.zeros((0, len(Phoneme)), np.float32), np.zeros((0, 2), np.float32))
 
 Timed = tuple[Interval, list[ScriptWord]]
@@ -156,6 +158,38 @@ def _spread(said: Sequence[ScriptWord], start: float, end: float) -> Iterator[Wo
             for syllable in syllables
         ]
         yield Word(word.text, tuple(parts))
+
+
+def align_word(
+    sound: str | os.PathLike[str],
+    word: ScriptWord,
+    span: Interval,
+    preset: Preset,
+    *,
+    channel: Channel = Channel.MIX,
+) -> Word:
+    """Return a word where it fits a sound file best within a span of time; only that part is analysed.
+
+    Parameters
+    ----------
+    sound : the file.
+    word : with its pronunciations.
+    span : start and end, seconds.
+    preset : what to recognise with.
+    channel : which channel of the file is analysed.
+
+    Raises
+    ------
+    AudioError : the file cannot be read.
+    """
+    first, last = math.ceil(span[0] / FRAME_PERIOD - FINE), math.floor(span[1] / FRAME_PERIOD + FINE)
+    length = (last - first) * FRAME_PERIOD
+    if last <= first:
+        return next(_spread([word], *span))
+    with SoundReader(sound, channel) as reader:
+        heard = map(evidence_of, analyse_range(reader, first, last, preset))
+        found = align_timed(heard, [replace(word, interval=(0.0, length))], length)
+    return within(shifted(found.words[0], first * FRAME_PERIOD), span[1])
 
 
 def align(

@@ -59,7 +59,7 @@ def load_lexicon(path: str | os.PathLike[str]) -> Lexicon:
         if len(word.split()) != 1 or min(word.strip()) < " ":
             raise TextError(f"{file}, {place}: a lexicon has single words, found {word!r:.40}; correct it")
         key = word.strip().casefold()
-        variants[key].append(_syllables_of(ipa, word, f"{file}, {place}"))
+        variants[key].append(spoken_syllables(ipa, word, f"{file}, {place}"))
         spellings[key].append(ipa)
     if not variants:
         raise TextError(f"{file}: there is no word in it; write some, or leave the lexicon out")
@@ -92,8 +92,18 @@ def _lines_of_toml(text: str, file: str) -> Iterator[tuple[str, str, str]]:
             yield "[words]", word, ipa
 
 
-def _syllables_of(ipa: str, word: str, place: str) -> Syllables:
-    """Return the syllables that IPA says; those without dots are found as in any word."""
+def spoken_syllables(ipa: str, word: str, place: str) -> Syllables:
+    """Return the syllables that IPA says; those without dots are found as in any word.
+
+    Parameters
+    ----------
+    ipa : with marks of stress, and full stops between syllables, where these are given.
+    word, place : what it is the pronunciation of, and where it stands, for the sentence of an error.
+
+    Raises
+    ------
+    TextError : it is no IPA.
+    """
     syllables: list[SpokenSyllable] = []
     for part in ipa.replace(" ", ".").split("."):
         phones: list[str] = []

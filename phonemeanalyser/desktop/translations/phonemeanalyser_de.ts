@@ -1039,6 +1039,11 @@
             <translation>Ausrichten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>alignment of a word</source>
+            <translation>Ausrichten eines Wortes</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
             <source>All</source>
             <translation>Alle</translation>
@@ -1975,8 +1980,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
-            <source>Click a word to play it, drag a boundary to move it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll.</source>
-            <translation>Wort anklicken: abspielen. Grenze ziehen: verschieben. Links, Rechts: ein Bild. Auf, Ab oder Mausrad: zoomen. Ziehen: scrollen.</translation>
+            <source>Click a word to play it, double-click to rename it, drag a boundary to move it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll. F2: rename, to a word or to IPA between slashes. Insert: another word. Enter: split. Delete: delete.</source>
+            <translation>Wort anklicken: abspielen; Doppelklick: umbenennen. Grenze ziehen: verschieben. Links, Rechts: ein Bild. Auf, Ab oder Mausrad: zoomen. Ziehen: scrollen. F2: umbenennen, in ein Wort oder IPA zwischen Schrägstrichen. Einfg: weiteres Wort. Enter: teilen. Entf: löschen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
@@ -2405,6 +2410,11 @@
             <translation>Ausgewählte Takes löschen (Entf); Strg+Z stellt sie wieder her</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Delete Word or Phone (Del)</source>
+            <translation>Wort oder Phon löschen (Entf)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_model.py" />
             <source>delete {n} takes</source>
             <translation>{n} Takes löschen</translation>
@@ -2413,6 +2423,16 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>delete {take}</source>
             <translation>Löschen von {take}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>deletion of a phone</source>
+            <translation>Löschen eines Phons</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>deletion of a word</source>
+            <translation>Löschen eines Wortes</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -3843,6 +3863,16 @@
             <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
             <source>insert label</source>
             <translation>Beschriftung einfügen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Insert Word (Ins)</source>
+            <translation>Wort einfügen (Einfg)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>insertion of a word</source>
+            <translation>Einfügen eines Wortes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
@@ -5770,6 +5800,16 @@
             <translation>kein Word-Dokument</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>No word is selected. Click one in the time line first.</source>
+            <translation>Kein Wort ausgewählt. Zuerst eines in der Zeitleiste anklicken.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>No words are known of this sound. Align its text first.</source>
+            <translation>Von dieser Audiodatei sind keine Wörter bekannt. Zuerst ihren Text ausrichten.</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>node {place} of its scene is below two others; export it again</source>
             <translation>Knoten {place} der Szene liegt unter zwei anderen; neu exportieren</translation>
@@ -6820,6 +6860,11 @@
             <translation>Echtzeitmodell</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Realign This Word</source>
+            <translation>Dieses Wort neu ausrichten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Receive OSC at</source>
             <translation>OSC empfangen an</translation>
@@ -7098,6 +7143,21 @@
             <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
             <source>rename label</source>
             <translation>Beschriftung umbenennen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Rename Word or Phone (F2)</source>
+            <translation>Wort oder Phon umbenennen (F2)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>renaming of a phone</source>
+            <translation>Umbenennen eines Phons</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>renaming of a word</source>
+            <translation>Umbenennen eines Wortes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
@@ -8263,6 +8323,21 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Split Label at Cursor (Enter)</source>
             <translation>Beschriftung am Cursor teilen (Eingabetaste)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Split Word or Phone at Cursor (Enter)</source>
+            <translation>Wort oder Phon am Cursor teilen (Enter)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>splitting of a phone</source>
+            <translation>Teilen eines Phons</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>splitting of a word</source>
+            <translation>Teilen eines Wortes</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -9470,6 +9545,11 @@
             <translation>Es gibt zwei Blendshapes {twice}; einen umbenennen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
+            <source>there are {at} phones, found {k}; choose 0..{at_2}</source>
+            <translation>es gibt {at} Phone, gefunden {k}; 0..{at_2} wählen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/audio/files.py" />
             <source>there are {n} channels here and so no channel {number}; choose another</source>
             <translation>es gibt {n} Kanäle und keinen Kanal {number}; einen anderen wählen</translation>
@@ -9553,6 +9633,11 @@
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
             <source>there is no movestate {name}; known are {self}</source>
             <translation>Kein Blendshape {name} vorhanden; bekannt sind {self}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
+            <source>There is no pause at the cursor for another word. Go to a pause, or split a word.</source>
+            <translation>Am Cursor ist keine Pause für ein weiteres Wort. Zu einer Pause gehen oder ein Wort teilen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
@@ -10863,6 +10948,11 @@
             <location filename="../../../engine/phonemeengine/calibration/takes/storage.py" />
             <source>{folder}: this project is open in another window or program; close it there first</source>
             <translation>{folder}: Dieses Projekt ist in einem anderen Fenster oder Programm geöffnet; zuerst dort schließen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
+            <source>{ipa} can't be split at {seconds} s: each part lasts {shortest} ms at least; move the cursor into the phone</source>
+            <translation>{ipa} lässt sich bei {seconds} s nicht teilen: Jeder Teil dauert mindestens {shortest} ms; den Cursor in das Phon setzen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/curves_file.py" />
@@ -12210,6 +12300,11 @@
             <translation>{start}, eigene Stimme, {day}: Mundformen {before} auf {after} % mit zurückgehaltener Sprache, seitdem geändert</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
+            <source>{strip} is no sound of IPA; write one, such as ə, or delete the phone</source>
+            <translation>{strip} ist kein Laut der IPA; einen schreiben, etwa ə, oder das Phon löschen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
             <source>{table}: {note}.</source>
             <translation>{table}: {note}.</translation>
@@ -12243,6 +12338,21 @@
             <location filename="../../../engine/phonemeengine/speech/program.py" />
             <source>{template}: there is no speech in its sound; try it by itself</source>
             <translation>{template}: In der Audiodatei spricht niemand; für sich ausprobieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
+            <source>{text} can't be split at {seconds} s, in its first sound; go to the sound that the second word is to begin with</source>
+            <translation>{text} lässt sich bei {seconds} s, in seinem ersten Laut, nicht teilen; zu dem Laut gehen, mit dem das zweite Wort beginnen soll</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
+            <source>{text} has no other sound; delete the word</source>
+            <translation>{text} hat keinen anderen Laut; das Wort löschen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/labels/utterance_edits.py" />
+            <source>{text} is said from {start} to {end} s; delete it first, or go to a pause</source>
+            <translation>{text} wird von {start} bis {end} s gesprochen; zuerst löschen oder zu einer Pause gehen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />

@@ -1,12 +1,13 @@
 """What is said in a sound, as the engine finds it: in files beside it, by its script, or as a voice speaks it."""
 
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
-from phonemeengine.alignment.align import align_analyses
+from phonemeengine.alignment.align import align_analyses, align_word
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.errors import AudioError, EngineError
@@ -14,7 +15,7 @@ from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.table import write_text
 from phonemeengine.labels.timed_words import TimedWord, read_timed_words, speakers_in
-from phonemeengine.labels.utterance import Utterance
+from phonemeengine.labels.utterance import Utterance, Word
 from phonemeengine.labels.utterance_files import format_utterance, read_utterance, tells_sounds
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import FRAME_PERIOD, Channel
@@ -22,8 +23,8 @@ from phonemeengine.speech.program import speak_by_program
 from phonemeengine.speech.spoken_text import spoken_text
 from phonemeengine.speech.voice import SpokenSentence, Voice
 from phonemeengine.storage.files import atomic_write, is_own, printable_name, reason_of
-from phonemeengine.text.lexicon import Lexicon
-from phonemeengine.text.pronunciation import timed_words_of, words_of
+from phonemeengine.text.lexicon import Lexicon, spoken_syllables
+from phonemeengine.text.pronunciation import Pronunciation, ScriptWord, timed_words_of, words_of
 from phonemeengine.text.script import is_timed, load_script, script_beside
 
 LABELS = ".TextGrid"
@@ -97,6 +98,49 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
                 yield analysis
 
         return align_analyses(heard(), words, reader.duration, script.language, accept_text=script.accepted)
+
+
+@dataclass(frozen=True)
+class WordInSound:
+    """A word that is to be found in a part of a sound.
+
+    Attributes
+    ----------
+    sound, channel, preset : as those of a `ScriptedSound`.
+    name : as the user wrote it: a word, IPA between slashes, or both.
+    language, lexicon : how it is pronounced.
+    span : where it is said, start and end, seconds.
+    """
+
+    sound: Path
+    channel: Channel
+    preset: Preset
+    name: str
+    language: str
+    lexicon: Lexicon | None
+    span: tuple[float, float]
+
+
+IPA = re.compile(r"(?P<word>[^/]*)/(?P<ipa>[^/]+)/")
+
+
+def found_word(asked: WordInSound) -> Word:
+    """Return a word with its phones where they fit the sound best within its span.
+
+    Raises
+    ------
+    EngineError : it cannot be pronounced, or the sound cannot be read.
+    """
+    name = asked.name.strip()
+    if written := IPA.fullmatch(name):
+        ipa, text = written["ipa"].strip(), written["word"].strip() or written["ipa"].strip()
+        word = ScriptWord(text, (Pronunciation(spoken_syllables(ipa, text, tr("word"))),))
+    else:
+        words = words_of(name, asked.language, asked.lexicon, literal=True)
+        syllables = tuple(syllable for word in words for syllable in word.pronunciations[0].syllables)
+        variants = words[0].pronunciations if len(words) == 1 else (Pronunciation(syllables),)
+        word = ScriptWord(name, variants)
+    return align_word(asked.sound, word, asked.span, asked.preset, channel=asked.channel)
 
 
 def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSentence]:

@@ -109,7 +109,7 @@ class TextModel(QObject):
         self.drivers = drivers or DriverModel()
         self.original = OriginalModel(session)
         self.words = SoundWords(session.preset.undo_stack)
-        self.edits = WordEdits(session, self.words)
+        self.edits = WordEdits(session, self.words, lambda: (self._language_of_text, self._lexicon))
         self.speech_view = TimeView()
         self.known: Transcript | None = None
         self.written = WrittenText()
@@ -333,6 +333,7 @@ class TextModel(QObject):
         """Save what is to be saved, and end all other work."""
         self._saving.finish()
         self.voice.close()
+        self.edits.close()
         self.original.close()
         self.drivers.close()
         for work in (self._work, self._looking):

@@ -12,6 +12,7 @@ from PySide6.QtGui import (
     QMouseEvent,
     QPainter,
     QPaintEvent,
+    QPen,
     QPixmap,
     QResizeEvent,
     QWheelEvent,
@@ -24,6 +25,7 @@ from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.words.spoken_lanes import NAMES, PERFORMED, in_a_row, lane_of_units, lanes_of
 from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
 from phonemeanalyser.desktop.widgets.lanes import (
     GRAB,
     TIME_HEIGHT,
@@ -43,6 +45,8 @@ LEFT, GAP, HEIGHT = 66, 1, 20
 """Pixels of the names at the left, between lanes, and of a lane."""
 LEAST_WAVE = 24
 """Pixels of the waveform at least; it takes what the lanes leave."""
+EDITED = {0: LabelUnit.WORD, 2: LabelUnit.PHONE}
+"""The lanes whose spans can be renamed, by their number."""
 UNITS = (LabelUnit.WORD, LabelUnit.SYLLABLE, LabelUnit.PHONE)
 STALE = 0.55
 """How much of the lanes of another text is hidden, 0..1."""
@@ -51,8 +55,9 @@ WHEEL_STEP = 0.8
 CLICK = 3
 """Pixels by which a press may move and still be a click."""
 EDITABLE = tr_noop(
-    "Click a word to play it, drag a boundary to move it. Left, Right: one picture. Up, Down or the wheel: zoom. "
-    "Drag: scroll."
+    "Click a word to play it, double-click to rename it, drag a boundary to move it. Left, Right: one picture. Up, "
+    "Down or the wheel: zoom. Drag: scroll. F2: rename, to a word or to IPA between slashes. Insert: another word. "
+    "Enter: split. Delete: delete."
 )
 FIXED = tr_noop(
     "Click a word to play it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll. The voice sets "
@@ -90,6 +95,10 @@ class SpeechTimeline(QWidget):
         self.setMouseTracking(True)
         self.setAccessibleName(tr("Time line: words and phones over time"))
         self._stale = False
+        self.editor = LabelEditor(self)
+        self.editor.typed.connect(lambda name, _step: self._texts.edits.name(name))
+        self._texts.edits.name_asked.connect(self._ask_name)
+        self._texts.edits.changed.connect(self._touch)
         self._texts.changed.connect(self.show_words)
         self._texts.text_changed.connect(self._show_stale)
         for signal in (self._session.whole.changed, self._session.view.moved, self._texts.speech_view.moved):
@@ -199,12 +208,40 @@ class SpeechTimeline(QWidget):
         for row, lane in self.rows():
             paint_name(painter, row, lane.name, self._theme)
             paint_lane(painter, row, lane, axis, self._theme)
+            if self._texts.edits.chosen is not None and row == self._chosen_row():
+                self._paint_chosen(painter, row, lane)
             if self._stale:
                 ground = QColor(self._theme.base)
                 ground.setAlphaF(STALE)
                 painter.fillRect(row, ground)
                 painter.fillRect(row, QBrush(QColor(self._theme.faint), Qt.BrushStyle.BDiagPattern))
         paint_times(painter, self.height() - TIME_HEIGHT, axis, self._theme, self.width())
+
+    def _chosen_row(self) -> QRectF:
+        """Return where the lane of what is chosen lies."""
+        assert self._texts.edits.chosen is not None
+        number = next(number for number, unit in EDITED.items() if unit is self._texts.edits.chosen[0])
+        return self.rows()[number][0]
+
+    def _paint_chosen(self, painter: QPainter, row: QRectF, lane: Lane) -> None:
+        """Frame the word or phone that is chosen."""
+        assert self._texts.edits.chosen is not None
+        k = self._texts.edits.chosen[1]
+        if k < len(lane.starts):
+            left, right = (min(max(self.x_of(float(t[k])), LEFT), self.width() - 1) for t in (lane.starts, lane.ends))
+            painter.setPen(QPen(QColor(self._theme.text), 2))
+            painter.setBrush(Qt.BrushStyle.NoBrush)
+            painter.drawRect(QRectF(left + 1, row.top() + 1, max(1.0, right - left - 2), row.height() - 2))
+
+    def _ask_name(self, span: TimeSpan, name: str) -> None:
+        """Have a word or a phone named in its place."""
+        if not self.isVisible():
+            return
+        self.view.reveal(span)
+        chosen = self._texts.edits.chosen
+        row = self.rows()[0][0] if chosen is None else self._chosen_row()
+        left, right = (min(max(self.x_of(time), LEFT), self.width()) for time in span)
+        self.editor.open_over(QRectF(left, row.top(), right - left, row.height()), name, begun=False)
 
     def _touch(self) -> None:
         self._picture = None
@@ -259,14 +296,19 @@ class SpeechTimeline(QWidget):
             self._go_to(event.position())
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Play the whole recording that a unit is from."""
+        """Play the whole recording that a unit is from; rename a word or a phone."""
         found = self._span_at(event.position())
         if found is not None and self._is_of_units(found[0]):
             self._texts.play_original(self._units[found[1]], whole=True)
+        elif found is not None and self._texts.edits.chosen is not None:
+            self._session.pause()
+            self._texts.edits.ask_rename()
 
     def _go_to(self, place: QPointF) -> None:
         """Play what lies at a pixel; where nothing does, go to that time."""
         found = self._span_at(place)
+        is_edited = found is not None and self._texts.edits.possible and found[0] in EDITED
+        self._texts.edits.choose((EDITED[found[0]], found[1]) if found is not None and is_edited else None)
         if found is None:
             self._session.seek(min(max(self.axis.time_at(place.x()), 0.0), self.view.duration))
         elif self._is_of_units(found[0]):
@@ -287,7 +329,7 @@ class SpeechTimeline(QWidget):
         return None
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Go one picture, or zoom."""
+        """Go one picture, zoom, or change the word that is chosen."""
         seen = self.view.seen
         middle = (seen.start + seen.end) / 2
         acts: dict[Qt.Key, Callable[[], Any]] = {
@@ -295,6 +337,11 @@ class SpeechTimeline(QWidget):
             Qt.Key.Key_Right: lambda: self._talking.step_picture(1),
             Qt.Key.Key_Up: lambda: self.view.zoom(middle, WHEEL_STEP),
             Qt.Key.Key_Down: lambda: self.view.zoom(middle, 1 / WHEEL_STEP),
+            Qt.Key.Key_F2: self._texts.edits.ask_rename,
+            Qt.Key.Key_Insert: self._texts.edits.ask_insert,
+            Qt.Key.Key_Delete: self._texts.edits.delete,
+            Qt.Key.Key_Return: self._texts.edits.split,
+            Qt.Key.Key_Enter: self._texts.edits.split,
         }
         act = None if event.modifiers() else acts.get(Qt.Key(event.key()))
         if act is None:

@@ -1,35 +1,80 @@
 """What is done with the words of the current sound: they are played, looked through, and changed by hand."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
-from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.session.time_view import TimeSpan
+from phonemeanalyser.desktop.talk.words.scripts import WordInSound, found_word
 from phonemeanalyser.desktop.talk.words.sound_words import SoundWords, fits_badly
+from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import CorpusError
 from phonemeengine.labels.table import write_text
-from phonemeengine.labels.utterance import LabelUnit, Word, with_boundary
+from phonemeengine.labels.utterance import LabelUnit, Utterance, Word, spans_of, with_boundary
+from phonemeengine.labels.utterance_edits import (
+    gap_at,
+    renamed_phone,
+    split_phone,
+    split_word,
+    with_inserted,
+    with_word,
+    without_phone,
+    without_word,
+)
 from phonemeengine.labels.utterance_files import format_utterance
 from phonemeengine.settings import FRAME_PERIOD
+from phonemeengine.text.lexicon import Lexicon
+
+NO_WORDS = tr_noop("No words are known of this sound. Align its text first.")
+NOTHING_CHOSEN = tr_noop("No word is selected. Click one in the time line first.")
+LEAST_INSERTED = 0.03
+"""Seconds of a pause in which a word can be inserted."""
+REACH = 0.5
+"""Seconds around a word in which it is found anew, as far as its neighbours."""
 
 
 class WordEdits(QObject):
     """Acts on the words of the current sound file; each change can be undone.
 
+    Parameters
+    ----------
+    read_by : gives the language of the words, and the lexicon in use.
+    find : finds a word in a part of the sound, in the background.
+
     Signals
     -------
+    changed : another word or phone is chosen.
+    name_asked : a name is to be typed for what lies in a `TimeSpan`, in the place of that name; see `name`.
     error, info : a sentence for the user.
+
+    Attributes
+    ----------
+    chosen : the word or phone that is changed: what it is, and its number; None for none.
     """
 
+    changed = Signal()
+    name_asked = Signal(object, str)
     error = Signal(str)
     info = Signal(str)
 
-    def __init__(self, session: Session, words: SoundWords) -> None:
+    def __init__(
+        self,
+        session: Session,
+        words: SoundWords,
+        read_by: Callable[[], tuple[str, Lexicon | None]],
+        find: Callable[[WordInSound], Word] = found_word,
+    ) -> None:
         super().__init__()
         self._session, self._words = session, words
+        self._read_by, self.find = read_by, find
+        self.chosen: tuple[LabelUnit, int] | None = None
+        self._named: tuple[TimeSpan, tuple[LabelUnit, int] | None] = (TimeSpan(0.0, 0.0), None)
+        self._work = TaskQueue(self.error.emit)
+        words.changed.connect(self._check_chosen)
 
     @property
     def possible(self) -> bool:
@@ -85,3 +130,146 @@ class WordEdits(QObject):
         self._words.note_saved()
         self.info.emit(tr("Saved words and phones as {path}.").format(path=path))
         return True
+
+    # -- changes ------------------------------------------------------------------------------------------
+
+    def choose(self, chosen: tuple[LabelUnit, int] | None) -> None:
+        """Choose the word or phone that is changed."""
+        if chosen != self.chosen:
+            self.chosen = chosen
+            self.changed.emit()
+
+    def ask_rename(self) -> None:
+        """Have the chosen word or phone named, or the word at the cursor."""
+        found = self._in_hand()
+        if found is not None:
+            utterance, (unit, k) = found
+            self.choose((unit, k))
+            name = utterance.words[k].text if unit is LabelUnit.WORD else list(utterance.phones)[k].ipa
+            self._named = TimeSpan(*spans_of(utterance, unit)[k]), (unit, k)
+            self.name_asked.emit(self._named[0], name)
+
+    def ask_insert(self) -> None:
+        """Have a word named that is said in the pause at the cursor, or in what is selected."""
+        utterance = self._words.utterance
+        if not self.possible or utterance is None:
+            self.error.emit(tr(NO_WORDS))
+            return
+        span = self._session.view.selection or TimeSpan(*gap_at(utterance, self._session.source.position))
+        if span.seconds < LEAST_INSERTED:
+            self.error.emit(tr("There is no pause at the cursor for another word. Go to a pause, or split a word."))
+            return
+        self.choose(None)
+        self._named = span, None
+        self.name_asked.emit(span, "")
+
+    def name(self, name: str) -> None:
+        """Take the name that was typed: a word as it is written, IPA between slashes, or IPA for a phone."""
+        (span, renamed), utterance = self._named, self._words.utterance
+        if utterance is None or not self.possible or not name.strip():
+            return
+        if renamed is None:
+            self._find(name, span, with_inserted, tr("insertion of a word"))
+        elif renamed[0] is LabelUnit.WORD:
+            k = renamed[1]
+            if name.strip() != utterance.words[k].text:
+                self._find(name, span, lambda said, word: with_word(said, k, word), tr("renaming of a word"))
+        elif name.strip() != list(utterance.phones)[renamed[1]].ipa:
+            self._edit(lambda said: renamed_phone(said, renamed[1], name), tr("renaming of a phone"))
+
+    def delete(self) -> None:
+        """Delete the chosen word or phone."""
+        found = self._in_hand()
+        if found is not None:
+            _, (unit, k) = found
+            if unit is LabelUnit.WORD:
+                self._edit(lambda said: without_word(said, k), tr("deletion of a word"))
+            else:
+                self._edit(lambda said: without_phone(said, k), tr("deletion of a phone"))
+
+    def split(self) -> None:
+        """Split the chosen word or phone at the cursor."""
+        found, here = self._in_hand(), self._session.source.position
+        if found is not None:
+            _, (unit, k) = found
+            if unit is LabelUnit.WORD:
+                self._edit(lambda said: split_word(said, k, here), tr("splitting of a word"))
+            else:
+                self._edit(lambda said: split_phone(said, k, here), tr("splitting of a phone"))
+
+    def realign(self) -> None:
+        """Find the chosen word anew, between the one before and the one after it."""
+        found = self._in_hand()
+        if found is None:
+            return
+        utterance, (unit, k) = found
+        if unit is LabelUnit.PHONE:
+            k = _word_of_phone(utterance, k)
+        words = utterance.words
+        start = words[k - 1].end if k else 0.0
+        end = words[k + 1].start if k + 1 < len(words) else utterance.duration
+        ipa = ".".join("".join(phone.ipa for phone in syllable.phones) for syllable in words[k].syllables)
+        name = f"{words[k].text.replace('/', ' ')}/{ipa}/"
+        span = TimeSpan(max(start, words[k].start - REACH), min(end, words[k].end + REACH))
+        self._find(name, span, lambda said, word: with_word(said, k, word), tr("alignment of a word"))
+
+    def close(self) -> None:
+        """End all work."""
+        self._work.close(CLOSE_TIMEOUT)
+
+    def _find(self, name: str, span: TimeSpan, change: Callable[[Utterance, Word], Utterance], what: str) -> None:
+        """Find a word in the sound, and change the words by it, unless these are others by then."""
+        session, sound, before = self._session, self._words.sound, self._words.utterance
+        if sound is None or before is None:
+            return
+        language, lexicon = self._read_by()
+        asked = WordInSound(
+            sound, session.channel, session.preset.in_force, name, language, lexicon, (span.start, span.end)
+        )
+
+        def take(word: Word) -> None:
+            if self._words.utterance is before:
+                self._edit(lambda said: change(said, word), what)
+
+        self._work.submit(lambda _progress: self.find(asked), take)
+
+    def _edit(self, change: Callable[[Utterance], Utterance], what: str) -> None:
+        utterance = self._words.utterance
+        if utterance is None:
+            return
+        try:
+            changed = change(utterance)
+        except CorpusError as error:
+            self.error.emit(str(error))
+        else:
+            self.error.emit("")
+            self._words.edit(changed, what, by_hand=True)
+
+    def _in_hand(self) -> tuple[Utterance, tuple[LabelUnit, int]] | None:
+        """Return the chosen word or phone; without one the word at the cursor; else say what to do."""
+        utterance, here = self._words.utterance, self._session.source.position
+        if utterance is not None and self.possible:
+            if self.chosen is not None:
+                return utterance, self.chosen
+            at = (k for k, word in enumerate(utterance.words) if word.start <= here < word.end)
+            if (k := next(at, None)) is not None:
+                return utterance, (LabelUnit.WORD, k)
+        self.error.emit(tr(NO_WORDS if utterance is None else NOTHING_CHOSEN))
+        return None
+
+    def _check_chosen(self) -> None:
+        """Let go of what is not there any more."""
+        utterance = self._words.utterance
+        if self.chosen is not None and (
+            utterance is None or self.chosen[1] >= len(spans_of(utterance, self.chosen[0]))
+        ):
+            self.choose(None)
+
+
+def _word_of_phone(utterance: Utterance, k: int) -> int:
+    """Return the number of the word that a phone belongs to."""
+    for number, word in enumerate(utterance.words):
+        k -= len(word.phones)
+        if k < 0:
+            return number
+    return len(utterance.words) - 1
