@@ -57,6 +57,7 @@ EXAMPLES_OF = {
     "map": (
         "phonemeanalyser movestates map face.glb -o face.toml",
         "phonemeanalyser movestates map face.glb --basis arkit -o arkit.toml",
+        "phonemeanalyser movestates map head -o head.toml",
     ),
 }
 """Examples of what is done with movestates; each uses the files of those before it."""
@@ -96,7 +97,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     mapping = kinds.add_parser(
         "map",
         help="make a mouth table for a face",
-        description="Guess which shapes of a face stand for which of ours, and write a mouth table with its names.",
+        description="Write a mouth table for the names of a face, which are guessed.",
     )
     mapping.add_argument("face", type=Path, metavar="FACE", help=f"{', '.join(MESH_SUFFIXES)}")
     mapping.add_argument("-o", "--out", type=file_place, required=True, metavar="TABLE", help=".toml, for --table")
