@@ -85,6 +85,23 @@ class FaceMapping(ShortRepr):
         """Ours that the face has no shape for."""
         return tuple(name for name in self.ours if name not in self.targets)
 
+    def with_target(self, ours: str, shape: str) -> "FaceMapping":
+        """Return the mapping where one of ours stands for another shape of the face; for none, where it is empty.
+
+        A shape for which both sides stand is moved by half from each.
+        """
+        targets = {name: dict(shapes) for name, shapes in self.targets.items() if name != ours}
+        if shape:
+            targets[ours] = {shape: 100.0}
+        for left in (name for name in self.ours if name.endswith(LEFT)):
+            right = left.removesuffix(LEFT) + RIGHT
+            both = {*targets.get(left, ())} & {*targets.get(right, ())}
+            for name in {left, right} & targets.keys():
+                targets[name] = {one: BOTH if one in both else 100.0 for one in targets[name]}
+        ordered = {name: targets[name] for name in self.ours if name in targets}
+        names = dict.fromkeys((*self.left_over, *(one for shapes in self.targets.values() for one in shapes)))
+        return _mapping([*names], self.basis, ordered)
+
 
 def ours_of(basis: str) -> tuple[str, ...]:
     """Return the movestates that a mapping is for: a set by its name, with eyelids and eyes.

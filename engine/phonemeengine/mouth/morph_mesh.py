@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -44,21 +44,23 @@ BELOW, ASIDE = 1.2, 1.4
 def bust_of(morph_mesh: MorphMesh) -> MorphMesh:
     """Return head, neck and shoulders of a whole body, with the origin where the head turns on the neck.
 
-    A face without bones, or with no body below it, stays as it is.
+    A face without bones stays as it is.
     """
     mesh, neck = morph_mesh.mesh, morph_mesh.neck
     if neck is None:
         return morph_mesh
     points = mesh.positions - np.array(neck, np.float32)
     height = float(points[:, 1].max())
+    points.setflags(write=False)
+    centred = MorphMesh(replace(mesh, positions=points), morph_mesh.states, (0.0, 0.0, 0.0))
     if height <= 0 or float(points[:, 1].min()) > -2 * BELOW * height:
-        return morph_mesh
+        return centred
     near = (points[:, 1] > -BELOW * height) & (np.abs(points[:, 0]) < ASIDE * height)
     kept = near[mesh.triangles].all(axis=1)
     used = np.zeros(len(mesh), bool)
     used[mesh.triangles[kept].ravel()] = True
     if not used.any():
-        return morph_mesh
+        return centred
     numbers = np.cumsum(used) - 1
     bust = mesh_of(
         points[used],

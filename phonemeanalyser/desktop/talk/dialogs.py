@@ -11,14 +11,19 @@ from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.settings import Kept, keep, read, read_paths
+from phonemeanalyser.desktop.talk.head.mapping_dialog import FaceMappingDialog
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
+from phonemeengine.errors import MouthError
 from phonemeengine.labels.table import write_text
+from phonemeengine.mouth.face_mapping import FaceMapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, FaceFiles
 from phonemeengine.mouth.head import Head
+from phonemeengine.mouth.table import table_to_toml
+from phonemeengine.storage.files import write_file
 
 MESHES = tr_noop("Face meshes and blend shapes ({endings})")
 MESH_ENDINGS = " ".join(f"*{kind}" for kind in (*MESH_SUFFIXES, *TARGET_SUFFIXES))
@@ -51,6 +56,8 @@ class TalkDialogs(QObject):
         page.tabs.setCurrentIndex(read(self._settings, "talk/tab", 0))
         page.choices.mesh_asked.connect(self.ask_mesh)
         page.choices.table_asked.connect(self.ask_table)
+        page.choices.mapping_asked.connect(self.ask_mapping)
+        self._talking.shapes_unknown.connect(self.ask_mapping)
         page.text.script_asked.connect(self.ask_script)
         page.text.lexicon_asked.connect(self.ask_lexicon)
         page.expression.file_asked.connect(self.ask_expression)
@@ -82,6 +89,27 @@ class TalkDialogs(QObject):
     def ask_table(self) -> None:
         """Let the user choose a mouth table of his own."""
         if path := self._files.ask_file(tr("Load Mouth Table"), tr(TABLES), "table"):
+            self._talking.set_table(str(path))
+
+    def ask_mapping(self) -> None:
+        """Let the user say which shapes of the face stand for which of ours; a mouth table keeps that."""
+        face = self._talking.face
+        if face.states is not None:
+            dialog = FaceMappingDialog(face, self._window)
+            dialog.chosen.connect(self._save_mapping)
+            dialog.show()
+
+    def _save_mapping(self, mapping: FaceMapping) -> None:
+        suggested = self._files.folder_of("table") / f"{Path(self._talking.face.name).stem}.toml"
+        path = self._files.ask_target(tr("Save Mouth Table"), suggested, tr(TABLES), "table")
+        if path is None:
+            return
+        try:
+            text = table_to_toml(mapped_table(mapping, path.stem))
+            write_file(path, text.encode(errors="replace"), MouthError)
+        except MouthError as error:
+            self._talking.error.emit(str(error))
+        else:
             self._talking.set_table(str(path))
 
     def ask_script(self) -> None:

@@ -21,6 +21,7 @@ from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.face_mapping import guess_mapping
 from phonemeengine.mouth.key_layer import NO_KEYS
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode
@@ -55,6 +56,7 @@ class TalkModel(QObject):
     -------
     changed : another face, table, detail, speed, mode or switch.
     visemes_changed : other mouth shapes are asked for by key or slider.
+    shapes_unknown : the face has no shape that the table, or one of the program, moves.
     error : a sentence for the user.
 
     Attributes
@@ -77,6 +79,7 @@ class TalkModel(QObject):
 
     changed = Signal()
     visemes_changed = Signal()
+    shapes_unknown = Signal()
     error = Signal(str)
 
     def __init__(
@@ -433,13 +436,15 @@ class TalkModel(QObject):
             return
         self._use(self.table)
         if not self.face.moved_by(self.table) and self.face.states is not None:
-            names = ", ".join(self.face.states.names[:4])
-            self.error.emit(
-                tr(
-                    "No shipped mouth table fits the blend shapes of this face ({names} …); write a mouth table "
-                    "for them and load it."
-                ).format(names=names)
-            )
+            if not guess_mapping(self.face.states.names).targets:
+                names = ", ".join(self.face.states.names[:4])
+                self.error.emit(
+                    tr(
+                        "No shipped mouth table fits the blend shapes of this face ({names} …); write a mouth table "
+                        "for them and load it."
+                    ).format(names=names)
+                )
+            self.shapes_unknown.emit()
 
     def _take_table(self, name: str, table: MouthTable) -> None:
         if self.face.states is not None and not self.face.moved_by(table):

@@ -36,6 +36,7 @@ class FaceModel(QObject):
     files : where the face that is there, or is being loaded, comes from.
     morph_mesh, states : None until the first face is loaded.
     tables : the tables of the program that move anything in this face: what people call them, by name.
+    held : percentages of its shapes that it holds whatever is said; None while it moves.
     """
 
     changed = Signal()
@@ -50,10 +51,12 @@ class FaceModel(QObject):
         self._work = TaskQueue(self._fail)
         self._shown = self.files
         self._asked = False
+        self.held: Mapping[str, float] | None = None
+        self._table: MouthTable | None = None
         self._columns: list[tuple[int, str]] = []
         self._spoken: dict[str, float] = {}
-        self._lids: tuple[str, ...] = ()
-        self._eyes: tuple[str, ...] = ()
+        self._lids: dict[str, float] = {}
+        self._eyes: dict[str, Mapping[str, float]] = {}
 
     @property
     def busy(self) -> bool:
@@ -90,17 +93,29 @@ class FaceModel(QObject):
     def moved_by(self, table: MouthTable) -> tuple[str, ...]:
         """Name the movestates of this face that a table moves."""
         moved = {name for shape in table.shapes.values() for name, percent in shape.items() if percent}
+        if table.targets:
+            shapes = {name for ours in moved for name in table.targets.get(ours, ())}
+            return tuple(mine for k, mine in self._pairs(table) if table.face_names[k] in shapes)
         return tuple(mine for k, mine in self._pairs(table) if table.movestates[k] in moved)
 
     def set_table(self, table: MouthTable) -> None:
         """Move with the weights of another table."""
-        if self.states is not None:
-            self._columns = self._pairs(table)
+        if self.states is None:
+            return
+        self._table, self._columns = table, self._pairs(table)
+        targets = table.targets or {name: {name: 100.0} for name in (*EYELIDS, *EYES)}
+        mine = {*self.states.names}
+        lids = [(name, percent) for lid in EYELIDS for name, percent in targets.get(lid, {}).items() if name in mine]
+        self._lids = {name: sum(share for other, share in lids if other == name) for name, _ in lids}
+        self._eyes = {eye: targets[eye] for eye in EYES if eye in targets and {*targets[eye]} <= mine}
+        for name in mine:  # brows and eyes are the table's here: only blinks have a life of their own
+            self.states.set_interactable(name, name not in self._lids)
 
     def move(self, weights: Float32Array) -> None:
         """Set the movestates of the table by its weights, and all others to 0; a blink goes on."""
-        if self.states is not None:
-            values = (100 * np.clip(weights, -MOST_WEIGHT, MOST_WEIGHT)).tolist()
+        if self.states is not None and self._table is not None:
+            shown = self._table.on_face(weights)
+            values = (100 * np.clip(shown, -MOST_WEIGHT, MOST_WEIGHT)).tolist()
             self._spoken = {name: values[column] for column, name in self._columns}
             self.states.reset_all()
             lids = self._lids
@@ -109,13 +124,24 @@ class FaceModel(QObject):
     def blink(self, closure: float) -> None:
         """Close the lids as far as a blink has closed them, 0..1, where what is said does not close them farther."""
         if self.states is not None:
-            for lid in self._lids:
-                self.states.set_percentage(lid, max(100 * closure, self._spoken.get(lid, 0.0)))
+            for lid, percent in self._lids.items():
+                self.states.set_percentage(lid, max(percent * closure, self._spoken.get(lid, 0.0)))
 
     def look(self, weights: Mapping[str, float]) -> None:
         """Turn the eyes by the weights of their movestates, 0..1, where nothing that is said or felt turns them."""
-        if self.states is not None and not any(self._spoken.get(name) for name in self._eyes):
-            self.states.set_percentages({name: 100 * weights[name] for name in self._eyes})
+        turned: dict[str, float] = {}
+        for eye, shapes in self._eyes.items():
+            for name, percent in shapes.items():
+                turned[name] = turned.get(name, 0.0) + weights[eye] * percent
+        if self.states is not None and not any(self._spoken.get(name) for name in turned):
+            self.states.set_percentages(turned)
+
+    def show_held(self) -> None:
+        """Show what is held, and nothing else."""
+        if self.states is not None and self.held is not None:
+            self.states.reset_all(force=True)
+            known = {*self.states.names}
+            self.states.set_percentages({name: value for name, value in self.held.items() if name in known})
 
     def positions(self) -> Float32Array:
         """Return where the vertices are now, shape (n_vertices, 3); the array is used again by the next call."""
@@ -131,15 +157,12 @@ class FaceModel(QObject):
         if self.states is None:
             return []
         mine = {_plain(name): name for name in self.states.names}
-        return [(k, mine[_plain(name)]) for k, name in enumerate(table.movestates) if _plain(name) in mine]
+        return [(k, mine[_plain(name)]) for k, name in enumerate(table.face_names) if _plain(name) in mine]
 
     def _take(self, files: FaceFiles, morph_mesh: MorphMesh) -> None:
         self._shown = files
         self.morph_mesh, self.states = morph_mesh, MovestateSet(morph_mesh.mesh, morph_mesh.states)
-        self._lids = tuple(name for name in EYELIDS if name in self.states)
-        self._eyes = tuple(name for name in EYES if name in self.states)
-        for name in self.states.names:  # brows and eyes are the table's here: only blinks have a life of their own
-            self.states.set_interactable(name, name not in self._lids)
+        self.held = None
         known = [(name, load_table(name)) for name in shipped_tables()]
         self.tables = {name: table.name for name, table in known if self.moved_by(table)}
         self.changed.emit()
@@ -188,6 +211,7 @@ class MovingHead:
         self.notes: tuple[str, ...] = ()
         self._seen: Float32Array = np.zeros(0, np.float32)
         self._gaze, self._looks = Gaze(idle.seed), idle.blinks
+        self._held: Mapping[str, float] | None = None
 
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:
         """Go on with another table, or with other motion."""
@@ -198,7 +222,7 @@ class MovingHead:
 
     def move(self, now: float) -> None:
         """Show the face as it is at a time on the performer's clock."""
-        if self.face.states is None:
+        if self.face.states is None or self._holds():
             return
         _, weights, closure, pose = self.performer.at(now)
         eyes = gaze_weights(self._gaze.at(now), pose) if self._looks else {}
@@ -213,3 +237,13 @@ class MovingHead:
         if eyes:
             self.face.look(eyes)
         self.revision += 1
+
+    def _holds(self) -> bool:
+        """Show what the face holds; says whether it holds anything."""
+        if self.face.held != self._held:
+            self._held = self.face.held
+            self._seen = np.zeros(0, np.float32)
+            if self._held is not None:
+                self.face.show_held()
+                self.revision += 1
+        return self._held is not None

@@ -108,10 +108,12 @@ class ChoicesPanel(QWidget):
     -------
     mesh_asked : the user wants a mesh of his own.
     table_asked : the user wants a table of his own.
+    mapping_asked : the user wants to say which shapes of the face stand for which of ours.
     """
 
     mesh_asked = Signal()
     table_asked = Signal()
+    mapping_asked = Signal()
 
     def __init__(self, talking: TalkModel, theme: Theme) -> None:
         super().__init__()
@@ -122,6 +124,9 @@ class ChoicesPanel(QWidget):
             tr("Load face…"), tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)")
         )
         self.heads = {head: tool_button(tr(name), tr(HEAD_TIPS[head])) for head, name in HEADS.items()}
+        self.map = tool_button(
+            tr("Map shapes…"), tr("Choose which blend shapes of this face stand for which movestates")
+        )
         self.table = choice(
             (),
             tr("Mouth table"),
@@ -154,6 +159,7 @@ class ChoicesPanel(QWidget):
         table = grid(self, across=8, down=5)
         rows: tuple[tuple[str, tuple[QWidget, ...]], ...] = (
             (tr("Face"), (self.face, *self.heads.values(), self.own)),
+            ("", (self.map,)),
             (tr("Mouth table"), (self.table, label(tr("Detail")), self.detail)),
             (
                 tr("Speed"),
@@ -174,6 +180,7 @@ class ChoicesPanel(QWidget):
         self.own.clicked.connect(lambda _checked: self.mesh_asked.emit())
         self.heads[Head.WOMAN].clicked.connect(lambda _checked: talking.face.load(FaceFiles(Path(Head.WOMAN))))
         self.heads[Head.MAN].clicked.connect(lambda _checked: talking.face.load(FaceFiles(Path(Head.MAN))))
+        self.map.clicked.connect(lambda _checked: self.mapping_asked.emit())
         self.table.activated.connect(self._choose_table)
         self.detail.activated.connect(lambda k: talking.set_detail(self.detail.itemData(k)))
         for box in (self.attack, self.release):
