@@ -1514,7 +1514,17 @@
             <translation>beste Schwelle {value}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Blend shape</source>
+            <translation>Blendshape</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Blend shape of this face for {name}</source>
+            <translation>Blendshape dieses Gesichts für {name}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
             <source>Blend shapes</source>
             <translation>Blendshapes</translation>
         </message>
@@ -1527,6 +1537,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_panel.py" />
             <source>Blend shapes ▾</source>
             <translation>Blendshapes ▾</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Blend shapes, and those of this face</source>
+            <translation>Blendshapes und die dieses Gesichts</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
@@ -1937,6 +1952,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/group_dialog.py" />
             <source>Choose the vowels</source>
             <translation>Die Vokale wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <source>Choose which blend shapes of this face stand for which of the mouth table</source>
+            <translation>Wählen, welche Blendshapes dieses Gesichts für welche der Mundtabelle stehen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
@@ -3805,6 +3825,11 @@
             <translation>In Bins von 21.53 Hz, wie in einer PhonemeData-Datei</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>In this face</source>
+            <translation>In diesem Gesicht</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/pitch_set_words.py" />
             <source>In use: the preset's own numbers, since no pitch set has {pitch:.0f} Hz, the pitch of the voice.</source>
             <translation>Verwendet: die Zahlen des Presets, da kein Grundfrequenz-Satz {pitch:.0f} Hz enthält, die Grundfrequenz der Stimme.</translation>
@@ -4455,6 +4480,11 @@
             <translation>Links</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Left over: {names}</source>
+            <translation>Übrig: {names}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Left, Right</source>
             <translation>Links, Rechts</translation>
@@ -5045,6 +5075,16 @@
             <translation>Seiten des Handbuchs</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Map Blend Shapes of {face}</source>
+            <translation>Blendshapes von {face} zuordnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <source>Map shapes…</source>
+            <translation>Blendshapes zuordnen…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>max</source>
             <translation>max</translation>
@@ -5608,6 +5648,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>No better thresholds were found.</source>
             <translation>Keine besseren Schwellen gefunden.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>No blend shape is left over.</source>
+            <translation>Kein Blendshape ist übrig.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
@@ -7485,6 +7530,16 @@
             <translation>Beschriftungen speichern unter…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Save Mouth Table</source>
+            <translation>Mundtabelle speichern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Save Mouth Table…</source>
+            <translation>Mundtabelle speichern…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
             <source>Save or export what is selected in the table; all that is shown if nothing is</source>
             <translation>Ausgewählte Kurven speichern oder exportieren; ohne Auswahl alle angezeigten</translation>
@@ -7835,6 +7890,11 @@
             <translation>Satz von Blendshapes des empfangenden Avatars: der aus der Mundtabelle des Kopfes oder ein anderer</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Set of blend shapes that the speech moves</source>
+            <translation>Satz von Blendshapes, den die Sprache bewegt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
             <source>Set others and blinks to 0</source>
             <translation>Andere und Blinzeln auf 0</translation>
@@ -7958,6 +8018,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Show in the confusion matrix how much more often the current preset gives each result</source>
             <translation>In der Konfusionsmatrix zeigen, wie viel häufiger das aktuelle Preset jedes Ergebnis liefert</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Show it on the face</source>
+            <translation>Am Gesicht zeigen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
@@ -10010,9 +10075,19 @@
             <translation>true oder false</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Try</source>
+            <translation>Testen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Try again</source>
             <translation>Noch einmal</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>Try {name}</source>
+            <translation>{name} testen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
@@ -11888,6 +11963,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>{n} of 10 phonemes</source>
             <translation>{n} von 10 Phonemen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <source>{n} of {all} blend shapes are mapped.</source>
+            <translation>{n} von {all} Blendshapes sind zugeordnet.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />

@@ -25,7 +25,7 @@ from phonemeengine.mouth.face_mapping import ENOUGH, FaceMapping, guess_mapping
 SIZE = 480, 560
 """Of the dialog at first, pixels."""
 ROW = 28
-COLUMNS = tr_noop("Movestate"), tr_noop("Blend shape of this face"), tr_noop("Try")
+COLUMNS = tr_noop("Blend shape"), tr_noop("In this face"), tr_noop("Try")
 WIDTHS = 150, 0, 110
 NONE = "–"
 BASES = {"arkit": "ARKit", "oculus": "Oculus", "vrm": "VRM"}
@@ -106,16 +106,18 @@ class FaceMappingDialog(QDialog):
         self.sliders: dict[str, QSlider] = {}
         self.found, self.left = label(wraps=True), ElidedLabel()
         self.basis = choice(
-            ((BASES[name], name) for name in ENOUGH), tr("Movestates"), tr("What the speech moves in this face")
+            ((BASES[name], name) for name in ENOUGH),
+            tr("Blend shapes"),
+            tr("Set of blend shapes that the speech moves"),
         )
-        self.table = named(QTableWidget(0, len(COLUMNS)), tr("Movestates and blend shapes"))
+        self.table = named(QTableWidget(0, len(COLUMNS)), tr("Blend shapes, and those of this face"))
         self.table.setHorizontalHeaderLabels([tr(name) for name in COLUMNS])
         style_list(self.table, ROW, WIDTHS)
         self.table.setSelectionMode(QTableWidget.SelectionMode.NoSelection)
         self.buttons: QDialogButtonBox = dialog_buttons(
             self, QDialogButtonBox.StandardButton.Cancel, verb=tr("Save Mouth Table…")
         )
-        top = row((self.found, 1), label(tr("Movestates")), self.basis, spacing=8)
+        top = row((self.found, 1), label(tr("Blend shapes")), self.basis, spacing=8)
         self.setLayout(column(top, (self.table, 1), self.left, self.buttons, margins=(12, 12, 12, 12), spacing=8))
         self.basis.activated.connect(self._choose_basis)
         face.changed.connect(self.reject)
@@ -164,7 +166,8 @@ class FaceMappingDialog(QDialog):
         self.table.setRowCount(0)
         self.table.setRowCount(len(self.mapping.ours))
         for place, ours in enumerate(self.mapping.ours):
-            box = self.boxes[ours] = named(ShapeBox(self._names), tr("Blend shape for {name}").format(name=ours))
+            words = tr("Blend shape of this face for {name}").format(name=ours)
+            box = self.boxes[ours] = named(ShapeBox(self._names), words)
             slider = self.sliders[ours] = QSlider(Qt.Orientation.Horizontal)
             named(slider, tr("Try {name}").format(name=ours), tr("Show it on the face"))
             slider.setRange(0, 100)
@@ -183,7 +186,7 @@ class FaceMappingDialog(QDialog):
             box.show_shapes([*mapping.targets.get(ours, ())])
             self.sliders[ours].setEnabled(ours in mapping.targets)
         self.found.setText(
-            tr("{n} of {all} movestates have a blend shape.").format(n=len(mapping.targets), all=len(mapping.ours))
+            tr("{n} of {all} blend shapes are mapped.").format(n=len(mapping.targets), all=len(mapping.ours))
         )
         names = ", ".join(mapping.left_over)
         words = tr("Left over: {names}") if names else tr("No blend shape is left over.")

@@ -125,7 +125,7 @@ class ChoicesPanel(QWidget):
         )
         self.heads = {head: tool_button(tr(name), tr(HEAD_TIPS[head])) for head, name in HEADS.items()}
         self.map = tool_button(
-            tr("Map shapes…"), tr("Choose which blend shapes of this face stand for which movestates")
+            tr("Map shapes…"), tr("Choose which blend shapes of this face stand for which of the mouth table")
         )
         self.table = choice(
             (),
