@@ -271,7 +271,7 @@ def test_qts_own_buttons_and_keys_speak_german_too(spoken: Callable[[str], None]
 def test_no_two_menus_have_the_same_letter(open_window: Callable[[str], Desktop], language: str) -> None:
     titles = titles_of(open_window(language))
     letters = [title[title.index("&") + 1].lower() for title in titles]
-    assert len(set(letters)) == len(titles) == 9
+    assert len(set(letters)) == len(titles) == 10
 
 
 def test_the_german_window_fits_a_small_screen(open_window: Callable[[str], Desktop], qtbot: QtBot) -> None:
@@ -372,7 +372,7 @@ BAD_FILES: tuple[tuple[Callable[[Path], object], str, bytes, str], ...] = (
     (load_preset, "old.txt", b"1 2 3", "old.txt: Eine PhonemeData-Datei enthält 21 Zahlen, gefunden 3; nach Zeile 1"),
     (load_morph_mesh, "face.glb", b"glTF\2\0\0\0", "face.glb: Sie endet mitten in den Kopfdaten"),
     (load_morph_mesh, "face.gltf", b"{", "face.gltf: Kein glTF: Das JSON ist nicht lesbar"),
-    (load_morph_mesh, "face.obj", b"v a b c", "face.obj: Zeile 1 enthält 'v a b c', keine Zahl eines Netzes"),
+    (load_morph_mesh, "face.obj", b"v a b c", "face.obj: Zeile 1 enthält 'v a b c', keine Zahl eines Meshs"),
     (load_morph_targets, "face.3dma", b"text", "face.3dma: Eine .3dma-Datei beginnt mit einer Zeile '3dma01'"),
     (
         read_labels,
