@@ -83,7 +83,7 @@ def test_a_gif_keeps_the_time_of_the_sound(sound: Path, tmp_path: Path):
 
 def test_blue_eyes_stay_blue_in_a_gif(tmp_path: Path):
     soundfile.write(tmp_path / "silence.wav", silence(0.1), SAMPLE_RATE)
-    words = ("--size", "200x200", "--fps", "5", "--no-blinks")
+    words = ("--mesh", "man", "--size", "200x200", "--fps", "5", "--no-blinks")
     assert main(["preview", str(tmp_path / "silence.wav"), "-o", str(tmp_path / "a.gif"), *words]) == 0
     assert main(["preview", str(tmp_path / "silence.wav"), "-o", str(tmp_path / "a"), *words]) == 0
     true = pictures(tmp_path / "a")[0].astype(int)
