@@ -5,6 +5,7 @@ import shutil
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
 import pytest
 from pytestqt.qtbot import QtBot
 
@@ -17,10 +18,11 @@ from phonemeengine import FORMATS, Preset, for_files, load_head, load_preset, mo
 from phonemeengine.batch.work import Job, Work, say_nothing
 from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.conversion.options import OPTIONS, SERVED, ConversionOptions
-from phonemeengine.conversion.spoken_texts import SpokenTexts
+from phonemeengine.conversion.spoken_texts import SpokenTexts, edited_keys
 from phonemeengine.conversion.work import CONVERSIONS, ConversionWork
 from phonemeengine.execution import no_progress
 from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.key_layer import KeyCurve, KeyLayer, write_keys
 from phonemeengine.performance.corpus import build_table
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
 from tests.engine.performance.corpora import write_recording
@@ -70,6 +72,7 @@ CASES: dict[str, Words] = {
         "units": ["units.csv"],
         "pinyin-table": ["pinyin.toml"],
         "longest": ["60"],
+        "keys": ["edited.keys.toml"],
         "preset": ["thesis"],
         "model": ["real-time"],
         "overwrite": ["true"],
@@ -85,6 +88,7 @@ CASES: dict[str, Words] = {
         "beside": ["pinyin"],
         "mesh": ["face.obj"],
         "movestates": ["face.3dm"],
+        "keys": ["edited.keys.toml"],
     },
 }
 """Options with their values as they are written, by what is tried."""
@@ -104,6 +108,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     keys = 'format = "phonemeanalyser keywords 1"\n[gestures.bow]\nshortest = 0.5\nchannels = { headPitch = [-20] }\n'
     (tmp_path / "keys.toml").write_text(keys + '[languages.en]\nbow = ["mami"]\n', encoding="utf-8")
     (tmp_path / "pinyin.toml").write_bytes(USUAL_PINYIN_TABLE.read_bytes())
+    edited = KeyCurve(np.array([0.1, 0.3, 0.5]), np.array([0, 0.7, 0.0]))
+    write_keys(KeyLayer({"jawOpen": edited}), "edited.keys.toml")
     (tmp_path / "face.glb").write_bytes(face_with_targets(ARKIT))
     head = load_head()
     (tmp_path / "face.obj").write_bytes(format_obj(head.mesh))
@@ -172,9 +178,10 @@ def by_window(asked: ConversionOptions, kind: str, job: Job, qtbot: QtBot) -> No
     order = ExportOrder(
         kind, preset_of(asked), asked.written(), asked.channel, texts, DriverChoice.of(asked), asked.movestates
     )
+    keys = edited_keys(asked.keys, [job.source]) if asked.keys else None
     queue = ExportQueue()
     assert job.target is not None
     with qtbot.waitSignal(queue.finished, timeout=60_000):
-        queue.start({job.source: job.target}, replace(order, overwrite=asked.overwrite))
+        queue.start({job.source: job.target}, replace(order, keys=keys, overwrite=asked.overwrite))
     assert [done.words for done in queue.jobs] == [""]
     queue.close()
