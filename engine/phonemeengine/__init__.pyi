@@ -80,7 +80,6 @@ from .mouth.expression.streams import held_expression as held_expression
 from .mouth.files.io import load_morph_mesh as load_morph_mesh
 from .mouth.files.io import load_morph_targets as load_morph_targets
 from .mouth.files.io import save_morph_targets as save_morph_targets
-from .mouth.head import Head as Head
 from .mouth.head import load_head as load_head
 from .mouth.lip_sync import cues as cues
 from .mouth.lip_sync import export_transcript as export_transcript

@@ -7,7 +7,6 @@ from pathlib import Path
 
 from phonemeanalyser.cli.arguments import add_examples, add_options, file_place, number_in
 from phonemeengine import (
-    Head,
     MeshError,
     MorphMesh,
     MorphTargets,
@@ -22,6 +21,7 @@ from phonemeengine import (
 )
 from phonemeengine.mouth.face_mapping import ENOUGH, guess_mapping, mapped_table
 from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
+from phonemeengine.mouth.head import Head
 from phonemeengine.mouth.morph_mesh import TOLERANCE
 from phonemeengine.mouth.movestate import LONGEST_NAME
 from phonemeengine.mouth.table import table_to_toml
@@ -57,7 +57,7 @@ EXAMPLES_OF = {
     "map": (
         "phonemeanalyser movestates map face.glb -o face.toml",
         "phonemeanalyser movestates map face.glb --basis arkit -o arkit.toml",
-        "phonemeanalyser movestates map head -o head.toml",
+        "phonemeanalyser movestates map woman -o woman.toml",
     ),
 }
 """Examples of what is done with movestates; each uses the files of those before it."""

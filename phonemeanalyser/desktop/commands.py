@@ -276,6 +276,7 @@ def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
         Command(tr_noop("Split Word or Phone at Cursor (Enter)"), "", texts.edits.split),
         Command(tr_noop("Delete Word or Phone (Del)"), "", texts.edits.delete),
         Command(tr_noop("Realign This Word"), "", texts.edits.realign),
+        None,
         Command(tr_noop("Next Poor Match"), "", partial(texts.edits.show_poor, 1)),
         Command(tr_noop("Previous Poor Match"), "", partial(texts.edits.show_poor, -1)),
         Command(tr_noop("Edit Keys"), "", talking.keys.set_open, checkable=True),

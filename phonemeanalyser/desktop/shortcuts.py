@@ -1,9 +1,11 @@
 """The list of all keys, under Help."""
 
-from PySide6.QtWidgets import QDialog, QLabel, QWidget
+from itertools import combinations, pairwise
+
+from PySide6.QtWidgets import QDialog, QLabel, QScrollArea, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label
+from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label, scrolling
 
 HEAD = [
     (tr_noop("Orbit; with Shift, pan"), tr_noop("Arrows")),
@@ -13,7 +15,6 @@ HEAD = [
     (tr_noop("Move light"), tr_noop("Comma, full stop")),
     (tr_noop("Hold mouth shape"), "Q S H M P I A E U O"),
 ]
-LANES = [(tr_noop("Next picture"), tr_noop("Right")), (tr_noop("Previous picture"), tr_noop("Left"))]
 CALIBRATE = [
     (tr_noop("Guided calibration"), "G"),
     (tr_noop("Record take while held"), "Q S H M P I A E U O"),
@@ -31,6 +32,8 @@ GUIDE = [
     (tr_noop("End guided calibration"), tr_noop("Esc")),
 ]
 N_COLUMNS = 3
+HIGHEST = 640
+"""Pixels; what does not fit into a small window is scrolled."""
 
 
 class ShortcutsDialog(QDialog):
@@ -50,7 +53,6 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("Calibrate page"), CALIBRATE))
         blocks.append(_block(tr("Guided calibration"), GUIDE))
         blocks.append(_block(tr("Head, while it has the focus"), HEAD))
-        blocks.append(_block(tr("Time line on the Talk page"), LANES))
         self.list = QLabel(_side_by_side([block for block in blocks if block]))
         scope = label(
             tr(
@@ -60,9 +62,12 @@ class ShortcutsDialog(QDialog):
             ),
             wraps=True,
         )
-        rows = column(self.list, scope, dialog_buttons(self, CLOSE), on=self, margins=None)
+        scroll = QScrollArea()
+        scroll.setMinimumWidth(scrolling(scroll, self.list))
+        rows = column((scroll, 1), scope, dialog_buttons(self, CLOSE), on=self, margins=None)
         width = self.sizeHint().width()
-        self.resize(width, rows.totalHeightForWidth(width))  # Qt leaves no room for lines that wrap
+        height = rows.totalHeightForWidth(width) - scroll.sizeHint().height() + self.list.sizeHint().height()
+        self.resize(width, min(height, HIGHEST))
 
 
 def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
@@ -72,13 +77,11 @@ def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
 
 
 def _side_by_side(blocks: list[list[str]]) -> str:
-    """Lay blocks of rows out in columns of about the same height."""
-    columns: list[list[str]] = [[] for _ in range(N_COLUMNS)]
-    n_rows = sum(map(len, blocks)) + len(blocks)
-    above = 0
-    for block in blocks:
-        columns[N_COLUMNS * (above + len(block) // 2) // n_rows].extend(block)
-        above += len(block) + 1  # a line is free above each title
+    """Lay blocks of rows out in columns, the highest of which is as low as it can be."""
+    ways = [(0, *cuts, len(blocks)) for cuts in combinations(range(1, len(blocks)), N_COLUMNS - 1)]
+    parts = [[blocks[start:end] for start, end in pairwise(cuts)] for cuts in ways]
+    best = min(parts, key=lambda part: max(sum(map(len, column)) + len(column) for column in part))
+    columns = [[row for block in part for row in block] for part in best]
     cells = "<td width=24></td>".join(
         f"<td><table cellspacing=0>{''.join(column)}</table></td>" for column in columns
     )

@@ -63,7 +63,8 @@ class WelcomeCards(QFrame):
             self._card(tr(title), tr(words), signal.emit) for (title, words), signal in zip(CARDS, asked, strict=True)
         ]
         top = row((label(tr("<b>What would you like to do first?</b>")), 1), self.dismiss)
-        column(top, row(*cards, spacing=12), on=self, margins=(18, 12, 18, 18), spacing=10)
+        pairs = [row(*cards[k : k + 2], spacing=12) for k in (0, 2)]  # four in a row are too wide for a small window
+        column(top, *pairs, on=self, margins=(18, 12, 18, 18), spacing=10)
         page.installEventFilter(self)
         self.hide()
 

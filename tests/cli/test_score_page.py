@@ -126,7 +126,7 @@ def test_the_rules_of_each_preset_are_listed_and_a_network_has_none(tmp_path: Pa
     assert [title.text for title in section.iter("h3")] == ["own", "Thesis"]
     first, second = ("".join(lines.itertext()).strip("\n").splitlines() for lines in section.iter("pre"))
     assert first == rule_lines(own)
-    assert "f0 > 90.5" in first[0]
+    assert "pitch (f0) > 90.5" in first[0]
     assert second == rule_lines(THESIS)
     alone = page_of(Report(tmp_path, (ScoredPreset("learned", score(learned, utterances)),), None))
     assert all(s.findtext("h2") != "Rules" for s in parsed(alone).iter("section"))

@@ -80,9 +80,9 @@ def trace_lines(trace: Trace, mine: Iterable[Variable] = ()) -> Iterator[str]:
 
 
 def named_twice(variable: str, mine: Iterable[Variable] = ()) -> str:
-    """Return what a variable measures, and its short name after it in parentheses, unless it begins with that."""
+    """Return what a variable measures, and its short name after it in parentheses, unless it has that already."""
     words = readable_name(variable, mine)
-    return words if words.startswith(variable) else f"{words} ({variable})"
+    return words if words.startswith(variable) or words.endswith(f"({variable})") else f"{words} ({variable})"
 
 
 def _words(rule: Rule, preset: Preset) -> list[str]:

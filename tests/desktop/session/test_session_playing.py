@@ -45,7 +45,7 @@ def test_following_gives_what_playing_gives(
     both = np.arange(min(n, one.n))
     np.testing.assert_array_equal(one.frames[both], two.frames[both])
     np.testing.assert_array_equal(one.phonemes[both], two.phonemes[both])
-    np.testing.assert_allclose(one.spectra[both], two.spectra[both], atol=2e-3)
+    np.testing.assert_allclose(one.samples[both], two.samples[both], atol=2e-3)
     np.testing.assert_allclose(one.features(both).values, two.features(both).values, rtol=1e-3, atol=1e-4)
     assert other.source.position == pytest.approx(seconds, abs=FRAME_PERIOD)
     assert other.averages.n_frames == n

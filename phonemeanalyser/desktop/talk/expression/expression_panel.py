@@ -56,6 +56,8 @@ class ExpressionPanel(QWidget):
             for name in self._model.shares
         }
         self._percents = {name: label(width=PERCENT_WIDTH) for name in self._model.shares}
+        for name, percent in self._percents.items():
+            percent.setToolTip(self.sliders[name].toolTip())
         self.priority = slider_of_percent(
             tr("Speech priority"),
             tr(

@@ -134,6 +134,7 @@ class VisemePanel(QWidget):
         slider = self.sliders[shape] = slider_of_percent(name.format(shape=shown), tip.format(shape=shown))
         slider.valueChanged.connect(lambda value: talking.set_viseme(shape, value / 100))
         self._percents[shape] = label(width=PERCENT_WIDTH)
+        self._percents[shape].setToolTip(slider.toolTip())
         return button, slider, self._percents[shape]
 
     def _show_shares(self) -> None:
