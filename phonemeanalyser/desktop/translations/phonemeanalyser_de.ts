@@ -5585,11 +5585,6 @@
             <translation>Nächste Beschriftung</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Next picture</source>
-            <translation>Nächstes Bild</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Next Picture (Right)</source>
             <translation>Nächstes Bild (Rechts)</translation>
@@ -6763,11 +6758,6 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Previous Label</source>
             <translation>Vorherige Beschriftung</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Previous picture</source>
-            <translation>Voriges Bild</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -9963,11 +9953,6 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>Time in the window</source>
             <translation>Zeit im Fenster</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
-            <source>Time line on the Talk page</source>
-            <translation>Zeitleiste der Seite „Sprechen“</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
