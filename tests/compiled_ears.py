@@ -6,6 +6,7 @@ import hashlib
 import os
 import shutil
 import subprocess
+import sys
 import tempfile
 from collections.abc import Sequence
 from pathlib import Path
@@ -21,6 +22,7 @@ from tests.sounds import Sound
 
 SOURCES = Path(targets.__file__).parent / "c"
 COMPILERS = "gcc", "clang"
+ZIG = (sys.executable, "-m", "ziglang", "cc")
 STRICT = ("-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror")
 SANITIZED = (
     "-O1",
@@ -59,9 +61,16 @@ def compiler(*names: str) -> str:
 
 def compiled(name: str, sources: Sequence[Path], *flags: str, by: str = "") -> Path:
     """Compile C sources, unless that has been done; one process at a time, all others wait for it."""
-    command = [by or compiler(), *STRICT, *flags, "-I", str(SOURCES), *map(str, sources)]
+    command = [
+        *(ZIG if by == "zig" else (by or compiler(),)),
+        *STRICT,
+        *flags,
+        "-I",
+        str(SOURCES),
+        *map(str, sources),
+    ]
     digest = hashlib.sha256(repr(command).encode())
-    for path in (*sources, SOURCES / "ear.h"):
+    for path in (*sources, *sorted(SOURCES.glob("*.h"))):
         digest.update(path.read_bytes())
     place = Path(tempfile.gettempdir()) / f"phonemeanalyser-ears-{getpass.getuser()}" / digest.hexdigest()[:16]
     place.mkdir(parents=True, exist_ok=True)

@@ -1,16 +1,16 @@
 /* Has ears in C listen to blocks of 10 ms, one after the other, without Python in between. */
 #include "ear.h"
 
-enum { HOP = 441, RATE = 44100 };
+enum { MOST = EAR_MOST_FRAMES(1, 100) }; /* of 10 ms at any rate */
 
-/* Push n_hops blocks into each of n_ears in turn, as a server would; returns the number of frames that came. */
-size_t listen(ear *const *ears, size_t n_ears, const float *samples, size_t n_hops)
+/* Push n_hops blocks of `hop` samples into each of n_ears in turn, as a server would; returns the number of frames that came. */
+size_t listen(ear *const *ears, size_t n_ears, const float *samples, size_t hop, size_t n_hops)
 {
-    ear_frame frames[EAR_MOST_FRAMES(HOP, RATE)];
-    size_t hop, k, n, total = 0;
-    for (hop = 0; hop < n_hops; hop++)
+    ear_frame frames[MOST];
+    size_t at, k, n, total = 0;
+    for (at = 0; at < n_hops; at++)
         for (k = 0; k < n_ears; k++) {
-            ear_push(ears[k], samples + HOP * hop, HOP, frames, sizeof frames / sizeof *frames, &n);
+            ear_push(ears[k], samples + hop * at, hop, frames, sizeof frames / sizeof *frames, &n);
             total += n;
         }
     return total;

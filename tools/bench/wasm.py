@@ -10,10 +10,10 @@ from pathlib import Path
 from phonemeengine import load_preset, ship
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.shipping.targets import format_ear
-from tests.compiled_ears import SOURCES, CEar, CModel, EarLibrary, compiled
+from tests.compiled_ears import CEar, CModel, EarLibrary
 from tests.sounds import Sound
 from tests.web_ears import node
-from tools.bench.ear_in_c import LOOP, N_FRAMES, N_ROUNDS, listening
+from tools.bench.ear_in_c import N_FRAMES, N_ROUNDS, listening, loop_library
 from tools.bench.figures import Absolute, Figure, interleaved, ratio_of, shown, speech
 
 SCRIPT = Path(__file__).with_name("wasm_loop.mjs")
@@ -39,7 +39,7 @@ class WasmEar:
 
 def figures() -> list[Figure]:
     """Measure all of them."""
-    library = EarLibrary(compiled("libear_loop.so", [LOOP, SOURCES / "ear.c"], "-O3", "-shared", "-fPIC"))
+    library = loop_library()
     return [*_beside_native(library, "learned", "learned"), *_beside_native(library, "thesis", "thesis rules")[:1]]
 
 

@@ -32,6 +32,7 @@ FILES = {
     "preset.ear",
     "ear.h",
     "ear.c",
+    "ear_kernels.h",
     "Makefile",
     "README.md",
     "examples/files.h",

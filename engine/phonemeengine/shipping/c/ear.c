@@ -14,16 +14,12 @@
  * they are that. `const` tables aside there is nothing static, so ears share no state.
  */
 #include "ear.h"
+#include "ear_kernels.h"
 
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#if defined(__GNUC__) && defined(__x86_64__)
-#include <cpuid.h>
-#define HAS_AVX2_CODE 1
-#endif
 
 #define COUNT_OF(array) (sizeof(array) / sizeof *(array))
 
@@ -35,8 +31,6 @@ enum {
     SHORT = 1024, /* samples that log mels look at, in the middle of a frame */
     BANDS = 40,
     CEPSTRA = 12,
-    TAPS = 3,
-    TILE = 32, /* outputs of a layer whose weights lie side by side */
     MOST_VISEMES = TILE,
     MOST_LAYERS = 32,
     MOST_CHANNELS = 1024,
@@ -357,27 +351,6 @@ static uint32_t crc_of(const unsigned char *bytes, size_t n)
  * Arithmetic. Sums are kept in eight parts, so that compilers may work on several at a time.
  * ---------------------------------------------------------------------------------------------------------------- */
 
-enum { PARTS = 8 };
-
-static float sum_of_parts(const float *parts)
-{
-    return ((parts[0] + parts[4]) + (parts[1] + parts[5])) + ((parts[2] + parts[6]) + (parts[3] + parts[7]));
-}
-
-/* One running sum would wait for each addition before the next; eight independent ones fill a vector or the pipeline,
- * and round less. C forbids compilers to reorder a sum by themselves. */
-static float dot(const float *restrict a, const float *restrict b, size_t n)
-{
-    float parts[PARTS] = {0}, rest = 0;
-    size_t k, j;
-    for (k = 0; k + PARTS <= n; k += PARTS)
-        for (j = 0; j < PARTS; j++)
-            parts[j] += a[k + j] * b[k + j];
-    for (; k < n; k++)
-        rest += a[k] * b[k];
-    return sum_of_parts(parts) + rest;
-}
-
 static float sum_of(const float *values, size_t n)
 {
     float parts[PARTS] = {0}, rest = 0;
@@ -436,6 +409,7 @@ typedef struct {
 
 /* Room for a transform at work: two spectra of n / 2 complex values each. */
 typedef struct {
+    const kernels *by;
     float *real, *imaginary, *other_real, *other_imaginary;
 } workspace;
 
@@ -455,9 +429,10 @@ static transform make_transform(arena *memory, size_t n)
     return made;
 }
 
-static workspace make_workspace(arena *memory, size_t n)
+static workspace make_workspace(arena *memory, size_t n, const kernels *by)
 {
     workspace made;
+    made.by = by;
     made.real = take_floats(memory, n / 2 + 1);
     made.imaginary = take_floats(memory, n / 2 + 1);
     made.other_real = take_floats(memory, n / 2 + 1);
@@ -472,45 +447,6 @@ static void swap_spectra(workspace *work)
     work->imaginary = work->other_imaginary;
     work->other_real = real;
     work->other_imaginary = imaginary;
-}
-
-/* One pass: `stride` transforms of length 4 m each lie interleaved. Twiddles are turned by `turn` values each. */
-static void pass_of_4(
-    const float *restrict xr, const float *restrict xi, float *restrict yr, float *restrict yi, size_t m, size_t stride,
-    const float *cosines, const float *sines, size_t turn
-)
-{
-    /* Stockham's form reads one array and writes another, so nothing is reordered by reversed bits; the inner loop
-     * runs over neighbouring values, of which compilers make vectors. Radix 4 passes over memory half as often as
-     * radix 2, and to multiply by i is to exchange parts. */
-    size_t p, q;
-    for (p = 0; p < m; p++) {
-        const float c1 = cosines[p * turn], s1 = sines[p * turn];
-        const float c2 = cosines[2 * p * turn], s2 = sines[2 * p * turn];
-        const float c3 = cosines[3 * p * turn], s3 = sines[3 * p * turn];
-        const float *ar = xr + stride * p, *ai = xi + stride * p;
-        const float *br = ar + stride * m, *bi = ai + stride * m, *cr = br + stride * m, *ci = bi + stride * m;
-        const float *dr = cr + stride * m, *di = ci + stride * m;
-        float *to_r = yr + 4 * stride * p, *to_i = yi + 4 * stride * p;
-        for (q = 0; q < stride; q++) {
-            /* the transform of four values that lie m apart; below it is turned by exp(-2 pi i p / 4m), to its powers
-             * */
-            float sum_r = ar[q] + cr[q], sum_i = ai[q] + ci[q], odd_r = br[q] + dr[q], odd_i = bi[q] + di[q];
-            float difference_r = ar[q] - cr[q], difference_i = ai[q] - ci[q];
-            float turned_r = di[q] - bi[q], turned_i = br[q] - dr[q]; /* i times the difference of b and d */
-            float r1 = difference_r - turned_r, i1 = difference_i - turned_i;
-            float r2 = sum_r - odd_r, i2 = sum_i - odd_i;
-            float r3 = difference_r + turned_r, i3 = difference_i + turned_i;
-            to_r[q] = sum_r + odd_r;
-            to_i[q] = sum_i + odd_i;
-            to_r[stride + q] = r1 * c1 + i1 * s1;
-            to_i[stride + q] = i1 * c1 - r1 * s1;
-            to_r[2 * stride + q] = r2 * c2 + i2 * s2;
-            to_i[2 * stride + q] = i2 * c2 - r2 * s2;
-            to_r[3 * stride + q] = r3 * c3 + i3 * s3;
-            to_i[3 * stride + q] = i3 * c3 - r3 * s3;
-        }
-    }
 }
 
 static void pass_of_2(
@@ -531,7 +467,7 @@ static void transform_complex(const transform *of, workspace *work)
 {
     size_t length = of->n / 2, stride = 1;
     for (; length >= 4; length /= 4, stride *= 4) {
-        pass_of_4(
+        work->by->pass_of_4(
             work->real, work->imaginary, work->other_real, work->other_imaginary, length / 4, stride, of->cosines,
             of->sines, 2 * stride
         );
@@ -568,111 +504,8 @@ static void transform_real(const transform *of, const float *values, size_t n_bi
     swap_spectra(work);
 }
 
-/*
- * The convolution of a layer at one frame, for some lanes (vocal tracts) at once: out = bias + the weighted sum of the
- * values at its taps. Weights lie in tiles of 32 outputs, all inputs of all taps one after the other, so they are
- * read in one go, once for all lanes.
- */
-typedef struct {
-    const float *weights, *bias;
-    size_t n_taps, n_in, n_tiles;
-} product;
-
-typedef void convolution(const product *of, const float *const *taps, size_t width_in, float *out, size_t width_out);
-
-/* Write a convolution of LANES lanes that holds N vectors for each in registers.
- *
- * The sums of a tile stay in registers from the first input to the last, and a weight that was loaded serves all
- * lanes, so three vocal tracts cost less than three times one. N is chosen so that sums and weights fit the 16 vector
- * registers of x86-64. */
-#define DEFINE_CONVOLUTION(NAME, TARGET, VECTOR, N, LANES)                                                              \
-    TARGET static void NAME(                                                                                            \
-        const product *of, const float *const *taps, size_t width_in, float *restrict out, size_t width_out             \
-    )                                                                                                                   \
-    {                                                                                                                   \
-        enum { WIDTH = sizeof(VECTOR) / sizeof(float) };                                                                \
-        size_t tile, part, tap, k, lane, v;                                                                             \
-        for (tile = 0; tile < of->n_tiles; tile++)                                                                      \
-            for (part = tile * TILE; part < (tile + 1) * TILE; part += N * WIDTH) {                                     \
-                const float *weights = of->weights + tile * of->n_taps * of->n_in * TILE + part % TILE;                 \
-                VECTOR sums[LANES][N];                                                                                  \
-                for (lane = 0; lane < LANES; lane++)                                                                    \
-                    for (v = 0; v < N; v++)                                                                             \
-                        sums[lane][v] = *(const VECTOR *)(of->bias + part + v * WIDTH);                                 \
-                for (tap = 0; tap < of->n_taps; tap++) {                                                                \
-                    const float *values = taps[tap];                                                                    \
-                    for (k = 0; k < of->n_in; k++, weights += TILE)                                                     \
-                        for (v = 0; v < N; v++) {                                                                       \
-                            VECTOR weight = *(const VECTOR *)(weights + v * WIDTH);                                     \
-                            for (lane = 0; lane < LANES; lane++)                                                        \
-                                sums[lane][v] += weight * values[lane * width_in + k];                                  \
-                        }                                                                                               \
-                }                                                                                                       \
-                for (lane = 0; lane < LANES; lane++)                                                                    \
-                    for (v = 0; v < N; v++)                                                                             \
-                        *(VECTOR *)(out + lane * width_out + part + v * WIDTH) = sums[lane][v];                         \
-            }                                                                                                           \
-    }
-
-#ifdef __GNUC__ /* and Clang, so wherever Emscripten, zig cc and Xcode are */
-typedef float vector4 __attribute__((vector_size(16), aligned(4), may_alias));
-typedef float vector8 __attribute__((vector_size(32), aligned(4), may_alias));
-#define ANY_TARGET
-#ifdef __wasm__
-enum { VECTORS_OF_3 = 2 }; /* engines keep registers for themselves, and what does not fit is stored at every step */
-#else
-enum { VECTORS_OF_3 = 4 };
-#endif
-DEFINE_CONVOLUTION(convolve_1, ANY_TARGET, vector4, 8, 1)
-DEFINE_CONVOLUTION(convolve_2, ANY_TARGET, vector4, 4, 2)
-DEFINE_CONVOLUTION(convolve_3, ANY_TARGET, vector4, VECTORS_OF_3, 3)
-#else
-DEFINE_CONVOLUTION(convolve_1, , float, 8, 1)
-DEFINE_CONVOLUTION(convolve_2, , float, 8, 2)
-DEFINE_CONVOLUTION(convolve_3, , float, 8, 3)
-#endif
-
-#ifdef HAS_AVX2_CODE
-#define AVX2_TARGET __attribute__((target("avx2,fma")))
-DEFINE_CONVOLUTION(convolve_1_avx2, AVX2_TARGET, vector8, 4, 1)
-DEFINE_CONVOLUTION(convolve_2_avx2, AVX2_TARGET, vector8, 4, 2)
-DEFINE_CONVOLUTION(convolve_3_avx2, AVX2_TARGET, vector8, 4, 3)
-
-/* Return whether processor and system have AVX2 and FMA; Intel's manual, volume 1, 14.7.1. */
-static int has_avx2(void)
-{
-    /* the processor has FMA, the system lets xgetbv be asked; then bits 1 and 2 of the answer: the system saves the
-     * registers of SSE and AVX when it changes programs */
-    const unsigned fma_and_saved = 1u << 12 | 1u << 27, avx2 = 1u << 5;
-    unsigned a, b, c, d, state, above;
-    if (!__get_cpuid(1, &a, &b, &c, &d) || (c & fma_and_saved) != fma_and_saved)
-        return 0;
-    __asm__("xgetbv" : "=a"(state), "=d"(above) : "c"(0));
-    (void)above;
-    return (state & 6) == 6 && __get_cpuid_count(7, 0, &a, &b, &c, &d) && (b & avx2);
-}
-#endif
-
-enum { LANES_AT_ONCE = 3 };
-
-/* What this processor does fastest, by lanes. */
-typedef struct {
-    convolution *by_lanes[LANES_AT_ONCE];
-} convolutions;
-
-static convolutions fastest_convolutions(void)
-{
-    const convolutions anywhere = {{convolve_1, convolve_2, convolve_3}};
-#ifdef HAS_AVX2_CODE
-    const convolutions with_avx2 = {{convolve_1_avx2, convolve_2_avx2, convolve_3_avx2}};
-    if (has_avx2())
-        return with_avx2;
-#endif
-    return anywhere;
-}
-
 static void convolve(
-    const convolutions *by, const product *of, size_t lanes, const float *const *taps, size_t width_in, float *out,
+    const kernels *by, const product *of, size_t lanes, const float *const *taps, size_t width_in, float *out,
     size_t width_out
 )
 {
@@ -683,7 +516,7 @@ static void convolve(
         n = lanes - lane < LANES_AT_ONCE ? lanes - lane : LANES_AT_ONCE;
         for (tap = 0; tap < of->n_taps; tap++)
             here[tap] = taps[tap] + lane * width_in;
-        by->by_lanes[n - 1](of, here, width_in, out + lane * width_out, width_out);
+        by->convolve[n - 1](of, here, width_in, out + lane * width_out, width_out);
     }
 }
 
@@ -803,7 +636,7 @@ struct ear_model {
     templates templates;
     size_t n_tables;
     mouth_table *tables[MOST_TABLES];
-    convolutions by;
+    const kernels *by;
 };
 
 static void read_preset(reader *in, arena *memory, ear_model *model)
@@ -1212,7 +1045,7 @@ static int read_model(const unsigned char *bytes, size_t n_bytes, arena *memory,
         return EAR_DAMAGED_FILE;
     if (model->recogniser == BY_TEMPLATES && model->mels.n_warps != 1)
         return EAR_DAMAGED_FILE;
-    model->by = fastest_convolutions();
+    model->by = fastest_kernels();
     return EAR_OK;
 }
 
@@ -1296,6 +1129,7 @@ enum {
 static const double ROLL_OFF = 0.95, KAISER_BETA = 10.06;
 
 typedef struct {
+    const kernels *by;
     uint32_t rate;
     size_t n_taps, n_phases, n_filled, first; /* first: of the samples in `seen` that the next output begins at */
     uint32_t remainder;                       /* where the next output lies behind that, in 44100ths of a sample */
@@ -1356,7 +1190,7 @@ static void restart_resampler(resampler *of)
     memset(of->turned, 0, (of->n_taps + CHUNK) * sizeof *of->turned);
 }
 
-static resampler make_resampler(arena *memory, uint32_t rate)
+static resampler make_resampler(arena *memory, uint32_t rate, const kernels *by)
 {
     resampler made;
     /* Downwards the low pass has to end below the new half rate, so its crossings lie farther apart. */
@@ -1364,6 +1198,7 @@ static resampler make_resampler(arena *memory, uint32_t rate)
     size_t n_occurring = RATE / greatest_divisor(rate, RATE), n_kept, phase;
     float *table;
     memset(&made, 0, sizeof made);
+    made.by = by;
     made.rate = rate;
     made.n_taps = 2 * (size_t)ceil(CROSSINGS * scale);
     /* From 48 kHz there are 44100 / 300 = 147 places, of which 74 are kept; from odd rates up to 44100. */
@@ -1389,8 +1224,8 @@ static float resampled_exactly(const resampler *of, const float *here)
      * applied to the samples from the last to the first. */
     size_t phase = (size_t)((uint64_t)of->remainder * of->n_phases / RATE), n = of->n_taps;
     if (phase <= of->n_phases / 2)
-        return dot(here, of->table + phase * n, n);
-    return dot(of->turned + CHUNK - of->first, of->table + (of->n_phases - phase) * n, n);
+        return of->by->dot(here, of->table + phase * n, n);
+    return of->by->dot(of->turned + CHUNK - of->first, of->table + (of->n_phases - phase) * n, n);
 }
 
 static float resampled_between(const resampler *of, const float *here)
@@ -1399,11 +1234,11 @@ static float resampled_between(const resampler *of, const float *here)
     size_t phase = (size_t)place, n = of->n_taps;
     float f = (float)(place - (double)phase);
     const float *taps = of->table + phase * n; /* that before it, since AROUND stand in front */
-    float before = dot(here, taps, n), at = dot(here, taps + n, n);
-    float after = dot(here, taps + 2 * n, n), second = dot(here, taps + 3 * n, n);
     /* Lagrange's cubic through -1, 0, 1, 2 */
-    return before * (-f * (f - 1) * (f - 2) / 6) + at * ((f + 1) * (f - 1) * (f - 2) / 2)
-         + after * (-(f + 1) * f * (f - 2) / 2) + second * ((f + 1) * f * (f - 1) / 6);
+    const float shares[ROWS] = {
+        -f * (f - 1) * (f - 2) / 6, (f + 1) * (f - 1) * (f - 2) / 2, -(f + 1) * f * (f - 2) / 2, (f + 1) * f * (f - 1) / 6,
+    };
+    return of->by->blend(here, taps, n, shares);
 }
 
 /* Give the next sample at 44.1 kHz; 0 where more have to come first. */
@@ -1504,7 +1339,7 @@ static void lay_out_ear(arena *memory, ear *made)
     const ear_model *model = made->model;
     take(memory, 1, sizeof *made);
     made->window = take_floats(memory, WINDOW);
-    made->work = make_workspace(memory, model->recogniser == BY_RULES ? WINDOW : SHORT);
+    made->work = make_workspace(memory, model->recogniser == BY_RULES ? WINDOW : SHORT, model->by);
     if (model->recogniser == BY_NETWORK)
         lay_out_network(memory, made);
     else if (model->recogniser == BY_RULES)
@@ -1514,7 +1349,7 @@ static void lay_out_ear(arena *memory, ear *made)
     if (model->recogniser == BY_NETWORK)
         made->wave = take_floats(memory, SHORT);
     if (made->resamples)
-        made->resampler = make_resampler(memory, made->resampler.rate);
+        made->resampler = make_resampler(memory, made->resampler.rate, model->by);
 }
 
 static void forget_network(ear *of)
@@ -1637,7 +1472,7 @@ static void measure_log_mels(ear *of, const float *window, float *out)
         powers[k] = of->work.real[k] * of->work.real[k] + of->work.imaginary[k] * of->work.imaginary[k];
     for (k = 0; k < mels->n_warps * BANDS; k++) {
         const filter *band = &mels->filters[k];
-        out[k] = log10f(dot(powers + band->first, band->weights, band->n) + mels->floor);
+        out[k] = log10f(of->work.by->dot(powers + band->first, band->weights, band->n) + mels->floor);
     }
 }
 
@@ -1663,13 +1498,8 @@ static void work_layer(ear *of, size_t number, float *out)
     const float *taps[TAPS];
     for (k = 0; k < TAPS; k++)
         taps[k] = frame_of(of, number, (of->newest[number] + n_kept - (TAPS - 1 - k) * here->dilation) % n_kept);
-    convolve(&of->model->by, &here->sums, lanes, taps, here->width_in, out, here->width_out);
-    if (number == 0)
-        for (k = 0; k < n; k++)
-            out[k] = out[k] > 0 ? out[k] : 0;
-    else
-        for (k = 0; k < n; k++)
-            out[k] = (out[k] > 0 ? out[k] : 0) + taps[TAPS - 1][k];
+    convolve(of->model->by, &here->sums, lanes, taps, here->width_in, out, here->width_out);
+    of->model->by->rectify(out, number ? taps[TAPS - 1] : NULL, n);
 }
 
 /* Turn scores into probabilities that sum to 1. */
@@ -1743,7 +1573,7 @@ static int ask_network(ear *of, const float *window, float *scores, float *visem
     }
     found[0] = of->found;
     convolve(
-        &of->model->by, &net->heads, lanes, found, net->layers[net->n_layers - 1].width_out, of->answers, width
+        of->model->by, &net->heads, lanes, found, net->layers[net->n_layers - 1].width_out, of->answers, width
     );
     for (k = 0; k < lanes; k++) {
         soften(of->answers + k * width, EAR_PHONEMES);
@@ -1900,7 +1730,7 @@ static void measure_mel(ear *of)
     const front_end *front = &of->model->front;
     size_t k;
     for (k = 0; k < front->n_mel; k++)
-        of->mel[k] = dot(of->spectrum + front->mel[k].first, front->mel[k].weights, front->mel[k].n);
+        of->mel[k] = of->work.by->dot(of->spectrum + front->mel[k].first, front->mel[k].weights, front->mel[k].n);
     if (front->normalises)
         divide_all(of->mel, front->n_mel, greatest_of(of->mel, front->n_mel));
     measure_variables(of, MEL, of->mel);
@@ -2038,7 +1868,7 @@ static void ask_templates(ear *of, const float *window, float *scores)
     size_t k;
     measure_log_mels(of, window, bands);
     for (k = 0; k < CEPSTRA; k++)
-        place[k] = dot(bands, known->cosines + k * BANDS, BANDS) * known->scale[k];
+        place[k] = of->work.by->dot(bands, known->cosines + k * BANDS, BANDS) * known->scale[k];
     /* distances count in spreads of each cepstrum: Mahalanobis's, with a diagonal covariance */
     for (k = 0; k < known->n; k++)
         likenesses[k] = -squared_distance(place, known->means + k * CEPSTRA) / SOFTNESS;
