@@ -300,7 +300,7 @@ KEYS_OF_TALK = ("Align Text with Recording", "Speak Text")
 def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window: QWidget) -> None:
     """Add the menu of the head."""
     menu = menus.add(tr("&Talk"), *talk_commands(talking, dialogs))
-    menu.addMenu(ComparisonMenu(talking.text.drivers, window))
+    menu.addMenu(ComparisonMenu(talking.text.drivers, talking.comparison, window))
 
 
 def lend_keys(menus: Menus, page: str, *, is_used: bool) -> None:

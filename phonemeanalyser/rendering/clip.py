@@ -40,6 +40,7 @@ from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
+from phonemeengine.mouth.movement_difference import difference_in_words, movement_difference
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.model_choice import for_files
@@ -415,6 +416,10 @@ class ClipWork:
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
             utterance, speech = self.texts.said(reader, job.sound, analyses, say)
             animations, captions = self._faces_of(utterance, speech, printable_name(job.source), driving, say)
+            if self.driver.beside is not None:
+                say(
+                    printable_name(job.source), difference_in_words(movement_difference(animations[0], animations[1]))
+                )
             keys, table = self.keys.get(job.sound, NO_KEYS), self.options.mouth_table(USUAL_TABLE)
             animations = [made.edited(keys).on_face(table) for made in animations]
             with output_path(job.target, self.ending) as path:

@@ -1,6 +1,7 @@
 """What moves a face: the same choice of ``speak``, ``export`` and ``preview``, and two of them side by side."""
 
 import csv
+import re
 from pathlib import Path
 
 import av
@@ -114,9 +115,12 @@ def test_each_head_is_called_what_moves_it_and_a_synthetic_performer_so(recorded
         assert np.array_equal(first[88:], sheet.picture(list(heads))[88:])
 
 
-def test_a_film_of_two_heads_has_the_size_of_the_whole_and_one_sound(recorded: Path) -> None:
+def test_a_film_of_two_heads_has_the_size_of_the_whole_and_one_sound(recorded: Path, capsys) -> None:
     context_or_skip().release()
     assert main(["preview", "mami.wav", "-o", "film.mp4", *SMALL, *CHINESE, "--beside", "rules"]) == 0
+    assert re.search(
+        r"mami\.wav: note: the heads differ by 0\.\d+ \(RMS of the weights\), most at 0\.", capsys.readouterr().err
+    )
     with av.open(recorded / "film.mp4") as film:
         (video,), (audio,) = film.streams.video, film.streams.audio
         assert (video.width, video.height, video.frames) == (128, 96, 13)

@@ -5,12 +5,14 @@ import time
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
@@ -34,6 +36,7 @@ from phonemeengine.mouth.performer import (
     timed_frames,
 )
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table, shipped_tables
+from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
 from phonemeengine.performance.driver import FACE
 from phonemeengine.phonemes import Phoneme
@@ -75,6 +78,7 @@ class TalkModel(QObject):
     idle : what the face does besides speaking, and in which detail its mouth follows.
     watched : whether anybody looks.
     keys : an animator's edits of the current sound's movement.
+    comparison : says where the second head moves otherwise.
     """
 
     changed = Signal()
@@ -107,6 +111,7 @@ class TalkModel(QObject):
         self._last: Analysis | None = None
         self._work = TaskQueue(self.error.emit)
         self.keys = KeyModel(session, lambda: self.in_use, lambda: self.picture_rate)
+        self.comparison = DifferenceModel(session, self.text.drivers, lambda: self.in_use, lambda: self.picture_rate)
         self._connect()
 
     @property
@@ -155,8 +160,7 @@ class TalkModel(QObject):
 
     def set_detail(self, detail: Detail) -> None:
         """Follow more of the speech, or less."""
-        self.idle = replace(self.idle, detail=detail)
-        self._use(self.table)
+        self._use(self.table, detail=detail)
 
     def set_speed(self, attack: float, release: float) -> None:
         """Make all attacks and all releases of the table longer, by factors above 0."""
@@ -175,13 +179,11 @@ class TalkModel(QObject):
 
     def set_blinks(self, on: bool) -> None:
         """Have the eyes blink, or not."""
-        self.idle = replace(self.idle, blinks=on)
-        self._use(self.table)
+        self._use(self.table, blinks=on)
 
     def set_head_motion(self, on: bool) -> None:
         """Have the head move with the voice, or not."""
-        self.idle = replace(self.idle, head=on)
-        self._use(self.table)
+        self._use(self.table, head=on)
 
     # -- pictures -----------------------------------------------------------------------------------------
 
@@ -262,6 +264,7 @@ class TalkModel(QObject):
         """Let everything go."""
         self.text.close()
         self.keys.close()
+        self.comparison.close()
         self.expression.close()
         self.osc.close()
         self.face.close()
@@ -282,9 +285,15 @@ class TalkModel(QObject):
         new = known[places[-1] + 1 if places else 0 :]
         if new:
             self._last = new[-1][1]
-            frames = [frame for end, block in new for frame in timed_frames(block, end, self.text.known)]
             for performer in self._performers:
+                said = self._known_to(performer)
+                frames = [frame for end, block in new for frame in timed_frames(block, end, said)]
                 performer.hear(frames, now, live=self.session.source.live)
+
+    def _known_to(self, performer: Performer) -> Transcript | None:
+        """Return what is said, where that is known: to the second head as the other preset recognises it."""
+        is_other = self.comparison.by_preset and performer is self.beside.performer
+        return self.comparison.known if is_other else self.text.known
 
     @property
     def _performers(self) -> tuple[Performer, ...]:
@@ -308,7 +317,7 @@ class TalkModel(QObject):
     def _take_drivers(self) -> None:
         """Take up what moves the mouths; where nothing does, they follow the sound."""
         drivers = self.text.drivers
-        movers = {self.performer: drivers.main, self.osc.performer: drivers.main}
+        movers: dict[Performer, str] = {self.performer: drivers.main, self.osc.performer: drivers.main}
         if drivers.compared is not None:
             movers[self.beside.performer] = drivers.compared
         found = {performer: drivers.track_by(driver) for performer, driver in movers.items()}
@@ -322,13 +331,15 @@ class TalkModel(QObject):
     def _name_heads(self) -> None:
         """Say below the heads what moves them, unless there is one head, and its mouth table does."""
         drivers, original = self.text.drivers, self.text.original
-        shown, beside = (self._track_of(head) for head in (self.head, self.beside))
+        shown, beside = map(self._track_of, (self.head, self.beside))
         by_table = shown is not None and drivers.main is FaceDriver.TABLE
         self.head.caption = drivers.caption_of(drivers.main, shown) if self.comparing or by_table else ""
         self.head.notes = drivers.performance.notes if by_table else ()
         if original.face is not None:
             self.head.caption, self.head.notes = original.caption, ()
-        self.beside.caption = "" if drivers.compared is None else drivers.caption_of(drivers.compared, beside)
+        self.beside.caption = self.comparison.caption_of(beside)
+        if self.comparison.by_preset and self.text.known is None:
+            self.head.caption = self.session.preset.title
         self.beside.notes = drivers.performance.notes if drivers.compared is FaceDriver.TABLE else ()
 
     def _track_of(self, head: MovingHead) -> MouthTrack | None:
@@ -366,9 +377,11 @@ class TalkModel(QObject):
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
         for changed in (self.changed, self.text.known_changed, self.expression.changed):
-            changed.connect(self.keys.generate_soon)
+            for made_anew in (self.keys.generate_soon, self.comparison.compare_soon):
+                changed.connect(made_anew)
         self.keys.info.connect(self.text.info)
-        for part in (self.face, self.osc, self.text, self.expression, self.keys):
+        self.comparison.known_changed.connect(self._hear_again)
+        for part in (self.face, self.osc, self.text, self.expression, self.keys, self.comparison):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
@@ -396,8 +409,8 @@ class TalkModel(QObject):
         session, newest = self.session, self.session.history.newest
         if not session.source.live and not session.source.playing and session.source.position and newest is not None:
             self._last, now = None, self._now()
-            last = timed_frames(newest, now, self.text.known)[-1]
             for performer in self._performers:
+                last = timed_frames(newest, now, self._known_to(performer))[-1]
                 performer.hold(now, last.phoneme, last.phone)
 
     def _seek(self, _column: int = 0) -> None:
@@ -409,11 +422,10 @@ class TalkModel(QObject):
         elif session.source.position == 0 or session.history.n == 0:
             self._close_mouth()
         else:
-            frames = self._newest_frames(now)
             for performer in self._performers:
-                performer.jump_to(frames, now)
+                performer.jump_to(self._newest_frames(now, self._known_to(performer)), now)
 
-    def _newest_frames(self, now: float) -> list[TimedFrame]:
+    def _newest_frames(self, now: float, known: Transcript | None) -> list[TimedFrame]:
         """Return what the history holds last, as if it had just been played."""
         history = self.session.history
         first, last = history.newest_run(FOLLOWED)
@@ -421,7 +433,7 @@ class TalkModel(QObject):
         rows = zip(history.phonemes[at].tolist(), history.intensities[at].tolist(), strict=True)
         start = now - len(at) * FRAME_PERIOD
         frames = [TimedFrame(start + k * FRAME_PERIOD, Phoneme(code), loud) for k, (code, loud) in enumerate(rows)]
-        return frames if self.text.known is None else known_frames(frames, first, self.text.known)
+        return frames if known is None else known_frames(frames, first, known)
 
     def _take_expression(self) -> None:
         self.idle = replace(self.idle, expression=self.expression.expression)
@@ -470,8 +482,8 @@ class TalkModel(QObject):
     def _use_written(self) -> None:
         self._use(self._written.with_motion(self.attack_factor, self.release_factor, random=self.random))
 
-    def _use(self, table: MouthTable) -> None:
-        self.table = table
+    def _use(self, table: MouthTable, **idle: Any) -> None:
+        self.table, self.idle = table, replace(self.idle, **idle)
         self._configure()
         self._name_heads()
         self.changed.emit()

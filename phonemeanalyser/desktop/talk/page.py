@@ -8,6 +8,7 @@ from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
+from phonemeanalyser.desktop.talk.drivers.difference_bar import DifferenceBar
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
 from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
@@ -140,6 +141,7 @@ class TalkPage(QWidget):
     Attributes
     ----------
     keys : to be installed as an event filter of the window.
+    differences : says where two heads differ.
     tabs : what stands at the right.
     split, stack : the splitters between both sides, and between what is one above the other at the left.
     """
@@ -181,8 +183,11 @@ class TalkPage(QWidget):
             tr("Keys"), tr("Show the curves of blend shapes, whose keys can be edited"), self._toggle_keys
         )
         self.show_keys.setCheckable(True)
-        self.compare = spoken_button(tr("Compare ▾"), tr("Show a second head in sync, moved by another driver"))
-        self.comparisons = ComparisonMenu(talking.text.drivers, self)
+        self.compare = spoken_button(
+            tr("Compare ▾"), tr("Show a second head in sync, moved by another driver or preset")
+        )
+        self.comparisons = ComparisonMenu(talking.text.drivers, talking.comparison, self)
+        self.differences = DifferenceBar(talking)
         open_without_arrow(self.compare, self.comparisons)
         self.heard = PhonemeChip(talking, theme)
         self.pictures = PictureCounter(talking)
@@ -239,7 +244,7 @@ class TalkPage(QWidget):
         )
         bar = Wrapping(where, looks, (8, 4, 8, 4))
         above = QWidget()
-        column((self.heads, 1), bar, on=above, spacing=0)
+        column((self.heads, 1), self.differences, bar, on=above, spacing=0)
         for part in (above, self.text, self.lanes, self.key_panel):
             self.stack.addWidget(part)
         self.stack.setStretchFactor(0, 1)

@@ -1569,6 +1569,11 @@
             <translation>Beide haben dasselbe Makro-F1.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_model.py" />
+            <source>Both heads move alike</source>
+            <translation>Beide Köpfe bewegen sich gleich</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>boundary-diphone</source>
             <translation>Grenz-Diphon</translation>
@@ -2144,6 +2149,11 @@
             <translation>Verglichen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_model.py" />
+            <source>Comparing…</source>
+            <translation>Wird verglichen …</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Comparison tabs</source>
             <translation>Reiter des Vergleichs</translation>
@@ -2490,9 +2500,19 @@
             <translation>Unterschied</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_model.py" />
+            <source>Difference (RMS): {rms:.3f} · greatest: {shape} {greatest:.2f}</source>
+            <translation>Unterschied (RMS): {rms:.3f} · größter: {shape} {greatest:.2f}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Difference in matrix</source>
             <translation>Unterschied in der Matrix</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>Difference of the weights of all blend shapes, 0 to 1: the root mean square, and the greatest one</source>
+            <translation>Unterschied der Gewichte aller Blendshapes, 0 bis 1: quadratisches Mittel und größter Wert</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
@@ -3520,9 +3540,19 @@
             <translation>Zum Anfang</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>Go to the next difference of the list</source>
+            <translation>Zum nächsten Unterschied der Liste gehen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>Go to the next poor match</source>
             <translation>Zum nächsten schlecht passenden Wort</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>Go to the previous difference of the list</source>
+            <translation>Zum vorigen Unterschied der Liste gehen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
@@ -6160,6 +6190,11 @@
             <translation>Eine Aufnahme öffnen, um ihre Keyframes zu bearbeiten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_model.py" />
+            <source>Open a recording to see where both heads differ</source>
+            <translation>Eine Aufnahme öffnen, um zu sehen, wo sich beide Köpfe unterscheiden</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>Open a recording with Ctrl+O, or write a text above and press Say</source>
             <translation>Mit Strg+O eine Aufnahme öffnen oder oben einen Text schreiben und „Vorlesen“ klicken</translation>
@@ -7976,8 +8011,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Show a second head in sync, moved by another driver</source>
-            <translation>Einen zweiten Kopf synchron mit anderer Steuerung zeigen</translation>
+            <source>Show a second head in sync, moved by another driver or preset</source>
+            <translation>Einen zweiten Kopf synchron zeigen, den eine andere Steuerung oder ein anderes Preset bewegt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
@@ -10100,6 +10135,11 @@
             <translation>zwei Buchstaben aus [shapes]</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/movement_difference.py" />
+            <source>two movements can be compared if both have frames, the same frame rate and movestates in common; make both with the same options</source>
+            <translation>zwei Bewegungen lassen sich vergleichen, wenn beide Frames, dieselbe Bildrate und gemeinsame Movestates haben; beide mit denselben Optionen erzeugen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/morph_mesh.py" />
             <source>two movestates are called {twice}; rename one</source>
             <translation>Zwei Blendshapes heißen {twice}; einen umbenennen</translation>
@@ -10550,6 +10590,11 @@
             <translation>Mausrad: am Zeiger zoomen. Ziehen: verschieben. Klick: dorthin gehen. Umschalt+Ziehen: auswählen. Pos1, Ende: zum Anfang oder Ende. Beschriftungen: tippen benennt um, die Eingabetaste teilt am Cursor, Ziehen verschiebt eine Grenze (Strg: ohne Einrasten).</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>Where both heads differ most; choose a place to go there</source>
+            <translation>Wo sich beide Köpfe am stärksten unterscheiden; eine Stelle wählen, um dorthin zu gehen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>where it begins</source>
             <translation>der Anfang</translation>
@@ -10641,6 +10686,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <source>With a Second Preset (Analysis &gt; Choose Preset B)</source>
+            <translation>Mit einem zweiten Preset (Analyse &gt; Preset B wählen)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Phonemes (Rules)</source>
             <translation>Mit Phonemen (Regeln)</translation>
         </message>
@@ -10648,6 +10698,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Pinyin Letters</source>
             <translation>Mit Pinyin-Buchstaben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <source>With Preset {preset}</source>
+            <translation>Mit Preset {preset}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
@@ -11955,6 +12010,16 @@
             <translation>{n} von {all} Blendshapes sind zugeordnet.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>{n} place</source>
+            <translation>{n} Stelle</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>{n} places</source>
+            <translation>{n} Stellen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>{n} points</source>
             <translation>{n} Punkte</translation>
@@ -12288,6 +12353,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
             <source>{seconds:.2f} s, {n} frames</source>
             <translation>{seconds:.2f} s, {n} Frames</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
+            <source>{seconds:.2f} s: {shapes}</source>
+            <translation>{seconds:.2f} s: {shapes}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />

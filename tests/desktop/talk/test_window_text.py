@@ -12,7 +12,9 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.language import use_language
+from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.session.sources import SourceKind
+from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE, TextPanel
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
@@ -24,6 +26,9 @@ from phonemeengine.labels.utterance_files import format_utterance, read_utteranc
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import write_table
+from phonemeengine.phonemes import Phoneme
+from phonemeengine.presets.files import DEFAULT_PRESET
+from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, settle, shown, type_number, wav
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
@@ -417,6 +422,16 @@ def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, tabl
     heads = window.talk.heads
     assert heads.beside.isVisible()
     assert heads.beside.caption.text() == "Phonemes (rules)"
+    bar, comparison = window.talk.differences, desktop.talking.comparison
+    qtbot.waitUntil(lambda: comparison.found is not None)
+    assert bar.isVisible()
+    assert bar.summary.text().startswith("Difference (RMS): 0.")
+    bar.list.aboutToShow.emit()
+    places = comparison.places
+    assert bar.list.actions()[0].text().startswith(f"{places[0].time:.2f} s: ")
+    bar.list.actions()[0].trigger()
+    assert desktop.session.source.position == pytest.approx(places[0].time, abs=0.01)
+    assert bar.next.isEnabled() == (len(places) > 1)
     qtbot.waitUntil(lambda: heads.beside.view.camera is not None)
     heads.beside.view.look(wireframe=True)
     assert heads.main.view.wireframe
@@ -427,6 +442,26 @@ def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, tabl
     assert heads.main.view.width() > 100
     actions["No Comparison"].trigger()
     assert not heads.beside.isVisible()
+    assert not bar.isVisible()
+
+
+def test_a_second_head_moves_by_what_the_second_preset_recognises(window, desktop, qtbot):
+    action = next(action for action in window.talk.comparisons.actions() if action.data() == OTHER_PRESET)
+    assert not action.isEnabled()
+    desktop.preset.set_other(PresetDocument.read(DEFAULT_PRESET))
+    window.talk.comparisons.aboutToShow.emit()
+    assert action.text() == f"With Preset B: {desktop.preset.other.preset.name}"
+    action.trigger()
+    comparison, beside = desktop.talking.comparison, desktop.talking.beside
+    qtbot.waitUntil(lambda: comparison.found is not None and comparison.known is not None)
+    assert beside.caption == f"B: {desktop.preset.other.preset.name}"
+    assert desktop.talking.head.caption == desktop.preset.title
+    second, said = desktop.session.second.whole.tracks, comparison.known
+    heard = [said.run_at((k + 0.5) * FRAME_PERIOD).phoneme for k in range(second.n_frames)]
+    assert heard == [Phoneme(code) for code in second.phonemes.tolist()]
+    assert np.any(second.phonemes != desktop.session.whole.tracks.phonemes)
+    desktop.preset.set_other(None)
+    assert not desktop.talking.comparing
 
 
 def test_a_table_can_be_compared_once_there_is_one(window, desktop, qtbot, table):

@@ -4,7 +4,8 @@ from PySide6.QtGui import QAction, QActionGroup
 from PySide6.QtWidgets import QMenu, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.talk.drivers.driver_model import DriverModel
+from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel
+from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET, DriverModel
 from phonemeengine.mouth.face_driver import FaceDriver
 
 COMPARISONS = {
@@ -12,16 +13,17 @@ COMPARISONS = {
     FaceDriver.RULES: tr_noop("With Phonemes (Rules)"),
     FaceDriver.PINYIN: tr_noop("With Pinyin Letters"),
     FaceDriver.TABLE: tr_noop("With Recorded Faces"),
+    OTHER_PRESET: tr_noop("With a Second Preset (Analysis > Choose Preset B)"),
 }
 """What a second head can be moved by."""
 
 
 class ComparisonMenu(QMenu):
-    """Lists what a second head can be moved by; a table only where one is open."""
+    """Lists what a second head can be moved by; a table or a second preset only where one is open."""
 
-    def __init__(self, drivers: DriverModel, parent: QWidget) -> None:
+    def __init__(self, drivers: DriverModel, comparison: DifferenceModel, parent: QWidget) -> None:
         super().__init__(tr("Compare"), parent)
-        self._drivers = drivers
+        self._drivers, self._comparison = drivers, comparison
         self._group = QActionGroup(self)
         for driver, words in COMPARISONS.items():
             action = self._group.addAction(tr(words))
@@ -31,14 +33,20 @@ class ComparisonMenu(QMenu):
         self._group.triggered.connect(self._choose)
         drivers.changed.connect(self._show_state)
         drivers.performance.changed.connect(self._show_state)
+        self.aboutToShow.connect(self._show_state)
         self._show_state()
 
     def _choose(self, action: QAction) -> None:
         driver = action.data()
-        self._drivers.compare(None if driver is None else FaceDriver(driver))
+        self._drivers.compare(driver if driver in {None, OTHER_PRESET} else FaceDriver(driver))
 
     def _show_state(self) -> None:
         for action in self._group.actions():
             action.setChecked(action.data() == self._drivers.compared)
-            by_table = action.data() == FaceDriver.TABLE
-            action.setEnabled(not by_table or self._drivers.performance.table is not None)
+            if action.data() == FaceDriver.TABLE:
+                action.setEnabled(self._drivers.performance.table is not None)
+            elif action.data() == OTHER_PRESET:
+                other = self._comparison.other_preset
+                action.setEnabled(bool(other))
+                words = tr("With Preset {preset}").format(preset=other.replace("&", "&&"))
+                action.setText(words if other else tr(COMPARISONS[OTHER_PRESET]))

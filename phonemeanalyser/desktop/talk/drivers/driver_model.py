@@ -12,6 +12,9 @@ from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 
+OTHER_PRESET = "preset"
+"""Moves a second head by what the preset that is not in use recognises, whatever is known of the words."""
+
 
 class DriverModel(QObject):
     """Chooses what moves the mouth, and what moves another one beside it.
@@ -26,7 +29,7 @@ class DriverModel(QObject):
     ----------
     performance : the tables of recorded faces.
     chosen : what is to move the mouth.
-    compared : what moves a second head beside the first; None for no second head.
+    compared : what moves a second head beside the first, a driver or `OTHER_PRESET`; None for no second head.
     letters : how a mouth says Chinese, where one goes by letters; None elsewhere.
     """
 
@@ -39,7 +42,7 @@ class DriverModel(QObject):
         super().__init__()
         self.performance = performance or PerformanceModel()
         self.chosen = FaceDriver.AUTO
-        self.compared: FaceDriver | None = None
+        self.compared: str | None = None
         self.letters: PinyinTrack | None = None
         self._utterance: Utterance | None = None
         self._text = ""
@@ -62,10 +65,13 @@ class DriverModel(QObject):
     @property
     def exported(self) -> DriverChoice:
         """The same for a file; a table that is not open moves none."""
-        table = self.performance.chosen
-        if table is None or self.chosen not in {FaceDriver.AUTO, FaceDriver.TABLE}:
-            return DriverChoice(FaceDriver.AUTO if self.chosen is FaceDriver.TABLE else self.chosen)
-        return DriverChoice(self.chosen, performance=(table,), choice=self.performance.choice)
+        return self._choice_of(self.chosen)
+
+    @property
+    def choice_beside(self) -> DriverChoice:
+        """What moves the second head, for a file; a driver that has nothing for what is said follows the sounds."""
+        has_nothing = self.compared is None or self.track_by(self.compared) is None
+        return DriverChoice(FaceDriver.RULES) if has_nothing else self._choice_of(FaceDriver(self.compared or ""))
 
     @property
     def wants_table(self) -> bool:
@@ -78,9 +84,9 @@ class DriverModel(QObject):
             self.chosen = driver
             self._choose_again()
 
-    def compare(self, driver: FaceDriver | None) -> None:
+    def compare(self, driver: str | None) -> None:
         """Show a second head that moves by this, or none."""
-        if driver is not self.compared:
+        if driver != self.compared:
             self.compared = driver
             self.compared_changed.emit()
             self._choose_again()
@@ -103,21 +109,27 @@ class DriverModel(QObject):
         self._utterance, self._text, self._sound, self._spoken = utterance, text, sound, spoken
         self._follow_again()
 
-    def track_by(self, driver: FaceDriver) -> MouthTrack | None:
+    def track_by(self, driver: str) -> MouthTrack | None:
         """Return what moves a mouth by a driver now; None where it follows the sound."""
         if driver is FaceDriver.PINYIN and self.letters is not None:
             return self.letters.mouth()
         return self.performance.face if driver is FaceDriver.TABLE else None
 
-    def caption_of(self, driver: FaceDriver, track: MouthTrack | None) -> str:
+    def caption_of(self, driver: str, track: MouthTrack | None) -> str:
         """Return in words what moves a mouth: by a driver that has nothing for it, its sounds do."""
         if track is None:
             return FaceDriver.RULES.caption
-        return self.performance.name if driver is FaceDriver.TABLE else driver.caption
+        return self.performance.name if driver is FaceDriver.TABLE else FaceDriver(driver).caption
 
     def close(self) -> None:
         """End all work."""
         self.performance.close()
+
+    def _choice_of(self, driver: FaceDriver) -> DriverChoice:
+        table = self.performance.chosen
+        if table is None or driver not in {FaceDriver.AUTO, FaceDriver.TABLE}:
+            return DriverChoice(FaceDriver.AUTO if driver is FaceDriver.TABLE else driver)
+        return DriverChoice(driver, performance=(table,), choice=self.performance.choice)
 
     # -- inside -------------------------------------------------------------------------------------------
 

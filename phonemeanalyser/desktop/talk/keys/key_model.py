@@ -13,15 +13,10 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
+from phonemeanalyser.desktop.talk.drivers.movement import movement_of, recording_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
-from phonemeengine.batch.work import say_nothing
-from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.errors import EngineError
-from phonemeengine.features.front_end import F0
-from phonemeengine.inspection.whole_sound import FrameState
-from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.key_layer import (
     NO_KEYS,
     KeyCurve,
@@ -31,8 +26,6 @@ from phonemeengine.mouth.key_layer import (
     read_keys,
     write_keys,
 )
-from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
-from phonemeengine.recognition.segments import SegmentBuilder
 
 USUAL_SHAPES = ("jawOpen", "mouthPucker", "mouthSmileLeft")
 """Blend shapes whose curves are seen at first."""
@@ -222,21 +215,13 @@ class KeyModel(QObject):
 
     def _generate(self) -> None:
         """Generate the movement as an export of the sound would, once all of the sound is recognised."""
-        sound, in_use, tracks = self.sound, self._in_use(), self._session.whole.tracks
-        if sound is None or tracks is None or not tracks.n_frames or np.any(tracks.states == FrameState.UNKNOWN):
+        sound, in_use, source = self.sound, self._in_use(), self._session.source
+        utterance = None if sound is None else in_use.words.get(sound)
+        said = recording_of(sound, source.duration, self._session.whole.tracks, utterance)
+        if said is None:
             return
-        options = replace(in_use.options, mesh=None, rate=self._rate(), table=in_use.table)
-        loudness, features = tracks.intensities, tracks.features
-        pitches = features.values[:, F0].astype(np.float32)
-        utterance, name = in_use.words.get(sound), sound.name
-        if utterance is not None:
-            speech = transcript_of_utterance(utterance, loudness, pitches, name, sound)
-        else:
-            builder = SegmentBuilder()
-            duration = self._session.source.duration
-            runs = (*builder.extend(tracks.phonemes, loudness), *builder.finish(duration))
-            speech = Transcript(name, duration, runs, loudness, pitches, sound)
-        work = partial(_generated, speech, utterance, options, in_use.driver)
+        options = replace(in_use.options, rate=self._rate(), table=in_use.table)
+        work = partial(movement_of, said, options, in_use.driver)
         self._work.replace(lambda _progress: work(), lambda made: self._take(sound, made))
 
     def _take(self, sound: Path | None, made: Animation) -> None:
@@ -248,14 +233,3 @@ class KeyModel(QObject):
         self.animation = made
         self._curves.clear()
         self.changed.emit()
-
-
-def _generated(
-    speech: Transcript, utterance: Utterance | None, options: ExportOptions, driver: DriverChoice
-) -> Animation:
-    exporter = Exporter("curves-json", options)
-    with driver.opened() as driving:
-        chosen = driving.chosen(utterance, speech.name, exporter.takes)
-        track = driving.track(chosen, utterance, speech, say_nothing)
-        movement = driving.movement(track, speech, exporter, say_nothing)
-    return exporter.export_of(speech, movement).animation

@@ -1,0 +1,67 @@
+"""The movement of a face through the current recording, generated as an export of it would be."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from phonemeengine.batch.work import say_nothing
+from phonemeengine.conversion.driving import DriverChoice
+from phonemeengine.features.front_end import F0
+from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
+from phonemeengine.labels.utterance import Utterance
+from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
+from phonemeengine.recognition.segments import SegmentBuilder
+
+
+@dataclass(frozen=True)
+class RecordedSpeech:
+    """A recording of which all is recognised.
+
+    Attributes
+    ----------
+    path, duration : its file, and how long it lasts, seconds.
+    tracks : what is recognised.
+    utterance : what is said; None where that is unknown.
+    """
+
+    path: Path
+    duration: float
+    tracks: SoundTracks
+    utterance: Utterance | None = None
+
+    def transcript(self) -> Transcript:
+        """Return what is said, and how loud and high."""
+        loudness, features = self.tracks.intensities, self.tracks.features
+        pitches = features.values[:, F0].astype(np.float32)
+        if self.utterance is not None:
+            return transcript_of_utterance(self.utterance, loudness, pitches, self.path.name, self.path)
+        builder = SegmentBuilder()
+        runs = (*builder.extend(self.tracks.phonemes, loudness), *builder.finish(self.duration))
+        return Transcript(self.path.name, self.duration, runs, loudness, pitches, self.path)
+
+
+def recording_of(
+    path: Path | None, duration: float, tracks: SoundTracks | None, utterance: Utterance | None = None
+) -> RecordedSpeech | None:
+    """Return a recording; None while not all of it is recognised."""
+    if path is None or tracks is None or not tracks.n_frames or np.any(tracks.states == FrameState.UNKNOWN):
+        return None
+    return RecordedSpeech(path, duration, tracks, utterance)
+
+
+def movement_of(said: RecordedSpeech, options: ExportOptions, choice: DriverChoice) -> Animation:
+    """Return how a face says a recording.
+
+    Raises
+    ------
+    EngineError : the driver cannot move a face by it.
+    """
+    exporter, speech = Exporter("curves-json", replace(options, mesh=None)), said.transcript()
+    with choice.opened() as driving:
+        driver = driving.chosen(said.utterance, speech.name, exporter.takes)
+        track = driving.track(driver, said.utterance, speech, say_nothing)
+        movement = driving.movement(track, speech, exporter, say_nothing)
+    return exporter.export_of(speech, movement).animation
