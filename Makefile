@@ -24,7 +24,7 @@ test: setup
 	$(BIN)/lint-imports
 	$(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal
 
-# The demo page in Chromium, which hears a recording as its microphone, and bundles of vite and esbuild there. Needs chromium and npm, and the network once.
+# The demo page in Chromium, which hears a recording as its microphone, and bundles and examples there. Needs chromium and npm, and the network once.
 test-web: setup
 	@$(BIN)/python -c 'import playwright' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[test-web]'
 	$(BIN)/python -m pytest -q -m browser

@@ -47,7 +47,13 @@ globalThis.OfflineAudioContext = class {
     return { samples: new Float32Array(length), copyToChannel(from) { this.samples.set(from); } };
   }
   createBufferSource() {
-    return { connect: (node) => (this.node = node), start: () => {}, set buffer(given) { globalThis.played = given.samples; } };
+    return {
+      context: this,
+      connect: (node) => (this.node = node),
+      disconnect: () => {},
+      start: () => {},
+      set buffer(given) { globalThis.played = given.samples; },
+    };
   }
   async startRendering() {
     const { played } = globalThis;

@@ -1,5 +1,7 @@
 // What a page in TypeScript writes; it compiles where the package's types are true.
-import { Ear, EarError, EarModel, EarNode, Mouth, WorkletOptions, earNode, loadModel, openMicrophone } from "phoneme-ear";
+import {
+  Ear, EarError, EarModel, EarNode, Mouth, Recogniser, WorkletOptions, createRecogniser, earNode, loadModel, openMicrophone,
+} from "phoneme-ear";
 
 export async function listen(context: AudioContext | OfflineAudioContext): Promise<EarNode> {
   const model: EarModel = await loadModel(new URL("ear.wasm", "https://example.org"), "preset.ear");
@@ -16,4 +18,14 @@ export async function listen(context: AudioContext | OfflineAudioContext): Promi
   if (context instanceof AudioContext) context.createMediaStreamSource(await openMicrophone()).connect(node);
   node.close();
   return node;
+}
+
+export async function recognise(): Promise<number | undefined> {
+  const own: Recogniser = await createRecogniser();
+  const source = new OscillatorNode(new AudioContext());
+  const onEnd = (error: EarError): void => console.log(error.message);
+  const other = await createRecogniser({ source, table: "rhubarb", model: own.model, onFrame: ({ time }) => time, onEnd });
+  console.log(other.shape(), other.frame?.phoneme, other.node.context, own.movestates.length);
+  own.close();
+  return other.weights().jawOpen;
 }

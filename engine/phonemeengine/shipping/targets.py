@@ -1,5 +1,6 @@
 """What a preset can be shipped for: files of this package, and what zig and npm make of them."""
 
+import base64
 import hashlib
 import io
 import json
@@ -177,6 +178,7 @@ _WASM = (
 _LICENCE = next(folder for folder in (_HERE, _HERE.parents[2]) if (folder / "LICENSE").is_file()) / "LICENSE"
 """Of the program, and so of all that is shipped: beside this module where it is installed, as in a checkout."""
 _WORKLET_PLACE = 'const WORKLET = "";'
+_SCRIPT = b'export default "'
 
 DESCRIPTION = "Recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them."
 
@@ -193,6 +195,7 @@ class ShipTarget:
     sources : folders of this package, each with the folder that its files go to.
     makes : what gives the files that are made when it is shipped.
     preset, licence : the names of the files of the preset, and of the licence.
+    script : the name of a script that holds the preset as well; empty for none.
     """
 
     words: str
@@ -200,6 +203,7 @@ class ShipTarget:
     makes: tuple[Callable[[], Files], ...] = ()
     preset: str = "preset.ear"
     licence: str = "LICENSE"
+    script: str = ""
 
     def files(self) -> Files:
         """Return the files that it gets beside the preset, by their path in the folder.
@@ -218,23 +222,40 @@ class ShipTarget:
 
 
 def _web_module() -> Files:
-    """Return the runtime as WebAssembly, and what makes a package of the folder."""
+    """Return the runtime as WebAssembly, and what makes a package of the folder.
+
+    The package holds module and preset as text that a script imports (see `_as_module`): every bundler, and every
+    server of packages, finds these by itself.
+    """
     package = {
         "name": "phoneme-ear",
         "version": phonemeengine.__version__,
         "description": DESCRIPTION,
         "license": "MIT",
         "type": "module",
+        "main": "ear.js",
+        "module": "ear.js",
         "exports": {
             ".": {"types": "./ear.d.ts", "default": "./ear.js"},
             "./ear-worklet.js": "./ear-worklet.js",
-            "./ear.wasm": "./ear.wasm",
-            "./preset.ear": "./preset.ear",
+            "./package.json": "./package.json",
         },
         "types": "ear.d.ts",
-        "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear.wasm", "preset.ear", "LICENSE"],
+        "sideEffects": False,
+        "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear-wasm.js", "ear-preset.js", "examples", "LICENSE"],
     }
-    return {"ear.js": _with_worklet(), "ear.wasm": compile_ear(_WASM, "ear.wasm"), "package.json": _json(package)}
+    wasm = compile_ear(_WASM, "ear.wasm")
+    return {
+        "ear.js": _with_worklet(),
+        "ear.wasm": wasm,
+        "ear-wasm.js": _as_module(wasm),
+        "package.json": _json(package),
+    }
+
+
+def _as_module(content: bytes) -> bytes:
+    """Return a script that exports some bytes as text (base64)."""
+    return b'export default "' + base64.b64encode(content) + b'";\n'
 
 
 def _with_worklet() -> bytes:
@@ -278,8 +299,11 @@ TARGETS: Mapping[str, ShipTarget] = {
         "WebAssembly and AudioWorklet, with a page that shows a talking head",
         {"web": "", "web_demo": "demo"},
         (_web_module, _demo_page),
+        script="ear-preset.js",
     ),
-    "web-module": ShipTarget("the same as an npm package, without the page", {"web": ""}, (_web_module,)),
+    "web-module": ShipTarget(
+        "the same as an npm package, without the page", {"web": ""}, (_web_module,), script="ear-preset.js"
+    ),
     "unity": ShipTarget(
         "Unity package: C#, a talking face and a talking sprite",
         {"unity": "", "csharp": "Runtime"},
@@ -296,7 +320,7 @@ TARGETS: Mapping[str, ShipTarget] = {
 
 # A folder with a runtime that builds and runs as it is: the preset, the sources, examples and how to go on.
 
-USUAL_TABLES = ("arkit", "rhubarb")
+USUAL_TABLES = ("arkit", "rhubarb", "vrm1")
 MOST_TABLES = 16
 
 
@@ -364,7 +388,10 @@ def ship(
     if target not in TARGETS:
         raise ExportError(f"there is no target {target!r:.40}; {remedy(target, TARGETS)}")
     folder = Path(folder)
-    files = {TARGETS[target].preset: format_ear(preset, tables), **TARGETS[target].files()}
+    shipped, content = TARGETS[target], format_ear(preset, tables)
+    files = {shipped.preset: content, **shipped.files()}
+    if shipped.script:
+        files[shipped.script] = _as_module(content)
     for name, content in files.items():
         if not overwrite:
             _check_free(folder / name, content)
@@ -373,13 +400,19 @@ def ship(
     return tuple(folder / name for name in files)
 
 
+def _is_preset(content: bytes) -> bool:
+    """Return whether a file holds a preset, as it is or as a script."""
+    start = content[len(_SCRIPT) :][:8] if content.startswith(_SCRIPT) else b""
+    return is_ear_file(base64.b64decode(start) if start else content)
+
+
 def _check_free(path: Path, content: bytes) -> None:
     """Refuse to replace what was changed by hand; a preset that was shipped before gives way to the new one."""
     try:
         there = path.read_bytes() if path.exists() else content
     except OSError as error:
         raise ExportError(f"{path}: cannot be read ({reason_of(error)}); choose another folder") from error
-    if there != content and not (is_ear_file(content) and is_ear_file(there)):
+    if there != content and not (_is_preset(content) and _is_preset(there)):
         raise ExportError(
             f"{path}: another file is there, or it was changed; choose another folder, or have it replaced "
             "(--overwrite)"

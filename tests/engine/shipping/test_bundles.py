@@ -1,4 +1,4 @@
-"""The package in the hands of bundlers: a page that vite or esbuild made listens as the module does."""
+"""The package in the hands of bundlers: a page that any of them made recognises as the engine does."""
 
 import functools
 import http.server
@@ -6,13 +6,16 @@ import json
 import shutil
 import subprocess
 import threading
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from phonemeengine import Preset, load_preset, ship
-from tests.bundlers import APP, BUNDLERS, bundled, project, tool
-from tests.engine.shipping.test_demo_page import Quiet, chromium
+from tests.bundlers import APP, ESBUILD, MORE_PACKAGES, PACKAGES, WORDS, bundled, project, tool
+from tests.engine.shipping.test_demo_page import Quiet, chromium, microphone
 from tests.engine.shipping.test_same_results import heard_by_engine, speech
 from tests.web_ears import node
 
@@ -33,35 +36,74 @@ def package(preset: Preset, tmp_path_factory: pytest.TempPathFactory) -> Path:
     return place
 
 
-@pytest.fixture(scope="module", params=BUNDLERS)
-def made(request: pytest.FixtureRequest, package: Path, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, str]:
-    """What a bundler makes of a page that imports the package, and its script."""
-    return bundled(request.param, project(tmp_path_factory.mktemp(request.param) / "page", package))
-
-
-def check_heard(found: list[int], preset: Preset) -> None:
+def check_heard(told: dict[str, Any], preset: Preset) -> None:
+    found = told["phonemes"]
     expected = heard_by_engine(preset, SOUND).phonemes[: len(found)]
     assert len(found) >= 188
     assert (expected == found).mean() >= SAME
+    assert told["widest"] > 0.1
+    assert told["refusal"] == "EarError: this recogniser was closed; open another one"
 
 
-def test_a_bundled_page_listens_in_the_thread_of_the_sound(made: tuple[Path, str], preset: Preset) -> None:
-    folder, script = made
+@pytest.mark.parametrize("by", ["vite", "esbuild"])
+def test_a_bundled_page_listens_in_the_audio_thread(by: str, package: Path, preset: Preset, tmp_path: Path) -> None:
+    folder, script = bundled(by, project(tmp_path / "page", package))
+    check_heard(in_node(folder, script), preset)
+
+
+def in_node(folder: Path, script: str) -> dict[str, Any]:
+    """Give what a page tells that runs in Node."""
     words = [node(), str(APP / "run.mjs"), str(folder), script, str(RATE)]
     done = subprocess.run(words, input=SOUND.tobytes(), capture_output=True, check=False)
     assert done.returncode == 0, done.stderr.decode()
-    check_heard(json.loads(done.stdout), preset)
+    told: dict[str, Any] = json.loads(done.stdout)
+    return told
 
 
 @pytest.mark.browser
-def test_a_bundled_page_listens_in_chromium(made: tuple[Path, str], preset: Preset) -> None:
-    handler = functools.partial(Quiet, directory=str(made[0]))
-    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server, chromium() as page:
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        page.goto(f"http://localhost:{server.server_port}/")
+@pytest.mark.parametrize("by", [*WORDS, "plain"])
+def test_a_page_listens_in_chromium(by: str, package: Path, preset: Preset, tmp_path: Path) -> None:
+    place = project(tmp_path / "page", package, PACKAGES if by in ("vite", "plain") else MORE_PACKAGES)
+    made = served_as_it_is(place) if by == "plain" else bundled(by, place)[0]
+    with served(made) as address, chromium() as page:
+        page.goto(address)
         page.wait_for_function("() => globalThis.hear")
         check_heard(page.evaluate("([samples, rate]) => hear(samples, rate)", [SOUND.tolist(), RATE]), preset)
+
+
+def served_as_it_is(place: Path) -> Path:
+    """Have the page load the package as from a server of packages, by its address; gives the folder to serve."""
+    script = place / "main.js"
+    module = script.read_text(encoding="utf-8").replace('"phoneme-ear"', '"/node_modules/phoneme-ear/ear.js"')
+    script.write_text(module, encoding="utf-8")
+    return place
+
+
+@contextmanager
+def served(folder: Path) -> Iterator[str]:
+    """Serve a folder on this machine; gives its address."""
+    handler = functools.partial(Quiet, directory=str(folder))
+    with http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://localhost:{server.server_port}/"
         server.shutdown()
+
+
+@pytest.mark.browser
+def test_the_examples_move_what_they_show_by_a_microphone(package: Path, tmp_path: Path) -> None:
+    place = project(tmp_path / "page", package, MORE_PACKAGES)
+    shutil.copytree(package / "examples", place / "examples")
+    tool(place, "esbuild", "examples.js", *ESBUILD[1:], "--jsx=automatic")
+    (place / "dist" / "index.html").write_text(
+        '<canvas></canvas><div id="root"></div><script type="module" src="/assets/examples.js"></script>', "utf-8"
+    )
+    with served(place / "dist") as address, chromium(*microphone(tmp_path, SOUND)) as page:
+        page.goto(address)
+        page.wait_for_function("() => globalThis.tryExamples")
+        told = page.evaluate("() => tryExamples()")
+    assert told.keys() == {"three", "vrm", "flat", "react"}
+    assert all(told[name] > 0.1 for name in ("three", "vrm", "flat"))
+    assert len(told["react"]) >= 3
 
 
 def test_the_types_are_those_of_the_module(package: Path, tmp_path: Path) -> None:
@@ -78,17 +120,13 @@ def test_the_worklet_is_one_file_and_the_module_has_it_inside(package: Path) -> 
 def test_a_page_that_forbids_blobs_may_name_the_worklet_s_file(package: Path, tmp_path: Path) -> None:
     place = tmp_path / "served"
     shutil.copytree(package, place)
+    (place / "ear-preset.js").unlink()
     app = (APP / "main.js").read_text(encoding="utf-8")
     for old, new in (
         ('from "phoneme-ear"', 'from "./ear.js"'),
-        ('import preset from "phoneme-ear/preset.ear?url"', 'const preset = "/preset.ear"'),
-        ('import wasm from "phoneme-ear/ear.wasm?url"', 'const wasm = "/ear.wasm"'),
-        ("frame.phoneme))", 'frame.phoneme), "/ear-worklet.js")'),
+        ("{ source,", '{ worklet: "/ear-worklet.js", preset: "/preset.ear", wasm: "/ear.wasm", source,'),
     ):
         assert old in app
         app = app.replace(old, new)
     (place / "main.js").write_text(app, encoding="utf-8")
-    words = [node(), str(APP / "run.mjs"), str(place), "main.js", str(RATE)]
-    done = subprocess.run(words, input=SOUND.tobytes(), capture_output=True, check=False)
-    assert done.returncode == 0, done.stderr.decode()
-    assert len(json.loads(done.stdout)) >= 188
+    assert len(in_node(place, "main.js")["phonemes"]) >= 188

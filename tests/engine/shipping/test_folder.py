@@ -187,7 +187,7 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
 
 
 SOURCES_OF_TARGETS = ("c", "csharp", "godot", "unity", "web", "web_demo")
-SIGNED = {".c", ".h", ".cs", ".js", ".ts", ".css", ".html", ""}
+SIGNED = {".c", ".h", ".cs", ".js", ".jsx", ".ts", ".css", ".html", ""}
 """Endings of files that can say their licence; a Makefile has none."""
 
 

@@ -26,8 +26,52 @@ export class EarError extends Error {}
 /** Read a frame from the bytes that the module wrote. */
 export function readFrame(bytes: Uint8Array): Frame;
 
-/** Fetch the module (ear.wasm) and a preset (preset.ear), and open them. */
-export function loadModel(wasm: string | URL, preset: string | URL): Promise<EarModel>;
+/** Open the module and the preset of this package; or fetch others (ear.wasm, preset.ear), which are given by address. */
+export function loadModel(wasm?: string | URL, preset?: string | URL): Promise<EarModel>;
+
+/** What createRecogniser can be told; everything may be left out. */
+export interface RecogniserOptions {
+  /** What is recognised; the microphone unless given. A node of the Web Audio API decides the context, too. */
+  source?: AudioNode | MediaStream;
+  /** Where it runs, such as a context of yours, which you start and close. Unless given, it has one of its own. */
+  context?: BaseAudioContext;
+  /** Called with each frame, in the thread of the page. */
+  onFrame?: (frame: Frame) => void;
+  /** Called when recognition ends without `close`, such as when the microphone is taken away. */
+  onEnd?: (error: EarError) => void;
+  /** The mouth table by which `weights` and `shape` go; "arkit" unless given. */
+  table?: string;
+  /** A model that is open already, for several recognisers. */
+  model?: EarModel;
+  /** The address of another preset than the package's, and of ear.wasm. */
+  preset?: string | URL;
+  wasm?: string | URL;
+  /** The address of ear-worklet.js, for pages whose security policy forbids scripts from blob: addresses. */
+  worklet?: string | URL;
+}
+
+/** Recognises, and moves a mouth; made by createRecogniser. Once it is closed, it throws an EarError. */
+export interface Recogniser {
+  readonly model: EarModel;
+  readonly context: BaseAudioContext;
+  readonly node: EarNode;
+  /** The newest frame; null before the first one. */
+  readonly frame: Frame | null;
+  /** The blend shapes of its table. */
+  readonly movestates: readonly string[];
+  /** The weights of the blend shapes now, 0..1, by name; call it for each picture. */
+  weights(): Record<string, number>;
+  /** The name of the shape that its table has for the newest frame, such as "B" of "rhubarb". */
+  shape(): string;
+  /** Stop, and release everything that was opened for it. */
+  close(): void;
+}
+
+/**
+ * Recognise a microphone, or another source, and move a mouth by it. Call it after a click, since browsers start no sound
+ * before one. What cannot be done is an EarError, with a sentence that can be shown in the page.
+ */
+export function createRecogniser(options?: RecogniserOptions): Promise<Recogniser>;
 
 /** A preset, with the memory of its recognisers. */
 export class EarModel {

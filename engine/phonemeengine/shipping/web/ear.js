@@ -2,10 +2,7 @@
 /*
  * Recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them: ear.wasm, with a preset.
  *
- *     const model = await loadModel("ear.wasm", "preset.ear");
- *     const context = new AudioContext();
- *     const node = await earNode(context, model, (frame) => console.log(model.phonemes[frame.phoneme]));
- *     context.createMediaStreamSource(await openMicrophone()).connect(node);
+ *     const recogniser = await createRecogniser({ onFrame: ({ phoneme }) => console.log(recogniser.model.phonemes[phoneme]) });
  */
 
 const FRAME_BYTES = 64;
@@ -37,10 +34,17 @@ export function readFrame(bytes) {
   };
 }
 
-/** Fetch the module and a preset, and open them. */
+/** Open the module and the preset of this package; or fetch others, which are given by address. */
 export async function loadModel(wasm, preset) {
-  const [code, content] = await Promise.all([fetchBytes(wasm), fetchBytes(preset)]);
+  const [code, content] = await Promise.all([
+    wasm ? fetchBytes(wasm) : ownBytes(import("./ear-wasm.js")),
+    preset ? fetchBytes(preset) : ownBytes(import("./ear-preset.js")),
+  ]);
   return new EarModel(await WebAssembly.compile(code), content);
+}
+
+async function ownBytes(file) {
+  return Uint8Array.from(atob((await file).default), (letter) => letter.charCodeAt(0));
 }
 
 async function fetchBytes(place) {
@@ -320,6 +324,113 @@ export async function openMicrophone() {
     return await navigator.mediaDevices.getUserMedia({ audio: asIs });
   } catch (error) {
     throw new EarError(REFUSALS[error.name] ?? `the microphone cannot be opened (${error.message}); try another one`);
+  }
+}
+
+const LONGEST_START = 5000; // milliseconds
+
+/**
+ * Recognise a microphone, or another source, and move a mouth by it. Call it after a click, since browsers start no sound
+ * before one. All options may be left out; see ear.d.ts.
+ */
+export async function createRecogniser(options = {}) {
+  const { source, onFrame, onEnd, table = "arkit", wasm, preset, worklet } = options;
+  const isNode = source && "context" in source;
+  const context = options.context ?? (isNode ? source.context : new AudioContext()); // in the click itself, for Safari
+  const isOurs = !options.context && !isNode;
+  const undo = [() => isOurs && context.close()];
+  const close = () => undo.splice(0).reverse().forEach((step) => step()); // a second call finds nothing to undo
+  try {
+    const model = options.model ?? (await loadModel(wasm, preset));
+    const mouth = model.tables.includes(table) ? model.mouth(table) : null;
+    undo.push(() => mouth?.close());
+    const recogniser = new Recogniser(model, context, mouth, table, close);
+    const hear = (frame) => {
+      recogniser.take(frame);
+      onFrame?.(frame);
+    };
+    const node = (recogniser.node = await earNode(context, model, hear, worklet));
+    undo.push(() => node.close());
+    const stream = isNode ? null : (source ?? (await openMicrophone()));
+    if (stream && !source) undo.push(() => stream.getTracks().forEach((track) => track.stop()));
+    const end = (words) => {
+      recogniser.close();
+      onEnd?.(new EarError(words));
+    };
+    stream?.getAudioTracks().forEach((track) => {
+      track.onended = () => end("the microphone was taken away; connect it, and start again");
+      undo.push(() => (track.onended = null));
+    });
+    node.onprocessorerror = () => end("the recogniser stopped in the audio thread; start it again");
+    const opened = isNode ? source : context.createMediaStreamSource(stream);
+    opened.connect(node);
+    undo.push(() => disconnect(opened, node));
+    if (isOurs) await started(context);
+    return recogniser;
+  } catch (error) {
+    close();
+    throw error;
+  }
+}
+
+function disconnect(source, node) {
+  try {
+    source.disconnect(node);
+  } catch {
+    // the page has done so itself
+  }
+}
+
+/* Wait until sound flows, which it does at once, or never where the system has no output or nobody has clicked. */
+async function started(context) {
+  const waited = new Promise((resolve) => setTimeout(resolve, LONGEST_START));
+  await Promise.race([context.resume(), waited]);
+  if (context.state !== "running") {
+    throw new EarError(
+      "the browser starts no sound; start after a click, connect a loudspeaker or headphones, and try again",
+    );
+  }
+}
+
+/** What createRecogniser makes. */
+class Recogniser {
+  #mouth;
+  #table;
+  #close;
+  #isOpen = true;
+
+  constructor(model, context, mouth, table, close) {
+    this.#mouth = mouth;
+    this.#table = table;
+    this.#close = close;
+    this.model = model;
+    this.context = context;
+    this.movestates = mouth?.movestates ?? [];
+    this.frame = null;
+  }
+
+  take(frame) {
+    this.frame = frame;
+    this.#mouth?.hear(frame.time, frame);
+  }
+
+  /** The weights of the blend shapes now, 0..1, by name. */
+  weights() {
+    checkOpen(this.#isOpen, "recogniser");
+    const values = this.#mouth?.weights(this.frame?.time ?? 0) ?? [];
+    return Object.fromEntries(this.movestates.map((name, k) => [name, values[k]]));
+  }
+
+  /** The name of the shape that its table has for the newest frame. */
+  shape() {
+    checkOpen(this.#isOpen, "recogniser");
+    return this.model.shapeOf(this.#table, this.frame ?? { phoneme: 0, viseme: NO_VISEME });
+  }
+
+  /** Stop, and release everything that was opened for it. */
+  close() {
+    this.#isOpen = false;
+    this.#close();
   }
 }
 
