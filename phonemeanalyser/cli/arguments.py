@@ -30,6 +30,7 @@ MOVED = (
     "no-head",
     "seed",
     "expression",
+    "feeling",
     "priority",
 )
 DRIVEN = ("text-driver", "pinyin-table", "spring", "performance", "use", "choice", "without", "keywords", "units")

@@ -37,6 +37,7 @@ from phonemeengine import (
 from phonemeengine.analyser import latest_reading
 from phonemeengine.audio.devices import chosen_input, inputs_of
 from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE
+from phonemeengine.features.feeling import FeelingEstimator
 from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE
@@ -74,7 +75,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and mouth shapes as OSC and VMC messages")
     table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
-    add_options(parser, "expression", "priority")
+    add_options(parser, "expression", "feeling", "priority")
     heard = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
     parser.add_argument("--expression-osc", metavar="HOST:PORT", help=heard)
 
@@ -106,7 +107,7 @@ def _preset_of(options: argparse.Namespace) -> Preset:
 
 def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None:
     if options.osc is None:
-        if options.expression is not None or options.expression_osc is not None:
+        if any(value is not None for value in (options.expression, options.expression_osc, options.feeling)):
             options.parser.error("an expression is sent with the mouth; say where with --osc")
         return None
     streams = []
@@ -166,6 +167,7 @@ def listen(
     MouthError : the receiver of the mouth is unknown.
     """
     chosen_input(choice, devices())
+    feeling = FeelingEstimator()
     changes = _Changes(_as_json if kind == "json" else _as_text)
     with _sending(osc) as performer, _quiet_libraries(), ended_by_signals():
 
@@ -174,6 +176,8 @@ def listen(
             if performer is not None:
                 now = time.monotonic()
                 performer.hear(timed_frames(analysis, now), now, live=True)
+                if performer.feels:
+                    performer.feel(feeling.follow(analysis.frames.windows), now)
 
         changes.listener = listener = open_listener(preset, choice, phonemes_only=True, on_analysis=follow)
         try:

@@ -239,7 +239,9 @@ def _labelled(options: argparse.Namespace) -> tuple[Utterance, Transcript]:
         labels = read_utterance(options.recording.with_suffix(".TextGrid"), reader.duration)
     utterance = replace(labels, language=options.language or "")
     preset = load_preset(options.preset)
-    return utterance, transcribe(options.recording, preset, channel=options.channel, pitch=True, script=utterance)
+    felt = given(options).feeling is not None
+    speech = transcribe(options.recording, preset, channel=options.channel, pitch=True, script=utterance, felt=felt)
+    return utterance, speech
 
 
 def _missing(skipped: Sequence[str]) -> str:

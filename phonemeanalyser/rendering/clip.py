@@ -414,7 +414,7 @@ class ClipWork:
             heard, shown = subrange(progress, 0, ANALYSED), subrange(progress, ANALYSED, 1)
             pitch = self.options.idle.head or driving.recorded is not None
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
-            utterance, speech = self.texts.said(reader, job.sound, analyses, say)
+            utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=self.options.idle.feels)
             animations, captions = self._faces_of(utterance, speech, printable_name(job.source), driving, say)
             if self.driver.beside is not None:
                 say(

@@ -13,13 +13,14 @@ from phonemeanalyser.server.limits import RefusedError
 from phonemeengine import GrownWords, MouthTable, Phoneme, Word, load_table
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
+from phonemeengine.features.feeling import Feeling
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.settings import FRAME_PERIOD
 
 _PHONEMES = [phoneme.label for phoneme in Phoneme]
-_START = ("encoding", "rate", "channels", "table", "language", "text")
+_START = ("encoding", "rate", "channels", "table", "language", "text", "feeling")
 _LATER = ("text", "end")
 _T = TypeVar("_T", int, str)
 
@@ -34,12 +35,14 @@ class StreamStart:
     table : the mouth whose weights it wants; None for none.
     language : of the text; empty where none will come.
     text : the beginning of what is said, as far as it is known.
+    felt : whether it wants to know how the voice sounds.
     """
 
     form: StreamFormat
     table: MouthTable | None = None
     language: str = ""
     text: str = ""
+    felt: bool = False
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ def start_of(message: str) -> StreamStart:
     language, text = _value(told, "language", str, ""), _value(told, "text", str, "")
     if text and not language:
         raise RefusedError("the text has no language; name it in the first message, such as en-us or de")
-    return StreamStart(form, _table_named(_value(told, "table", str, "")), language, text)
+    return StreamStart(form, _table_named(_value(told, "table", str, "")), language, text, _switch(told, "feeling"))
 
 
 def later_words_of(message: str) -> LaterWords:
@@ -80,10 +83,7 @@ def later_words_of(message: str) -> LaterWords:
     RefusedError : it is something else.
     """
     told = _object_in(message, _LATER)
-    end = told.get("end", False)
-    if not isinstance(end, bool):
-        raise RefusedError(f"end must be true or false, got {_shown(end)}")
-    return LaterWords(_value(told, "text", str, ""), end)
+    return LaterWords(_value(told, "text", str, ""), _switch(told, "end"))
 
 
 def ready(start: StreamStart, speech: IncomingSpeech, preset: str) -> str:
@@ -111,6 +111,9 @@ def frames(heard: HeardPiece) -> str:
     }
     if heard.weights is not None:
         told["weights"] = np.round(heard.weights.astype(np.float64), 3).tolist()
+    if len(heard.feelings):
+        for name, column in zip(Feeling._fields, heard.feelings.T, strict=True):
+            told[name] = _thousandths(column)
     return json.dumps(told)
 
 
@@ -161,6 +164,13 @@ def _value(told: Mapping[str, Any], key: str, kind: type[_T], usual: _T) -> _T:
     value = told.get(key, usual)
     if not isinstance(value, kind) or isinstance(value, bool):
         raise RefusedError(f"{key} must be {'a whole number' if kind is int else 'a text'}, got {_shown(value)}")
+    return value
+
+
+def _switch(told: Mapping[str, Any], key: str) -> bool:
+    value = told.get(key, False)
+    if not isinstance(value, bool):
+        raise RefusedError(f"{key} must be true or false, got {_shown(value)}")
     return value
 
 

@@ -177,7 +177,9 @@ class StreamSession:
         if not isinstance(message, str):
             raise RefusedError("the first message must say in JSON what is sent, such as its encoding and rate")
         start = messages.start_of(message)
-        self.speech = IncomingSpeech(self._preset, start.form, start.table, with_text=bool(start.language))
+        self.speech = IncomingSpeech(
+            self._preset, start.form, start.table, with_text=bool(start.language), felt=start.felt
+        )
         self._language = start.language
         await self._add_text(start.text)
         await self._send(messages.ready(start, self.speech, self._preset.name))

@@ -73,3 +73,10 @@ def test_a_priority_without_an_expression_is_a_usage_error(tmp_path, capsys):
         main(["export", str(DEMO), "--format", "livelink-csv", "-o", str(tmp_path / "a.csv"), "--priority", "1"])
     assert ended.value.code == 2
     assert "--expression" in capsys.readouterr().err
+
+
+def test_a_file_follows_the_feeling_in_its_voice_as_far_as_is_asked_for(tmp_path):
+    rows = exported(tmp_path / "a.csv", "--feeling", "brows=1")
+    brows = column(rows, "BrowOuterUpLeft")
+    assert 0.01 < brows.max() < 0.6
+    assert column(rows, "MouthSmileLeft").max() == column(exported(tmp_path / "b.csv"), "MouthSmileLeft").max()

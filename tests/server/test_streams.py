@@ -1,5 +1,6 @@
 """Streams: what a client is told is what the engine finds in the whole sound, however it is cut."""
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -7,15 +8,18 @@ import numpy as np
 import pytest
 import soundfile
 
+from phonemeanalyser.server import messages
+from phonemeanalyser.server.limits import RefusedError
 from phonemeanalyser.server.service import ServerSettings
 from phonemeengine import Analyser, Phoneme, Viseme, load_preset, load_table
 from phonemeengine.analyser import Analysis, concatenate_analyses
 from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.labels.visemes import NO_VISEME
-from phonemeengine.live.incoming_speech import in_time
+from phonemeengine.live.incoming_speech import IncomingSpeech, in_time
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.presets.preset import Preset
+from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import CORPUS
 from tests.server.conftest import FAST
 from tests.server.servers import Told, as_s16, cut, served, streamed
@@ -96,3 +100,15 @@ def test_the_whole_corpus_has_the_same_phonemes_as_offline(server: str) -> None:
         samples, rate = soundfile.read(path, dtype="float32")
         told = streamed(server, {"encoding": "f32", "rate": rate}, cut(samples.tobytes(), [882 * 4]))
         check(told, heard(samples))
+
+
+def test_a_client_that_asks_is_told_how_the_voice_sounds():
+    start = messages.start_of('{"rate": 44100, "encoding": "f32", "feeling": true}')
+    speech = IncomingSpeech(LEARNED, start.form, felt=start.felt)
+    tone = np.sin(2 * np.pi * 150 * np.arange(SAMPLE_RATE) / SAMPLE_RATE).astype(np.float32)
+    told = [json.loads(messages.frames(speech.hear(piece))) for piece in speech.pieces(tone.tobytes())][-1]
+    names = ("activation", "activation_spread", "pleasantness", "pleasantness_spread")
+    assert [len(told[name]) for name in names] == [len(told["phonemes"])] * 4
+    assert 0 < told["activation_spread"][-1] < 1
+    with pytest.raises(RefusedError, match="feeling must be true or false, got 1"):
+        messages.start_of('{"rate": 44100, "feeling": 1}')

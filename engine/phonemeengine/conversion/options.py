@@ -13,6 +13,7 @@ from phonemeengine.mouth.cues import LONGEST_MINIMUM, MINIMUM, MOST_ANTICIPATION
 from phonemeengine.mouth.exports.exporter import FACTORS, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.composer import Expression
+from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.morpher import Detail
@@ -138,6 +139,19 @@ def read_parts(words: str) -> frozenset[PerformancePart]:
         raise OptionError(f"must be any of {','.join(PerformancePart)}, with commas between, got {words!r}") from None
 
 
+def read_feeling(words: str) -> FeelingAmounts:
+    """Read how far parts of a face follow the feeling in the voice.
+
+    Raises
+    ------
+    OptionError : there is no such part, or no number.
+    """
+    try:
+        return FeelingAmounts.of(words)
+    except MouthError as error:
+        raise OptionError(str(error)) from None
+
+
 @dataclass(frozen=True)
 class Option:
     """An option of conversions.
@@ -252,6 +266,11 @@ class ConversionOptions:
         (),
         several=True,
     )
+    feeling: FeelingAmounts | None = _option(
+        "follow the feeling in the voice: one number, 0..1, or any of brows=V,lids=V,smile=V,head=V",
+        "V",
+        read_feeling,
+    )
     priority: str | None = _option(
         "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
     )
@@ -347,14 +366,15 @@ class ConversionOptions:
         EngineError : there is no such expression, or a file cannot be read.
         """
         streams = (*map(_stream_of, self.expression), *more)
-        if not streams:
+        if not (streams or self.feeling):
             if self.priority is not None:
-                raise OptionError("--priority goes with --expression; give one")
+                raise OptionError("--priority goes with --expression or --feeling; give one")
             return None
         if self.priority is None:
-            return Expression(streams)
+            return Expression(streams, feeling=self.feeling)
         speech, _, other = self.priority.partition(",")
-        return Expression(streams, _share(speech, self.priority), _share(other, self.priority) if other else None)
+        own, others = _share(speech, self.priority), _share(other, self.priority) if other else None
+        return Expression(streams, own, others, feeling=self.feeling)
 
 
 WEIGHTED = ("detail", "attack", "release", "steady", "seed")
@@ -363,6 +383,7 @@ FACIAL = (
     "no-blinks",
     "no-head",
     "expression",
+    "feeling",
     "priority",
     "text-driver",
     "pinyin-table",

@@ -86,7 +86,9 @@ class SpeechFiles:
         with self._opened() as files:
             noted = self._noted(sentences, files)
             if self._moves:
-                said = spoken_text(noted, language=language, sound=files.get(self.sound), path=self.sound)
+                felt = self.exporter is not None and self.exporter.idle.feels
+                sound = files.get(self.sound)
+                said = spoken_text(noted, language=language, sound=sound, path=self.sound, felt=felt)
                 self._export(files, said.transcript, self._track_of(said.utterance, said.transcript, text))
             else:
                 deque(written_as_spoken(noted, files.get(self.sound)), maxlen=0)

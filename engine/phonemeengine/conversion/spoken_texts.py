@@ -137,9 +137,11 @@ class SpokenTexts:
         return words
 
     def aligned(
-        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say, *, felt: bool = False
     ) -> tuple[Utterance, Transcript] | None:
         """Return what is said in an open sound, and say what does not fit its text.
+
+        With `felt` the feeling in the voice is estimated, too.
 
         Where nothing is known of it, the answer is None, and no analysis is taken.
 
@@ -151,16 +153,20 @@ class SpokenTexts:
         if script is None:
             return None
         name, accepted = printable_name(sound), self.accepted
-        found = scripted_transcript_of(analyses, script, name, reader.duration, sound, accept_text=accepted)
+        found = scripted_transcript_of(
+            analyses, script, name, reader.duration, sound, accept_text=accepted, felt=felt
+        )
         say_misfits(name, found[0], say)
         return found
 
     def said(
-        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say
+        self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say, *, felt: bool = False
     ) -> tuple[Utterance | None, Transcript]:
         """Return what is said in an open sound, as `aligned` does; else what is recognised in it."""
-        found = self.aligned(reader, sound, analyses, say)
-        return found or (None, transcript_of(analyses, printable_name(reader.path), reader.duration, reader.path))
+        found = self.aligned(reader, sound, analyses, say, felt=felt)
+        if found is not None:
+            return found
+        return None, transcript_of(analyses, printable_name(reader.path), reader.duration, reader.path, felt=felt)
 
     def _beside(self, sounds: Sequence[Path], say: Say, with_labels: bool) -> "SpokenTexts":
         """Return the texts, and labels with words, that lie beside sounds; say where nothing does."""

@@ -235,7 +235,8 @@ class ConversionWork:
         with open_sound(job.source, self.channel, say, self.longest) as reader:
             pitch = driving.recorded is not None or (exporter.format.moves_head and exporter.idle.head)
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
-            utterance, speech = self.texts.said(reader, job.sound, analyses, say)
+            felt = exporter.idle.feels
+            utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=felt)
             driver = driving.chosen(utterance, printable_name(job.source), exporter.takes)
             track = driving.track(driver, utterance, speech, say)
             movement = driving.movement(track, speech, exporter, say)

@@ -75,12 +75,13 @@ def _inverse_transform() -> Float32Array:
 _BONUS = (OCTAVE_BONUS * np.log2(_LAGS[-1] / _LAGS[1:-1])).astype(np.float32)
 
 
-def fundamental_of(frames: Float32Array) -> Float32Array:
+def fundamental_of(frames: Float32Array, silence: float = SILENCE_LEVEL) -> Float32Array:
     """Measure the fundamental frequency of consecutive raw frames.
 
     Parameters
     ----------
     frames : float32, shape (n_frames, 2048), full scale ±1, at 44.1 kHz.
+    silence : amplitude, 0..1, below which a frame is nearly silent.
 
     Returns
     -------
@@ -92,7 +93,7 @@ def fundamental_of(frames: Float32Array) -> Float32Array:
     mean: Float32Array = np.add.reduce(heard, axis=1, keepdims=True)
     mean /= np.float32(_LENGTH)
     slow = heard - mean
-    loud = np.maximum.reduce(slow, axis=1) > SILENCE_LEVEL
+    loud = np.maximum.reduce(slow, axis=1) > silence
     bins = rfft(slow * _window(), _PADDED)[:, :_KEPT]
     # One matrix for the few lags and bins that matter is cheaper than an inverse transform of all.
     correlation = (bins.real**2 + bins.imag**2) @ _inverse_transform()

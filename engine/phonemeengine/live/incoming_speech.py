@@ -1,7 +1,7 @@
 """Speech that arrives in chunks, and its phonemes and words, at most 60 ms after each chunk."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from phonemeengine.analyser import Analyser, Analysis, concatenate_analyses, pus
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
+from phonemeengine.features.feeling import NO_FEELINGS, FeelingEstimator, FeltFrames
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.presets.model_choice import for_live_use, with_small_network
@@ -40,11 +41,13 @@ class HeardPiece:
     weights : of the movestates of the mouth table when each frame begins, float32, shape (n_frames, n_movestates);
         None without a table.
     words : what is known of the words of the text by now; None where that was not looked up again.
+    feelings : how the voice sounds in the frames, see `FeelingEstimator`; none where that was not asked for.
     """
 
     analysis: Analysis
     weights: Float32Array | None = None
     words: GrownWords | None = None
+    feelings: FeltFrames = field(default_factory=lambda: NO_FEELINGS)
 
 
 class IncomingSpeech:
@@ -56,6 +59,7 @@ class IncomingSpeech:
     form : what the bytes of the sound are.
     table : the mouth that moves with it.
     with_text : whether words of a text will come, before what says them or soon after.
+    felt : whether the feeling in the voice is estimated, too.
 
     Raises
     ------
@@ -69,13 +73,20 @@ class IncomingSpeech:
     """
 
     def __init__(
-        self, preset: Preset, form: StreamFormat, table: MouthTable | None = None, *, with_text: bool = False
+        self,
+        preset: Preset,
+        form: StreamFormat,
+        table: MouthTable | None = None,
+        *,
+        with_text: bool = False,
+        felt: bool = False,
     ) -> None:
         self._sound = IncomingSound(form)
         self.analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
         self.is_foreign = spec_of(preset.recogniser).entry is not None
         self._morpher = Morpher(table) if table is not None else None
         self._aligner = GrowingAligner() if with_text else None
+        self._feeling = FeelingEstimator() if felt else None
         self._unlooked: list[Analysis] = []
         self.n_unlooked = 0
 
@@ -142,7 +153,9 @@ class IncomingSpeech:
         if self._aligner is not None and len(analysis):
             self._unlooked.append(analysis)
             self.n_unlooked += len(analysis)
-        return HeardPiece(analysis, None if self._morpher is None else _weights(self._morpher, analysis))
+        weights = None if self._morpher is None else _weights(self._morpher, analysis)
+        felt = NO_FEELINGS if self._feeling is None else self._feeling.follow(analysis.frames.windows)
+        return HeardPiece(analysis, weights, feelings=felt)
 
     def look(self) -> GrownWords | None:
         """Return what is known of the words of the text by now; None where no text was announced."""

@@ -16,6 +16,7 @@ from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
 from phonemeengine.mouth.table import LIMITS, MouthTable
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import FRAME_PERIOD
 
 LOWEST_RATE, HIGHEST_RATE = 1.0, 240.0
 """Frames per second."""
@@ -178,6 +179,7 @@ def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Ite
     expected = _rows(speech.times, speech.intensities)
     frames = _rows(speech.times, speech.intensities, speech.pitches)
     known, coming = next(expected, None), next(frames, None)
+    n_felt = 0
     for (time,) in _rows(times):
         while known is not None and known[0] <= time + LIMITS["loudness"][1]:
             performer.expect_loudness(*known)
@@ -185,6 +187,9 @@ def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Ite
         while coming is not None and coming[0] <= time:
             performer.hear_voice(*coming)
             coming = next(frames, None)
+        felt = speech.feelings[n_felt : math.floor(time / FRAME_PERIOD + 1e-6) + 1]
+        n_felt += len(felt)
+        performer.feel(felt, n_felt * FRAME_PERIOD)
         yield performer.at(time)
 
 

@@ -25,6 +25,7 @@ def transcribe(
     channel: Channel = Channel.MIX,
     pitch: bool = False,
     script: Script | None = None,
+    felt: bool = False,
     progress: Progress = no_progress,
 ) -> Transcript:
     """Return what a sound file says: its segments of equal phonemes, and how loud it is.
@@ -37,6 +38,7 @@ def transcribe(
     pitch : measure the fundamental frequency too, by which a head moves.
     script : what is said in it, where that is known: its words (see `words_of`), or an `Utterance`, such as
         `align` gives; far more exact than listening alone.
+    felt : estimate the feeling in the voice too, by which an expression moves; see `FeelingAmounts`.
     progress : called with the share that is done, 0..1.
 
     Raises
@@ -49,8 +51,8 @@ def transcribe(
         analyses = analyse_file(reader, preset, pitch=pitch, progress=progress)
         name, duration = printable_name(reader.path), reader.duration
         if script is None:
-            return transcript_of(analyses, name, duration, reader.path)
-        return scripted_transcript_of(analyses, script, name, duration, reader.path)[1]
+            return transcript_of(analyses, name, duration, reader.path, felt=felt)
+        return scripted_transcript_of(analyses, script, name, duration, reader.path, felt=felt)[1]
 
 
 def cues(

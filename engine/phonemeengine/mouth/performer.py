@@ -16,6 +16,7 @@ from typing import NamedTuple, Protocol
 
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
+from phonemeengine.features.feeling import Feeling, FeltFrames
 from phonemeengine.features.front_end import F0
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, Cue, PlannedMovement, joined_runs, planned_movements
@@ -54,6 +55,11 @@ class IdleMotion:
     seed: int = 0
     detail: Detail = Detail.PHONEMES
     expression: Expression | None = None
+
+    @property
+    def feels(self) -> bool:
+        """Whether the face follows the feeling in the voice."""
+        return self.expression is not None and bool(self.expression.feeling)
 
 
 MOUTH_ALONE = IdleMotion(blinks=False, head=False)
@@ -250,6 +256,16 @@ class Performer:
         """
         self._coming.append(self._runs[-1]._replace(time=time, intensity=intensity, f0=f0))
 
+    def feel(self, feelings: FeltFrames, end: float) -> None:
+        """Take the feeling in the voice in the next frames, of which the last one ends at a time, seconds."""
+        start = end - len(feelings) * FRAME_PERIOD
+        with self._lock:
+            felt = None if self._composer is None else self._composer.felt
+            if felt is None:
+                return
+            for k, row in enumerate(feelings.tolist()):
+                felt.hear(start + k * FRAME_PERIOD, Feeling(*row))
+
     def expect_speech(self, speech: Iterable[tuple[float, float]]) -> None:
         """Take the intervals of speech to come, start and end of each in order, so that expressions give way."""
         self._inhibition.expect(speech)
@@ -323,6 +339,11 @@ class Performer:
         return self._rests_from
 
     @property
+    def feels(self) -> bool:
+        """Whether the face follows the feeling in the voice, see `feel`."""
+        return self._composer is not None and self._composer.felt is not None
+
+    @property
     def inhibition(self) -> float:
         """By what share speech reduces expressions, 0..1, at the last look."""
         return self._reduction
@@ -390,7 +411,9 @@ class Performer:
 
     def _pose(self, time: float) -> HeadPose:
         turned = None if self._track is None else self._track.head(time - self._track_start)
-        return self._head.pose(time) if turned is None else turned
+        pose = self._head.pose(time) if turned is None else turned
+        felt = None if self._composer is None or turned is not None else self._composer.felt
+        return pose if felt is None else felt.turned(pose, time)
 
     def _columns_of_track(self) -> list[int]:
         """Return where the table's movestates are in those of the track; none where one is missing there."""

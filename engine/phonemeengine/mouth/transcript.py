@@ -13,6 +13,7 @@ import numpy as np
 from phonemeengine.alignment.align import align_analyses
 from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
+from phonemeengine.features.feeling import NO_FEELINGS, FeelingEstimator, FeltFrames
 from phonemeengine.features.front_end import F0
 from phonemeengine.labels.articulation import ARTICULATIONS, letters_of
 from phonemeengine.labels.phone_sets import phone_classes_in
@@ -44,6 +45,7 @@ class Transcript(ShortRepr):
     pitches : float32, shape (n_frames,): fundamental frequency, Hz; 0 where there is none, or it was not measured.
     path : the sound's file, where it is known.
     utterance : its words, syllables and phones with their times, where they are known.
+    feelings : how the voice sounds in the frames, see `FeelingEstimator`; none where that was not asked for.
     """
 
     name: str
@@ -53,6 +55,7 @@ class Transcript(ShortRepr):
     pitches: Float32Array = field(default_factory=lambda: NOTHING)
     path: Path | None = None
     utterance: Utterance | None = None
+    feelings: FeltFrames = field(default_factory=lambda: NO_FEELINGS)
 
     @property
     def words(self) -> tuple[Word, ...]:
@@ -81,21 +84,30 @@ class Prosody:
     Attributes
     ----------
     first : the number of the first frame that is not forgotten.
+
+    Parameters
+    ----------
+    felt : whether the feeling in the voice is estimated, too.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, *, felt: bool = False) -> None:
         self.first = 0
+        self._feeling = FeelingEstimator() if felt else None
+        self._feelings = [NO_FEELINGS]
         self._intensities, self._pitches = [NOTHING], [NOTHING]
 
     def add(self, analysis: Analysis) -> None:
         """Take the next one."""
         self._intensities.append(analysis.intensities)
         self._pitches.append(np.array(analysis.features.values[:, F0], np.float32))
+        if self._feeling is not None:
+            self._feelings.append(self._feeling.follow(analysis.frames.windows))
 
     def forget(self, frame: int) -> None:
         """Forget all frames before one."""
         n = max(0, frame - self.first)
         self._intensities, self._pitches = [self.intensities[n:]], [self.pitches[n:]]
+        self._feelings = [self.feelings[n:]]
         self.first += n
 
     @property
@@ -108,15 +120,26 @@ class Prosody:
         """Float32, shape (n_frames,); see `Transcript`."""
         return np.concatenate(self._pitches)
 
+    @property
+    def feelings(self) -> FeltFrames:
+        """Float32, shape (n_frames, 4), or no frame; see `Transcript`."""
+        return np.concatenate(self._feelings)
 
-def transcript_of(analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None) -> Transcript:
-    """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file."""
-    joiner, runs, prosody = SegmentBuilder(), [], Prosody()
+
+def transcript_of(
+    analyses: Iterable[Analysis], name: str, duration: float, path: Path | None = None, *, felt: bool = False
+) -> Transcript:
+    """Collect what was said from the consecutive analyses of a sound of `duration` seconds; `path` is its file.
+
+    With `felt` the feeling in the voice is estimated, too.
+    """
+    joiner, runs, prosody = SegmentBuilder(), [], Prosody(felt=felt)
     for analysis in analyses:
         runs += joiner.extend(analysis.phonemes, analysis.intensities, analysis.viseme_phones, analysis.confidences)
         prosody.add(analysis)
     runs += joiner.finish(duration)
-    return Transcript(name, duration, tuple(runs), prosody.intensities, prosody.pitches, path)
+    loud, high, feelings = prosody.intensities, prosody.pitches, prosody.feelings
+    return Transcript(name, duration, tuple(runs), loud, high, path, feelings=feelings)
 
 
 def transcript_of_utterance(
@@ -125,6 +148,7 @@ def transcript_of_utterance(
     pitches: Float32Array,
     name: str,
     path: str | os.PathLike[str] | None = None,
+    feelings: FeltFrames = NO_FEELINGS,
 ) -> Transcript:
     """Return what is known of a sound as a mouth needs it.
 
@@ -136,6 +160,7 @@ def transcript_of_utterance(
     utterance : what is said, and when.
     intensities, pitches : of the sound's frames; see `Transcript`.
     name, path : of the sound's file, for people; and the file, where there is one.
+    feelings : of the sound's frames, where they were estimated.
     """
     runs = tuple(
         Segment(start, end, phoneme, _loudness(intensities, start, end), phone)
@@ -143,7 +168,7 @@ def transcript_of_utterance(
         if end > start
     )
     place = None if path is None else Path(path)
-    return Transcript(name, utterance.duration, runs, intensities, pitches, place, utterance)
+    return Transcript(name, utterance.duration, runs, intensities, pitches, place, utterance, feelings)
 
 
 def _stretches(utterance: Utterance) -> Iterator[Stretch]:
@@ -195,16 +220,18 @@ def scripted_transcript_of(
     path: Path | None = None,
     *,
     accept_text: bool = False,
+    felt: bool = False,
 ) -> tuple[Utterance, Transcript]:
     """Return what is said in a sound of `duration` seconds, from its consecutive analyses; `path` is its file.
 
-    With `accept_text` words are aligned even where another text seems to be said.
+    With `accept_text` words are aligned even where another text seems to be said; with `felt` the feeling in the
+    voice is estimated, too.
 
     Raises
     ------
     CorpusError : there is no word in the script.
     """
-    prosody = Prosody()
+    prosody = Prosody(felt=felt)
 
     def kept() -> Iterator[Analysis]:
         for analysis in analyses:
@@ -217,4 +244,5 @@ def scripted_transcript_of(
             pass
     else:
         utterance = align_analyses(kept(), script, duration, accept_text=accept_text)
-    return utterance, transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, name, path)
+    loud, high, feelings = prosody.intensities, prosody.pitches, prosody.feelings
+    return utterance, transcript_of_utterance(utterance, loud, high, name, path, feelings)

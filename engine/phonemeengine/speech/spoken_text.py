@@ -36,6 +36,7 @@ def spoken_text(
     sound: BinaryIO | None = None,
     path: str | os.PathLike[str] | None = None,
     measured: bool = True,
+    felt: bool = False,
 ) -> SpokenText:
     """Take all sentences of a text as they are spoken, of any length: their sound is not kept.
 
@@ -46,6 +47,7 @@ def spoken_text(
     sound : an empty file, into which the sound is written as WAV.
     path : how that file is called.
     measured : loudness and pitch, by which mouth and head move; takes longer than to speak.
+    felt : the feeling in the voice, too, where it is measured.
 
     Raises
     ------
@@ -57,7 +59,7 @@ def spoken_text(
     analyser = Analyser(load_preset(DEFAULT_PRESET), pitch=True) if measured else None
     words: list[Word] = []
     skipped: list[str] = []
-    prosody, n = Prosody(), 0
+    prosody, n = Prosody(felt=felt), 0
     for sentence in written_as_spoken(sentences, sound):
         if analyser is not None:
             prosody.add(analyser.push(sentence.samples))
@@ -68,7 +70,8 @@ def spoken_text(
         prosody.add(analyser.finish())
     utterance = Utterance(tuple(words), n / SAMPLE_RATE, language, tuple(skipped))
     name = "text" if path is None else Path(path).name
-    transcript = transcript_of_utterance(utterance, prosody.intensities, prosody.pitches, name, path)
+    loud, high, feelings = prosody.intensities, prosody.pitches, prosody.feelings
+    transcript = transcript_of_utterance(utterance, loud, high, name, path, feelings)
     return SpokenText(utterance, transcript)
 
 

@@ -5785,6 +5785,11 @@
             <translation>es ist kein Modell installiert: herunterladen oder den Ordner eines vorhandenen wählen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
+            <source>no part of a face called {name} follows a feeling; {parts}</source>
+            <translation>kein Teil eines Gesichts namens {name} folgt einem Gefühl; {parts}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/calibration/fits/templates.py" />
             <source>no phoneme has enough speech for a template; record takes of 1 s each</source>
             <translation>für kein Phonem reicht die Sprache für ein Template; Takes von je 1 s aufnehmen</translation>
@@ -9570,6 +9575,11 @@
             <translation>Das OpenGL des Fensters ist nicht benutzbar ({error}); Grafiktreiber aktualisieren</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
+            <source>the {name} follow a feeling by 0..1, found {amount}; correct it</source>
+            <translation>{name} folgt einem Gefühl mit 0..1, gefunden: {amount}; berichtigen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Theme</source>
             <translation>Farbschema</translation>
@@ -12583,6 +12593,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{why}; until then the small network recognises live sound, and it alone learned the voice.</source>
             <translation>{why}; bis dahin erkennt das kleine Netz, was das Mikrofon hört, und nur dieses hat die Stimme gelernt.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
+            <source>{words} holds no number for {name}; write such as {name_2}=0.5</source>
+            <translation>{words} enthält keine Zahl für {name}; etwa so schreiben: {name_2}=0.5</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/batch/runner.py" />

@@ -22,6 +22,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
 from phonemeengine.mouth.expression.channels import ExpressionChannels, shipped_channels
+from phonemeengine.mouth.expression.felt import FeelingAmounts, FeltFace
 from phonemeengine.mouth.expression.streams import ExpressionStream
 
 # How much speech holds expressions back.
@@ -113,12 +114,13 @@ class Expression:
 
     Attributes
     ----------
-    streams : at least one.
+    streams : at least one, unless a feeling is followed.
     speech_priority : of the speech on channels of speech, pS, 0..1; the streams share the rest equally. None gives
         speech and every stream the same.
     other_priority : of the speech on all other channels, pE, in the same way.
     channels : on which speech and expressions meet.
     times : how speech holds expressions back.
+    feeling : how far the face follows the feeling in the voice, as one more stream; None for not at all.
 
     Raises
     ------
@@ -130,9 +132,10 @@ class Expression:
     other_priority: float | None = None
     channels: ExpressionChannels = field(default_factory=shipped_channels)
     times: InhibitionTimes = field(default_factory=InhibitionTimes)
+    feeling: FeelingAmounts | None = None
 
     def __post_init__(self) -> None:
-        if not self.streams:
+        if not (self.streams or self.feeling):
             raise MouthError("an expression needs a stream; name a preset such as smile")
         for priority in (self.speech_priority, self.other_priority):
             if priority is not None and not 0 <= priority <= 1:
@@ -158,10 +161,17 @@ class Composer:
     Parameters
     ----------
     expression : what is expressed.
+
+    Attributes
+    ----------
+    felt : the stream that follows the feeling in the voice; None where none does.
     """
 
     def __init__(self, expression: Expression) -> None:
-        self._streams, channels = expression.streams, expression.channels
+        self.felt = FeltFace(expression.feeling) if expression.feeling else None
+        felt = () if self.felt is None else (self.felt,)
+        self._streams: tuple[ExpressionStream, ...] = (*expression.streams, *felt)
+        channels = expression.channels
         n_streams = 1 + len(self._streams)
         given = (expression.speech_priority, expression.other_priority)
         of_speech, of_others = ((1 / n_streams if own is None else own) for own in given)
