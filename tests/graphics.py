@@ -2,15 +2,17 @@
 
 import os
 from collections.abc import Callable, Iterator
+from io import BytesIO
 
 import moderngl
 import numpy as np
 import pytest
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+from PIL import Image
 
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
-from phonemeengine.mouth.mesh import Mesh, mesh_of
+from phonemeengine.mouth.mesh import Material, Mesh, Texture, mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 Picture = NDArray[np.uint8]
@@ -59,6 +61,23 @@ def ball(radius: float = 1.0, *, inwards: bool = False, n: int = 24) -> Mesh:
     a, b, c, d = k[:-1, :-1].ravel(), k[1:, :-1].ravel(), k[1:, 1:].ravel(), k[:-1, 1:].ravel()
     triangles = np.concatenate((np.stack((a, b, c), 1), np.stack((a, c, d), 1)))
     return mesh_of(points.reshape(-1, 3), triangles[:, ::-1] if inwards else triangles, name="ball")
+
+
+def panel(*materials: Material, depth: float = 0.3) -> MorphMesh:
+    """Squares behind each other, the first at the back, that face the viewer; each with a whole texture."""
+    n = len(materials)
+    corners = np.float32([(-1, 1, 0), (-1, -1, 0), (1, -1, 0), (1, 1, 0)])
+    points = np.concatenate([corners + np.float32((0, 0, k * depth)) for k in range(n)])
+    triangles = np.concatenate([np.array([(0, 1, 2), (0, 2, 3)]) + 4 * k for k in range(n)])
+    uvs = np.tile(np.float32([(0, 0), (0, 1), (1, 1), (1, 0)]), (n, 1))
+    return MorphMesh(mesh_of(points, triangles, materials=materials, material_of=np.repeat(np.arange(n), 2), uvs=uvs))
+
+
+def texture_of(pixels: ArrayLike, name: str = "picture") -> Texture:
+    """A PNG of colours, shape (height, width, 3 or 4), 0..255."""
+    file, colours = BytesIO(), np.asarray(pixels, np.uint8)
+    Image.fromarray(colours).save(file, "PNG")
+    return Texture(name, file.getvalue(), colours.shape[1], colours.shape[0])
 
 
 def joined(*meshes: Mesh) -> Mesh:

@@ -17,6 +17,8 @@ from phonemeengine.mouth.mesh import Mesh
 
 SHADERS = Path(__file__).with_name("shaders")
 VERSION = "#version 330 core\n"
+LIT = {"head", "material"}
+"""Fragment shaders that stand in the light of the studio."""
 CORNERS = (-1.0, -1.0, 3.0, -1.0, -1.0, 3.0)
 """One triangle that covers the picture."""
 
@@ -32,11 +34,13 @@ def program_of(context: moderngl.Context, vertex: str, fragment: str, known: str
     ------
     RenderingError : the graphics driver refuses it.
     """
-    turned, *texts = [
+    turned, above, below = [
         (SHADERS / f"{name}.glsl").read_text() for name in ("turned", f"{vertex}_vertex", f"{fragment}_fragment")
     ]
+    if fragment in LIT:
+        below = (SHADERS / "studio.glsl").read_text() + below
     try:
-        return context.program(vertex_shader=VERSION + turned + texts[0], fragment_shader=VERSION + known + texts[1])
+        return context.program(vertex_shader=VERSION + turned + above, fragment_shader=VERSION + known + below)
     except moderngl.Error as error:
         raise RenderingError(
             f"the graphics driver refuses the program's shaders ({str(error).splitlines()[0]}); update the driver"
@@ -161,11 +165,10 @@ class Shadow:
         self._texture.compare_func, self._texture.repeat_x, self._texture.repeat_y = "<=", False, False
         self._dark_room = context.framebuffer(depth_attachment=self._texture)
 
-    def cast(self, array: moderngl.VertexArray) -> None:
-        """See what an array draws."""
+    def open(self) -> None:
+        """Have what is drawn next cast it."""
         self._dark_room.use()
         self._dark_room.clear(depth=1.0)
-        array.render()
 
     def use(self) -> None:
         """Have shaders find it as texture 0."""
@@ -193,12 +196,15 @@ THICKNESS = 0.012
 """What lies no deeper than this, as a share of the depth of all, is seen."""
 
 
-def ambient_occlusion(context: moderngl.Context, array: moderngl.VertexArray, mesh: Mesh) -> Float32Array:
+def ambient_occlusion(
+    context: moderngl.Context, array: moderngl.VertexArray, mesh: Mesh, n_corners: int
+) -> Float32Array:
     """Look at a mesh from all around, and say how much of what each vertex faces it can see.
 
     Parameters
     ----------
     array : draws the mesh at rest with the matrix `camera`.
+    n_corners : of its triangles, the first ones, that hide anything.
 
     Returns
     -------
@@ -213,7 +219,7 @@ def ambient_occlusion(context: moderngl.Context, array: moderngl.VertexArray, me
         cosines = np.maximum(mesh.normals @ towards, 0.0)
         dark_room.clear(depth=1.0)
         set_uniforms(array.program, {"camera": view.T})
-        array.render()
+        array.render(vertices=n_corners)
         picture = np.frombuffer(depths.read(), np.float32).reshape(SIZE, SIZE)
         seen += cosines * _in_front(picture, mesh.positions, view)
         faced += cosines

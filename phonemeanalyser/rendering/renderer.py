@@ -10,6 +10,7 @@ import numpy as np
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera, NeckPivot, rotation_of
 from phonemeanalyser.rendering.light import LIGHT, BoundingSphere, Light, direction_of
+from phonemeanalyser.rendering.materials import KINDS, MaterialPass, draw_calls_of
 from phonemeanalyser.rendering.passes import (
     Backdrop,
     Canvas,
@@ -22,8 +23,10 @@ from phonemeanalyser.rendering.passes import (
     taps_of,
 )
 from phonemeanalyser.rendering.surface import Surface, specular_mask
+from phonemeanalyser.rendering.textures import with_pixels
 from phonemeengine.arrays import Float32Array
 from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.mesh import AlphaMode
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 PROGRAMS = {
@@ -41,6 +44,10 @@ LINES = ((0.10, 0.12, 0.16), (0.90, 0.92, 0.96))
 """Wires on a bright and on a dark background."""
 LIFT = 0.01
 """How far above the skin its shadow is looked up, as a share of the radius of all: skin casts none on itself."""
+EXPOSURES = (1.0, 0.52)
+"""How much light is seen: on the heads of the program, and on faces of a file, which may be white."""
+BLENDING = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
+"""What is blended, with how much of what is behind it: colours, and how opaque the picture is."""
 STILL = HeadPose()
 NOTHING = (0.0, 0.0, 0.0)
 """The colour behind heads in pictures that are transparent there."""
@@ -68,6 +75,11 @@ class RenderQuality:
     taps: int
     penumbra: float
 
+    @property
+    def constants(self) -> str:
+        """What fragment shaders know of it."""
+        return taps_of(self.taps, self.penumbra)
+
 
 QUICK, FINE = RenderQuality("quick", 0, 384, 2, 0.0025), RenderQuality("fine", 4, 1024, 8, 0.0055)
 
@@ -92,7 +104,7 @@ class HeadRenderer:
     """
 
     def __init__(self, context: moderngl.Context, morph_mesh: MorphMesh) -> None:
-        self._context, self._mesh = context, morph_mesh.mesh
+        self._context, self._mesh = context, with_pixels(morph_mesh.mesh)
         if not len(morph_mesh.mesh.triangles):
             raise RenderingError("the mesh has no triangles, so there is nothing to be seen; choose another one")
         self._room = BoundingSphere.around(morph_mesh.mesh)
@@ -101,12 +113,15 @@ class HeadRenderer:
         self._shadows: dict[RenderQuality, Shadow] = {}
         self._moving = context.buffer(reserve=len(morph_mesh.mesh) * 24, dynamic=True)
         self._looks = context.buffer(reserve=len(morph_mesh.mesh) * 20)
-        self._corners = context.buffer(morph_mesh.mesh.triangles.astype("u4").tobytes())
+        order, self._calls = draw_calls_of(self._mesh)
+        self._corners = context.buffer(self._mesh.triangles[order].astype("u4").tobytes())
+        self._places = context.buffer(self._mesh.uvs.astype("f4").tobytes())
         self._programs = {name: program_of(context, *shaders) for name, shaders in PROGRAMS.items()}
         for finish in (QUICK, FINE):
-            self._programs[finish.name] = program_of(context, "head", "head", taps_of(finish.taps, finish.penumbra))
+            self._programs[finish.name] = program_of(context, "head", "head", finish.constants)
         self._backdrop, self._smoothing = Backdrop(context), EdgeSmoothing(context)
         self._arrays = {name: self._array_of(program) for name, program in self._programs.items()}
+        self._materials = MaterialPass(context, self._array_of)
         self._look_at_mesh()
 
     def draw(
@@ -147,19 +162,20 @@ class HeadRenderer:
         finish = FINE if fine else QUICK
         canvas = self._canvases[finish].of(size)
         self._move(positions)
-        self._set_uniforms(camera, pose, size, light, background or NOTHING, finish)
+        lit = self._set_uniforms(camera, pose, size, light, background or NOTHING, finish)
         self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self._context.depth_func, self._context.cull_face = "<", "back"
         if not wireframe:
-            self._cast_shadow(finish)
+            self._cast_shadow(finish, lit)
         canvas.use()
         canvas.clear(*(background or NOTHING), float(background is not None), depth=1.0)
         if wireframe:
             self._draw_wires(background or NOTHING)
         else:
-            self._draw_skin(finish)
+            self._draw_solid(finish, lit)
             if glow and background is not None:
                 self._backdrop.draw(background)
+            self._draw_blended(finish, lit, canvas)
         if finish.samples:
             self._context.copy_framebuffer(target, canvas)
         else:
@@ -171,7 +187,8 @@ class HeadRenderer:
         for array, program in zip(self._arrays.values(), self._programs.values(), strict=True):
             array.release()
             program.release()
-        for buffer in (self._corners, self._moving, self._looks):
+        self._materials.release()
+        for buffer in (self._corners, self._moving, self._looks, self._places):
             buffer.release()
         self._backdrop.release()
         self._smoothing.release()
@@ -188,7 +205,7 @@ class HeadRenderer:
         set_uniforms(
             self._programs["shadow"], {"turn": np.eye(3), "pivot": self._neck.pivot, "stem": self._neck.stem}
         )
-        openness = ambient_occlusion(self._context, self._arrays["shadow"], mesh)
+        openness = ambient_occlusion(self._context, self._arrays["shadow"], mesh, self._n_corners(AlphaMode.BLEND))
         looks = np.column_stack((np.square(mesh.colours), specular_mask(mesh), openness))
         self._looks.write(looks.astype("f4").tobytes())
 
@@ -197,16 +214,45 @@ class HeadRenderer:
         moved[:, :3], moved[:, 3:] = positions, self._surface.normals(positions)
         self._moving.write(moved)
 
-    def _cast_shadow(self, finish: RenderQuality) -> None:
+    def _n_corners(self, mode: AlphaMode) -> int:
+        """Return how many corners are drawn before those of a kind of transparency, and of what comes after it."""
+        later = KINDS[KINDS.index(mode) :]
+        return sum(call.n for call in self._calls if call.mode not in later)
+
+    def _cast_shadow(self, finish: RenderQuality, lit: dict[str, Any]) -> None:
         if finish not in self._shadows:
             self._shadows[finish] = Shadow(self._context, finish.shadow)
-        self._shadows[finish].cast(self._arrays["shadow"])
+        self._shadows[finish].open()
+        if opaque := self._n_corners(AlphaMode.MASK):
+            self._arrays["shadow"].render(vertices=opaque)
+        for call in self._calls:
+            if call.mode is AlphaMode.MASK:
+                self._materials.cut_out(call, lit | {"camera": lit["key_view"]})
         self._shadows[finish].use()
 
-    def _draw_skin(self, finish: RenderQuality) -> None:
-        self._arrays[finish.name].render()
+    def _draw_solid(self, finish: RenderQuality, lit: dict[str, Any]) -> None:
+        """Draw all that lets nothing through, and the inside of what has one side and can be looked into."""
+        for call in self._calls:
+            if call.material is None:
+                self._arrays[finish.name].render(vertices=call.n, first=call.first)
+            else:
+                self._materials.draw(call, finish.constants, lit)
+        self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
         self._context.cull_face = "front"
-        self._arrays["inside"].render()
+        if hollow := sum(one.n for one in self._calls if one.mode is AlphaMode.OPAQUE and not one.two_sided):
+            self._arrays["inside"].render(vertices=hollow)
+        self._context.cull_face = "back"
+
+    def _draw_blended(self, finish: RenderQuality, lit: dict[str, Any], canvas: moderngl.Framebuffer) -> None:
+        """Draw what something shines through, over all else, in the order of the file."""
+        self._context.depth_func = "<"
+        self._context.blend_func = BLENDING  # type: ignore[assignment] # four numbers are right, too
+        canvas.depth_mask = False
+        for call in self._calls:
+            if call.mode is AlphaMode.BLEND:
+                self._materials.draw(call, finish.constants, lit, blended=True)
+        canvas.depth_mask = True
+        self._context.enable_only(moderngl.DEPTH_TEST | moderngl.CULL_FACE)
 
     def _draw_wires(self, background: Colour) -> None:
         """Draw the edges that nothing hides: the skin itself has the colour of the background."""
@@ -222,6 +268,7 @@ class HeadRenderer:
         buffers = [
             (self._moving, {"in_position": "3f", "in_normal": "3f"}),
             (self._looks, {"in_colour": "3f", "in_wetness": "1f", "in_openness": "1f"}),
+            (self._places, {"in_place": "2f"}),
         ]
         parts = [fields_of(buffer, fields, set(program)) for buffer, fields in buffers]
         used = [part for part in parts if len(part) > 2]
@@ -235,15 +282,19 @@ class HeadRenderer:
         light: Light,
         background: Colour,
         finish: RenderQuality,
-    ) -> None:
+    ) -> dict[str, Any]:
+        """Give all programs what a picture has in common, and return it, for those of materials."""
         view, lights = camera.matrix(size[0] / size[1]), _lights_of(camera, light, self._room)
         turning = {"turn": rotation_of(pose).T, "pivot": self._neck.pivot, "stem": self._neck.stem}
         seen = turning | {"camera": view.T}
-        set_uniforms(self._programs[finish.name], seen | lights | {"lift": LIFT * self._room.radius})
+        exposure = EXPOSURES[bool(self._mesh.materials)]
+        lit = seen | lights | {"lift": LIFT * self._room.radius, "exposure": exposure}
+        set_uniforms(self._programs[finish.name], lit)
         set_uniforms(self._programs["plain"], seen)
         set_uniforms(self._programs["inside"], seen | {"paint": INSIDE, "eye": camera.eye})
         set_uniforms(self._programs["wire"], seen | {"paint": LINES[sum(background) < 1.5]})
         set_uniforms(self._programs["shadow"], turning | {"camera": lights["key_view"]})
+        return lit
 
 
 @lru_cache(maxsize=4)

@@ -154,6 +154,7 @@ def subdivided(morph_mesh: MorphMesh) -> MorphMesh:
         colours=apart.weights @ mesh.colours,
         materials=mesh.materials,
         material_of=np.repeat(mesh.material_of, 4),
+        uvs=apart.weights @ mesh.uvs,
     )
     return MorphMesh(finer, tuple(_moved(state, form, first, len(mesh)) for state in morph_mesh.states))
 

@@ -319,7 +319,7 @@ def darkened(offscreen: Hire, *, fine: bool) -> NDArray[np.int_]:
     scene = joined(LARGE, replace(SMALL, positions=SMALL.positions + np.float32((0.0, 0.0, 1.6))))
     aside = scene.positions.copy()
     aside[len(LARGE) :] -= np.float32((0.0, 0.0, 3.4))
-    hired, light = offscreen(MorphMesh(scene)), Light(azimuth=-0.9, elevation=0.0)
+    hired, light = offscreen(MorphMesh(scene)), Light(-0.9, 0.0, 0.7)  # so weak that no tone is compressed
     shadowed, plain = (
         hired.picture(ASKANCE, positions, background=DARK, light=light, fine=fine).astype(int).sum(axis=2)
         for positions in (scene.positions, aside)

@@ -11,7 +11,7 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, ShortRepr, UInt32Array
+from phonemeengine.arrays import Float32Array, Float64Array, IndexArray, ShortRepr, UInt8Array, UInt32Array
 from phonemeengine.errors import MeshError
 
 MOST_VERTICES = 1 << 20
@@ -39,12 +39,33 @@ class Texture(ShortRepr):
     name : of the picture, may be empty.
     content : the bytes of a PNG or JPEG file, sRGB.
     width, height : pixels.
+    pixels : uint8, shape (height, width, 4), red, green, blue and alpha from the upper left, after `content` was
+        decoded, and scaled down where it is large; None before.
     """
 
     name: str
     content: bytes = field(repr=False)
     width: int
     height: int
+    pixels: UInt8Array | None = None
+
+
+@dataclass(frozen=True)
+class ToonShading:
+    """Light in two steps, as MToon of VRM has it: base colour in the light, another one in the shade.
+
+    Attributes
+    ----------
+    shade : colour in the shade, red, green, blue in 0..1 (sRGB); times its texture.
+    texture : None where `shade` is all.
+    shift : -1..1, how much farther the shade ends on the side of the light.
+    toony : 0..1, how sharp the end of the shade is.
+    """
+
+    shade: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    texture: Texture | None = None
+    shift: float = 0.0
+    toony: float = 0.9
 
 
 @dataclass(frozen=True)
@@ -61,6 +82,10 @@ class Material:
     alpha_mode : whether alpha is ignored, cut off below `alpha_cutoff`, or blended.
     alpha_cutoff : 0..1.
     two_sided : whether the surface is seen from behind, too.
+    surface : the texture that has roughness as green and metal as blue, times the numbers.
+    normal : the texture of normals in tangent space, and `normal_scale`, how much of them.
+    glow : what it emits, red, green, blue from 0 (linear), times `glow_texture`.
+    toon : where light comes in steps; None for what metallic-roughness says.
     """
 
     name: str
@@ -72,6 +97,12 @@ class Material:
     alpha_mode: AlphaMode = AlphaMode.OPAQUE
     alpha_cutoff: float = 0.5
     two_sided: bool = False
+    surface: Texture | None = None
+    normal: Texture | None = None
+    normal_scale: float = 1.0
+    glow: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    glow_texture: Texture | None = None
+    toon: ToonShading | None = None
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -9525,6 +9525,11 @@
             <translation>Der Text wurde geändert: Diese Wörter sind von vorher. Neu ausrichten.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/rendering/textures.py" />
+            <source>the texture {name} cannot be read ({reason}); export it again</source>
+            <translation>Die Textur {name} ist nicht lesbar ({reason}); neu exportieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/calibration/workbench/labelled_features.py" />
             <source>the variable {variable} was not measured in these recordings; add it to the preset and have them measured anew</source>
             <translation>Die Variable {variable} wurde in diesen Aufnahmen nicht gemessen; zum Preset hinzufügen und die Aufnahmen neu messen</translation>

@@ -1,35 +1,7 @@
-// A studio: a warm key light with a shadow, a cool fill light, two rim lights from behind, a bright ceiling.
-// Colours are squared where light adds up, and rooted at the end: close to sRGB, and cheap without a graphics card.
-uniform sampler2DShadow shadow;
-uniform vec3 eye;
-uniform vec3 key;
-uniform vec3 fill;
-uniform vec3 rims[2];
-uniform float strength;
+// Skin of one colour at each vertex, as the heads of the program have it: light goes round in it, and lips are wet.
+uniform float exposure;
 
-in vec3 point;
-in vec3 normal;
-in vec3 colour;
-in vec2 wet_and_open;
-in vec3 in_key;
-in vec2 lean;
-
-out vec4 painted;
-
-const vec3 KEY = vec3(1.62, 1.48, 1.33);
-const vec3 FILL = vec3(0.24, 0.28, 0.35);
-const vec3 RIM = vec3(0.75, 0.85, 1.0);
-const vec3 CEILING = vec3(0.46, 0.48, 0.53);
-const vec3 FLOOR = vec3(0.22, 0.165, 0.14);
 const vec3 BLEEDING = vec3(0.42, 0.20, 0.13); // how far light goes round in skin: red farthest
-
-float lit(float cosine) { // a shadow grows soft over the places where it is looked up
-    float sum = 0.0;
-    for (int k = 0; k < TAPS.length(); k++) {
-        sum += texture(shadow, in_key + vec3(TAPS[k], dot(lean, TAPS[k]) - 0.003));
-    }
-    return mix(1.0, sum / float(TAPS.length()), smoothstep(-0.05, 0.25, cosine)); // light that grazes skin has no sharp end
-}
 
 vec3 wrapped(float cosine, vec3 bleeding) {
     vec3 light = clamp((cosine + bleeding) / (1.0 + bleeding), 0.0, 1.0);
@@ -81,7 +53,5 @@ void main() {
     wet += 0.2 * sharp(glint(dot(mirror, fill)));
     shown += KEY * (wet * wetness * smoothstep(0.0, 0.3, open + 0.1));
 
-    shown *= strength;
-    shown = shown * (1.0 + shown * 0.1) / (1.0 + 0.3 * shown); // bright places keep their drawing
-    painted = vec4(sqrt(shown), 1.0);
+    painted = vec4(shown_of(shown * strength * exposure), 1.0);
 }

@@ -69,6 +69,64 @@ def test_eyes_that_are_bones_look_to_all_sides(version: int) -> None:
     assert not offsets_of(face, "bone eyeLookOutRight")[pupil].any()
 
 
+MTOON0 = {
+    "shader": "VRM/MToon",
+    "floatProperties": {"_ShadeToony": 0.8, "_ShadeShift": 0.2},
+    "vectorProperties": {"_ShadeColor": [0.5, 0.4, 0.3, 1]},
+    "textureProperties": {"_ShadeTexture": 0},
+}
+MTOON1 = {
+    "shadeColorFactor": [0.21404, 0.13287, 0.07324],  # 0.5, 0.4, 0.3 in sRGB
+    "shadeMultiplyTexture": {"index": 0},
+    "shadingToonyFactor": 0.92,
+    "shadingShiftFactor": -0.28,
+}
+
+
+@VERSIONS
+def test_mtoon_is_the_same_in_both_versions(version: int) -> None:
+    def toon(document: dict[str, Any]) -> None:
+        if version:
+            document["materials"][0]["extensions"] = {"VRMC_materials_mtoon": MTOON1}
+        else:
+            document["extensions"]["VRM"]["materialProperties"] = [MTOON0]
+
+    (material,) = parse_vrm(avatar(version, picture=png(2, 2), only=(), change=toon)).mesh.materials
+    shading = material.toon
+    assert shading is not None
+    assert shading.texture is material.texture is not None
+    assert shading.shade == pytest.approx((0.5, 0.4, 0.3), abs=1e-3)
+    assert (shading.shift, shading.toony) == pytest.approx((-0.28, 0.92))
+
+
+def test_maps_glow_and_moved_places_of_a_material_are_read() -> None:
+    def more(document: dict[str, Any]) -> None:
+        material, base = document["materials"][0], {"offset": [0.5, 0.25], "scale": [2, 1], "rotation": np.pi / 2}
+        material["pbrMetallicRoughness"]["baseColorTexture"]["extensions"] = {"KHR_texture_transform": base}
+        material["pbrMetallicRoughness"]["metallicRoughnessTexture"] = {"index": 0}
+        material |= {"normalTexture": {"index": 0, "scale": 0.5}, "emissiveTexture": {"index": 0}}
+        material |= {"emissiveFactor": [1, 0.5, 0]}
+        material["extensions"] = {"KHR_materials_emissive_strength": {"emissiveStrength": 3}}
+
+    moved = parse_vrm(avatar(1, picture=png(2, 2), only=(), change=more)).mesh
+    plain = parse_vrm(avatar(1, picture=png(2, 2), only=())).mesh
+    (material,) = moved.materials
+    assert material.surface is material.normal is material.glow_texture is material.texture is not None
+    assert (material.glow, material.normal_scale) == ((3.0, 1.5, 0.0), 0.5)
+    u, v = plain.uvs.T
+    np.testing.assert_allclose(moved.uvs, np.column_stack((v + 0.5, 0.25 - 2 * u)), atol=1e-5)
+
+
+def test_what_has_no_light_has_a_shade_of_its_own_colour() -> None:
+    def unlit(document: dict[str, Any]) -> None:
+        document["materials"][0]["extensions"] = {"KHR_materials_unlit": {}}
+
+    (material,) = parse_vrm(avatar(1, picture=png(2, 2), only=(), change=unlit)).mesh.materials
+    assert material.toon is not None
+    assert material.toon.texture is material.texture
+    assert max(material.toon.shade) < min(material.colour)
+
+
 def test_bones_without_vrm_are_known_by_their_names() -> None:
     def only_names(document: dict[str, Any]) -> None:
         del document["extensions"]

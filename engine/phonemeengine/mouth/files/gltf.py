@@ -249,13 +249,18 @@ class _Gathered:
         place = whole_of(primitive, "material", 0)
         table = self.document.entry("materials", place) if "material" in primitive else {}
         texture = table_of(table_of(table, "pbrMetallicRoughness"), "baseColorTexture")
-        key = f"TEXCOORD_{whole_of(texture, 'texCoord', 0)}"
+        moved = table_of(table_of(texture, "extensions"), "KHR_texture_transform")
+        key = f"TEXCOORD_{whole_of(moved, 'texCoord', whole_of(texture, 'texCoord', 0))}"
         if key not in attributes:
             return np.zeros((n, 2), np.float32)
         found = array_of(self.document, whole_of(attributes, key))
         if found.shape != (n, 2):
             raise MeshError(f"its {key} is of shape {found.shape}, and there are {n} vertices; export it again")
-        return found.astype(np.float32)
+        (turn,) = numbers_of({"rotation": [moved.get("rotation", 0.0)]}, "rotation", [0.0])
+        matrix = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+        scaled = found * np.array(numbers_of(moved, "scale", [1.0, 1.0])) @ matrix.T
+        uvs: Float32Array = (scaled + np.array(numbers_of(moved, "offset", [0.0, 0.0]))).astype(np.float32)
+        return uvs
 
     def _where(self, place: Placed, attributes: Table, n: int) -> tuple[Float64Array, dict[str, Float32Array]]:
         """Return what moves n vertices into the scene, one matrix or one each, and which bones carry them."""
@@ -374,11 +379,17 @@ def _renumbered(morph_mesh: MorphMesh, numbers: Int64Array) -> MorphMesh:
     if len(np.unique(numbers)) < len(numbers):
         raise MeshError(f"its {NUMBER} names a vertex twice; export it again")
     mesh, n = morph_mesh.mesh, int(numbers.max()) + 1
-    points, colours = np.zeros((n, 3), np.float32), np.ones((n, 3), np.float32)
-    points[numbers], colours[numbers] = mesh.positions, mesh.colours
+    points, colours, uvs = np.zeros((n, 3), np.float32), np.ones((n, 3), np.float32), np.zeros((n, 2), np.float32)
+    points[numbers], colours[numbers], uvs[numbers] = mesh.positions, mesh.colours, mesh.uvs
     triangles = numbers[mesh.triangles]
     states = [movestate_at(state.name, numbers[state.numbers], state.offsets) for state in morph_mesh.states]
     made = mesh_of(
-        points, triangles, name=mesh.name, colours=colours, materials=mesh.materials, material_of=mesh.material_of
+        points,
+        triangles,
+        name=mesh.name,
+        colours=colours,
+        materials=mesh.materials,
+        material_of=mesh.material_of,
+        uvs=uvs,
     )
     return MorphMesh(made, tuple(states))

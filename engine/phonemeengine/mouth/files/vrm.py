@@ -75,6 +75,11 @@ def human_bones(document: Document) -> dict[str, int]:
     return {text_of(bone, "bone"): whole_of(bone, "node") for bone in listed}
 
 
+def material_properties(document: Document) -> list[Table]:
+    """Return what VRM 0 says of each material beside glTF; empty where it says nothing."""
+    return tables_of(_extension(document, VRM0), "materialProperties")
+
+
 def expressions_of(document: Document) -> dict[str, tuple[Bind, ...]]:
     """Return the morph targets that each expression of an avatar moves.
 

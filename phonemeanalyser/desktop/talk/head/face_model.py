@@ -1,6 +1,7 @@
 """Whose face it is, the program's own or a mesh of the user's; and a head that says with it what is playing."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 from PySide6.QtCore import QObject, Signal
@@ -173,11 +174,13 @@ class FaceModel(QObject):
 
 
 def _loaded(files: FaceFiles) -> MorphMesh:
+    from phonemeanalyser.rendering.textures import with_pixels  # noqa: PLC0415 - no window waits for it
+
     face = files.load()
     if not face.states:
         sentence = tr("{mesh}: the mesh has no blend shapes; select its .3dm file together with it")
         raise MeshError(sentence.format(mesh=face.mesh.name))
-    return face
+    return replace(face, mesh=with_pixels(face.mesh))
 
 
 def _plain(name: str) -> str:

@@ -1,0 +1,173 @@
+"""What the triangles of a mesh are made of: in which order they are drawn, and by which program."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from itertools import count
+from typing import Any
+
+import moderngl
+import numpy as np
+
+from phonemeanalyser.rendering.passes import program_of, set_uniforms
+from phonemeanalyser.rendering.textures import maps_of, upload
+from phonemeengine.arrays import IndexArray
+from phonemeengine.mouth.mesh import AlphaMode, Material, Mesh, Texture, ToonShading
+
+ALL, NEARLY, HARDLY = 2.0, 0.98, 1 / 255
+"""How opaque something is: more than anything, as good as wholly, and so little that it is not seen."""
+KINDS = (AlphaMode.OPAQUE, AlphaMode.MASK, AlphaMode.BLEND)
+
+
+@dataclass(frozen=True)
+class DrawCall:
+    """Triangles that are drawn at once.
+
+    Attributes
+    ----------
+    material : what they are made of; None for skin, whose vertices have all its colours.
+    first, n : the place of its first corner, and how many corners there are.
+    """
+
+    material: Material | None
+    first: int
+    n: int
+
+    @property
+    def mode(self) -> AlphaMode:
+        """How transparent it may be."""
+        return AlphaMode.OPAQUE if self.material is None else _mode_of(self.material)
+
+    @property
+    def two_sided(self) -> bool:
+        """Whether it is seen from behind, too."""
+        return self.material is not None and self.material.two_sided
+
+
+def draw_calls_of(mesh: Mesh) -> tuple[IndexArray, list[DrawCall]]:
+    """Return the order in which triangles are drawn, shape (n_triangles,), and what is drawn at once of them.
+
+    Skin comes first, then what else is opaque, cut out, and blended.
+    """
+    ranks = [*_ranked(mesh.materials)] or [SKIN]
+    kinds = sorted({*ranks})
+    of_material = np.array([kinds.index(rank) for rank in ranks])
+    rank_of = of_material[mesh.material_of] if mesh.materials else np.zeros(len(mesh.triangles), np.intp)
+    order = np.argsort(rank_of, kind="stable")
+    ends = 3 * np.cumsum(np.bincount(rank_of, minlength=len(kinds)))
+    starts = np.concatenate(([0], ends[:-1]))
+    made = [
+        DrawCall(mesh.materials[number - 1] if number else None, int(start), int(end - start))
+        for (_, _, number), start, end in zip(kinds, starts, ends, strict=True)
+    ]
+    return order, [call for call in made if call.n]
+
+
+SKIN = 0, 0, 0
+
+
+def _mode_of(material: Material) -> AlphaMode:
+    """Return how transparent a material may be; nothing can be cut out without a texture."""
+    masked = material.alpha_mode is AlphaMode.MASK and material.texture is None
+    return AlphaMode.OPAQUE if masked else material.alpha_mode
+
+
+def _ranked(materials: tuple[Material, ...]) -> Iterator[tuple[int, int, int]]:
+    """Return what the triangles of each material are sorted by: kind, sides, and its number from 1; 0 for skin."""
+    for number, material in zip(count(1), materials, strict=False):
+        if material == Material(material.name, material.colour):
+            yield SKIN
+        else:
+            yield KINDS.index(_mode_of(material)), int(material.two_sided), number
+
+
+class MaterialPass:
+    """Draws what has materials.
+
+    Parameters
+    ----------
+    context : of OpenGL.
+    array_of : returns the array that feeds the mesh to a program.
+    """
+
+    def __init__(
+        self, context: moderngl.Context, array_of: Callable[[moderngl.Program], moderngl.VertexArray]
+    ) -> None:
+        self._context, self._array_of = context, array_of
+        self._arrays: dict[str, moderngl.VertexArray] = {}
+        self._textures: dict[int, moderngl.Texture] = {}
+
+    def draw(self, call: DrawCall, known: str, shared: dict[str, Any], *, blended: bool = False) -> None:
+        """Draw a call of a material.
+
+        Parameters
+        ----------
+        known : constants of the fragment shader.
+        shared : uniforms that all materials share.
+        blended : whether to draw what lets something through of it, else what does not.
+        """
+        material = call.material
+        assert material is not None
+        array = self._array(material, known)
+        set_uniforms(array.program, shared | _uniforms(material, blended=blended))
+        self._use_textures(array.program, maps_of(material))
+        self._context.enable_only(moderngl.DEPTH_TEST | (moderngl.BLEND if blended else 0) | _culling(call))
+        array.render(vertices=call.n, first=call.first)
+
+    def cut_out(self, call: DrawCall, shared: dict[str, Any]) -> None:
+        """Draw where it is opaque, in depth alone."""
+        material = call.material
+        assert material is not None
+        assert material.texture is not None
+        if "cutout" not in self._arrays:
+            self._arrays["cutout"] = self._array_of(program_of(self._context, "cutout", "cutout"))
+        array = self._arrays["cutout"]
+        set_uniforms(array.program, shared | _uniforms(material, blended=False))
+        self._use_textures(array.program, {"BASE_MAP": material.texture})
+        array.render(vertices=call.n, first=call.first)
+
+    def release(self) -> None:
+        """Free all that the graphics driver holds."""
+        for array in self._arrays.values():
+            program = array.program
+            array.release()
+            program.release()
+        for texture in self._textures.values():
+            texture.release()
+
+    def _array(self, material: Material, known: str) -> moderngl.VertexArray:
+        names = [*maps_of(material)]
+        names += ["TOON"] if material.toon else []
+        names += ["CUT"] if _mode_of(material) is not AlphaMode.OPAQUE else []
+        known += "".join(f"#define {name}\n" for name in sorted(names))
+        if known not in self._arrays:
+            self._arrays[known] = self._array_of(program_of(self._context, "head", "material", known))
+        return self._arrays[known]
+
+    def _use_textures(self, program: moderngl.Program, maps: dict[str, Texture]) -> None:
+        for unit, (name, texture) in enumerate(maps.items(), 1):  # the shadow is texture 0
+            if id(texture) not in self._textures:
+                self._textures[id(texture)] = upload(self._context, texture)
+            self._textures[id(texture)].use(unit)
+            program[name.lower()] = unit
+
+
+def _culling(call: DrawCall) -> int:
+    return 0 if call.two_sided else moderngl.CULL_FACE
+
+
+def _uniforms(material: Material, *, blended: bool) -> dict[str, Any]:
+    toon = material.toon or ToonShading()
+    opaque = {
+        AlphaMode.OPAQUE: (-1.0, ALL),
+        AlphaMode.MASK: (material.alpha_cutoff, ALL),
+        AlphaMode.BLEND: (HARDLY, NEARLY) if blended else (NEARLY, ALL),
+    }
+    return {
+        "alpha": material.alpha,
+        "opaque": opaque[_mode_of(material)],
+        "metal_and_roughness": (material.metallic, material.roughness),
+        "normal_scale": material.normal_scale,
+        "glow": material.glow,
+        "shade": np.square(toon.shade),
+        "toon": (toon.shift, toon.toony),
+    }
