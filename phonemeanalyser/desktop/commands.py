@@ -327,13 +327,14 @@ def show_talk(menus: Menus, talking: TalkModel) -> None:
 
 
 def help_commands(*acts: Callable[[], object]) -> Commands:
-    """Return what helps: keys, What Is This?, manual, first steps, licences and About are done by `acts`."""
-    keys, what, manual, first_steps, licences, about = acts
+    """Return what helps: keys, What Is This?, manual, first steps, tour, licences and About are done by `acts`."""
+    keys, what, manual, first_steps, tour, licences, about = acts
     return (
         Command(tr_noop("Keyboard Shortcuts"), "F1", keys),
         Command(tr_noop("What Is This?"), "Shift+F1", what),
         Command(tr_noop("Manual"), "Ctrl+F1", manual),
         Command(tr_noop("First Steps…"), "", first_steps),
+        Command(tr_noop("Tour of Talk"), "", tour),
         None,
         Command(tr_noop("Licences"), "", licences),
         Command(tr_noop("About PhonemeAnalyser"), "", about),

@@ -90,8 +90,7 @@ class MainWindow(QMainWindow):
         self._ask_calibration = calibration
         self._calibration: calibrate.CalibrationModel | None = None
         self._calibration_dialogs: calibrate.CalibrationDialogs | None = None
-        self._session, self._talking = session, talking
-        self._preset, self._settings = preset, settings
+        self._session, self._talking, self._preset, self._settings = session, talking, preset, settings
         self._retired = self._closed = False
         self._make_views()
         self._lay_out()
@@ -227,7 +226,8 @@ class MainWindow(QMainWindow):
         commands.add_talk_menu(self.menus, self._talking, self.talking_dialogs, self)
         self._make_view_menu()
         pages = self.show_shortcuts, self.what_is_this.begin, self.show_manual, self.welcome.show_cards
-        add(tr("&Help"), *commands.help_commands(*pages, lambda: LicencesDialog(self).open(), dialogs.show_about))
+        ends = self.talking_dialogs.show_tour, lambda: LicencesDialog(self).open(), dialogs.show_about
+        add(tr("&Help"), *commands.help_commands(*pages, *ends))
 
     def _use_as_take(self, phoneme: Phoneme) -> None:
         """Make what is selected a take of a phoneme."""
@@ -247,6 +247,7 @@ class MainWindow(QMainWindow):
         session, preset, dialogs = self._session, self._preset, self.dialogs
         self.transport.open_asked.connect(dialogs.ask_sound)
         self.transport.folder_asked.connect(dialogs.ask_recordings_folder)
+        self.talking_dialogs.page_asked.connect(lambda: self.show_page(TALK))
         for told in (self._talking.text.changed, self._talking.keys.opened):
             told.connect(self._show_spoken)
         self._talking.text.speech_saved.connect(dialogs.offer_speech)
@@ -290,6 +291,7 @@ class MainWindow(QMainWindow):
         cards = self.welcome
         cards.demo_asked.connect(self.demo_asked)
         commands.connect_cards(cards, self._session, self.dialogs, self.show_page, self._begin_calibration)
+        cards.animation_asked.connect(self.talking_dialogs.show_first_tour)
         self._session.transport_changed.connect(cards.hide)
         self._focus.clicked.connect(cards.leave_for)
 
@@ -444,10 +446,8 @@ class MainWindow(QMainWindow):
             event.ignore()
             return
         self.save_state()
-        self.selection.close()
-        self.analysis.variable.study.close()
-        self.dialogs.presets.close()
-        self.dialogs.curves.close()
+        for part in (self.selection, self.analysis.variable.study, self.dialogs.presets, self.dialogs.curves):
+            part.close()
         self.redraw.timer.stop()
         if not self._closed:
             self._closed = True

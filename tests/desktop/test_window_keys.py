@@ -31,7 +31,7 @@ def opened(box: QComboBox) -> QListView:
 def test_letters_typed_into_a_list_that_was_closed_search_in_it_and_record_nothing(desktop, qtbot):
     window, session = shown(desktop, qtbot), desktop.session
     window.show_page(2)
-    box = window.talk.text.language
+    box = window.talk.choices.findChild(QComboBox)
     box.clear()
     box.addItems(["Choose", "Georgian", "German"])
     box.setFocus()

@@ -6,7 +6,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import QByteArray, QObject, QSettings
+from PySide6.QtCore import QByteArray, QObject, QSettings, Signal
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -38,7 +38,14 @@ SPEECH = "WAV (*.wav)"
 
 
 class TalkDialogs(QObject):
-    """Asks, passes the answers to the models, and keeps what was chosen."""
+    """Asks, passes the answers to the models, and keeps what was chosen.
+
+    Signals
+    -------
+    page_asked : the page of the head is to be shown, and made if it is not there yet.
+    """
+
+    page_asked = Signal()
 
     def __init__(self, window: QWidget, talking: TalkModel, settings: QSettings, files: FileAsker) -> None:
         super().__init__(window)
@@ -64,6 +71,18 @@ class TalkDialogs(QObject):
         page.text.voice.panel.table_asked.connect(self.ask_performance)
         page.words_asked.connect(self.ask_save_words)
         page.speech_asked.connect(self.ask_save_speech)
+
+    def show_tour(self) -> None:
+        """Lead through the page of the head; from now on only when the user asks for it."""
+        self.page_asked.emit()
+        if self._page is not None:
+            keep(self._settings, "talk/toured", True)
+            self._page.tour.begin()
+
+    def show_first_tour(self) -> None:
+        """Lead through the page, unless that was done before."""
+        if not read(self._settings, "talk/toured", False):
+            self.show_tour()
 
     @staticmethod
     def opens(path: Path) -> bool:

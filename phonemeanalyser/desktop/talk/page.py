@@ -17,6 +17,7 @@ from phonemeanalyser.desktop.talk.keys.key_panel import KeyPanel
 from phonemeanalyser.desktop.talk.model import PICTURE_RATES, TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.talk.tour import Stop, Tour
 from phonemeanalyser.desktop.talk.words.lanes_panel import LanesPanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
@@ -143,6 +144,7 @@ class TalkPage(QWidget):
     keys : to be installed as an event filter of the window.
     differences : says where two heads differ.
     tabs : what stands at the right.
+    tour : leads through the page.
     split, stack : the splitters between both sides, and between what is one above the other at the left.
     """
 
@@ -194,8 +196,33 @@ class TalkPage(QWidget):
         self.tabs = QTabWidget()
         self.split, self.stack = QSplitter(Qt.Orientation.Horizontal), QSplitter(Qt.Orientation.Vertical)
         self._lay_out()
+        self.tour = Tour(self, self._stops(), theme)
         self._connect()
         self._show_state()
+
+    def _stops(self) -> tuple[Stop, ...]:
+        """Return what the tour points at, in the order of the work."""
+        face, output = self.tabs.widget(0), self.tabs.widget(2)
+        return (
+            Stop(self.text.field, tr("Paste the text of the recording here. Ctrl+O opens another recording.")),
+            Stop(
+                self.text.language, tr("The language is guessed from the text. If it is wrong, type the right one.")
+            ),
+            Stop(
+                self.text.act,
+                tr("Align finds each word in the recording. Without a recording, a voice says the text."),
+            ),
+            Stop(
+                self.lanes,
+                tr(
+                    "Click a word to play it, and drag boundaries that are wrong. Words that fit badly are hatched "
+                    "and listed."
+                ),
+            ),
+            Stop(self.choices, tr("Choose a face, or load one of your own."), face),
+            Stop(self.show_keys, tr("Edit the curves of single blend shapes by their keys.")),
+            Stop(self.export, tr("Export the animation for Blender, Unreal, Unity or Moho, or as a clip."), output),
+        )
 
     @property
     def splitters(self) -> dict[str, QSplitter]:

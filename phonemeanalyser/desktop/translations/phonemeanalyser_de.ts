@@ -1019,6 +1019,11 @@
             <translation>Trotz abweichenden Textes ausrichten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Align finds each word in the recording. Without a recording, a voice says the text.</source>
+            <translation>Ausrichten findet jedes Wort in der Aufnahme. Ohne Aufnahme spricht eine Stimme den Text.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Align Text with Recording</source>
             <translation>Text an Aufnahme ausrichten</translation>
@@ -1382,6 +1387,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Azerbaijani</source>
             <translation>Aserbaidschanisch</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>Back</source>
+            <translation>Zurück</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -1849,6 +1859,11 @@
             <translation>für chinesischen Text fehlt das Paket pypinyin; installieren mit pip install 'pypinyin'</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Choose a face, or load one of your own.</source>
+            <translation>Ein Gesicht wählen oder ein eigenes laden.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
             <source>Choose a separate folder</source>
             <translation>Eigenen Ordner wählen</translation>
@@ -2002,6 +2017,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
             <source>Click a segment to play it; scroll the wheel to zoom, drag to pan</source>
             <translation>Klick spielt ein Segment ab; Mausrad zoomt, Ziehen verschiebt</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Click a word to play it, and drag boundaries that are wrong. Words that fit badly are hatched and listed.</source>
+            <translation>Ein Klick spielt ein Wort ab; falsche Grenzen lassen sich ziehen. Wörter, die schlecht passen, sind schraffiert und aufgelistet.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
@@ -2611,8 +2631,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
-            <source>Drag a key, or move the selected one with the arrow keys (Shift: farther). Double-click adds a key, Delete removes it. Shift+drag marks a range to smooth, raise or lower.</source>
-            <translation>Einen Keyframe ziehen oder den ausgewählten mit den Pfeiltasten verschieben (Umschalt: weiter). Doppelklick fügt einen hinzu, Entf entfernt ihn. Umschalt+Ziehen markiert einen Bereich zum Glätten, Anheben oder Absenken.</translation>
+            <source>Drag a key, or move the selected one with the arrow keys (Shift: farther). Double-click adds a key, Delete removes it. Shift+drag, or Shift+Left and Shift+Right, marks a range to smooth, raise or lower. Page Up, Page Down: select another key; with Ctrl, another curve.</source>
+            <translation>Einen Keyframe ziehen oder den ausgewählten mit den Pfeiltasten verschieben (Umschalt: weiter). Doppelklick fügt einen hinzu, Entf entfernt ihn. Umschalt+Ziehen oder Umschalt+Links und Umschalt+Rechts markieren einen Bereich zum Glätten, Anheben oder Absenken. Bild auf, Bild ab: anderer Keyframe; mit Strg: andere Kurve.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_waveform.py" />
@@ -2718,6 +2738,11 @@
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>edit notes</source>
             <translation>Notizen bearbeiten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Edit the curves of single blend shapes by their keys.</source>
+            <translation>Die Kurven einzelner Blendshapes über ihre Keyframes bearbeiten.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
@@ -2978,6 +3003,11 @@
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Export only the others</source>
             <translation>Nur die anderen exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Export the animation for Blender, Unreal, Unity or Moho, or as a clip.</source>
+            <translation>Die Animation für Blender, Unreal, Unity oder Moho oder als Clip exportieren.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
@@ -3550,6 +3580,11 @@
             <translation>Zum nächsten schlecht passenden Wort</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>Go to the next step (Return)</source>
+            <translation>Zum nächsten Schritt gehen (Eingabetaste)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/difference_bar.py" />
             <source>Go to the previous difference of the list</source>
             <translation>Zum vorigen Unterschied der Liste gehen</translation>
@@ -3558,6 +3593,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>Go to the previous poor match</source>
             <translation>Zum vorigen schlecht passenden Wort</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>Go to the step before</source>
+            <translation>Zum vorigen Schritt gehen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
@@ -4441,8 +4481,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Language of the text, those that were chosen last first; type its name to find it</source>
-            <translation>Sprache des Textes, die zuletzt gewählten zuerst; Namen tippen, um sie zu finden</translation>
+            <source>Language of the text, those that were chosen last first; type any part of its name to find it</source>
+            <translation>Sprache des Textes, die zuletzt gewählten zuerst; einen Teil des Namens eintippen, um sie zu finden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />
@@ -4490,6 +4530,11 @@
             <translation>Gelernt aus: {parts} ({seconds:.1f} s).</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>Leave</source>
+            <translation>Beenden</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Leave the preset unchanged</source>
             <translation>Preset unverändert lassen</translation>
@@ -4498,6 +4543,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Leave the preset unchanged; the takes are kept (Escape)</source>
             <translation>Preset unverändert lassen; die Takes bleiben erhalten (Esc)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>Leave the tour (Escape); Help &gt; Tour of Talk shows it again</source>
+            <translation>Die Tour beenden (Escape); Hilfe &gt; Tour durch Sprechen zeigt sie wieder</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/conversion/driving.py" />
@@ -5605,6 +5655,11 @@
             <translation>Neue Variable…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>Next</source>
+            <translation>Weiter</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Next Error</source>
             <translation>Nächster Fehler</translation>
@@ -6383,6 +6438,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Parts of the page</source>
             <translation>Teile der Seite</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>Paste the text of the recording here. Ctrl+O opens another recording.</source>
+            <translation>Den Text der Aufnahme hier einfügen. Strg+O öffnet eine andere Aufnahme.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
@@ -9005,6 +9065,11 @@
             <translation>Die Beschriftung enthält {n} der 10 Phoneme; Makro-F1 gilt für diese: {names}.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
+            <source>The language is guessed from the text. If it is wrong, type the right one.</source>
+            <translation>Die Sprache wird aus dem Text erschlossen. Ist sie falsch, die richtige eintippen.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>The language isn’t set, and it isn’t detected; choose it beside the text.</source>
             <translation>Die Sprache ist nicht gewählt und wird nicht erkannt; neben dem Text wählen.</translation>
@@ -10090,6 +10155,11 @@
             <translation>Totontepec-Mixe</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Tour of Talk</source>
+            <translation>Tour durch Sprechen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>Transport</source>
             <translation>Wiedergabe</translation>
@@ -11108,6 +11178,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
             <source>{kind} over {low:.0f}–{high:.0f} Hz of the {source} spectrum; separation {separation:.0%}</source>
             <translation>{kind} über {low:.0f}–{high:.0f} Hz, Spektrum: {source}; Trennung {separation:.0%}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
+            <source>{k} of {n}</source>
+            <translation>{k} von {n}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/scripts.py" />

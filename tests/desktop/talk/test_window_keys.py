@@ -110,6 +110,25 @@ def test_a_double_click_adds_a_key_and_a_marked_range_is_smoothed_raised_and_res
     assert not np.any(lanes.keys.layer.curve_of("mouthPucker").offsets)
 
 
+def test_a_range_is_marked_from_a_key_and_raised_by_keyboard_in_another_curve(desktop, lanes):
+    lanes.setFocus()
+    QTest.keyClick(lanes, Qt.Key.Key_PageDown)
+    QTest.keyClick(lanes, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ControlModifier)
+    assert lanes.selected.shape == lanes.keys.shapes[1]
+    start = lanes.selected.time
+    for key in (*[Qt.Key.Key_Right] * 12, *[Qt.Key.Key_Left] * 2):
+        QTest.keyClick(lanes, key, SHIFT)
+    assert (lanes.selected, lanes.marked.shape) == (None, lanes.keys.shapes[1])
+    assert lanes.marked.start == start
+    assert lanes.marked.end == pytest.approx(start + 10 / lanes.keys.animation.rate)
+    curve = lanes.keys.curve_of(lanes.marked.shape)
+    middle = start + 5 / lanes.keys.animation.rate
+    QTest.keyClick(lanes, Qt.Key.Key_Up, SHIFT)
+    raised = lanes.keys.curve_of(lanes.marked.shape)
+    assert np.interp(middle, raised.times, raised.shown) > np.interp(middle, curve.times, curve.shown) + 0.05
+    assert desktop.preset.undo_stack.undoText() == "raise keys"
+
+
 def test_keys_are_saved_beside_the_sound_found_again_and_exported(desktop, window, lanes, recording, tmp_path, qtbot):
     _, place = point_in(lanes, "jawOpen")
     drag(lanes, place, place - QPoint(0, 30), Qt.KeyboardModifier.NoModifier)

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QSettings, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QApplication, QLabel
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
@@ -70,7 +70,9 @@ def panel(window: MainWindow) -> TextPanel:
 def choose(window: MainWindow, language: str) -> None:
     box = panel(window).language
     box.setFocus()
-    QTest.keyClicks(box, language)
+    box.field.selectAll()
+    QTest.keyClicks(box.field, language)
+    QTest.keyClick(box.field, Qt.Key.Key_Return)
 
 
 def write(window: MainWindow, text: str) -> None:
@@ -127,6 +129,46 @@ def test_letters_and_space_that_are_typed_hold_no_mouth_shape_and_play_nothing(w
     assert panel(window).field.toPlainText() == "a house"
     assert not desktop.session.source.playing
     assert not desktop.talking.visemes.phonemes
+
+
+def test_the_tour_points_at_what_is_there_by_keyboard_and_is_left_by_escape(window, desktop, settings, qtbot):
+    talk, tour = window.talk, window.talk.tour
+    assert not tour.isVisible()
+    window.menus.actions["Tour of Talk"].trigger()
+    pointed_at = []
+    while tour.isVisible():
+        stop = tour.stops[tour.stop]
+        pointed_at.append(stop.control)
+        assert stop.control.isVisible()
+        assert window.rect().contains(tour.geometry().translated(talk.mapTo(window, QPoint(0, 0))))
+        assert QApplication.focusWidget() is tour.onward
+        press(window, Qt.Key.Key_Return)
+    assert pointed_at[0] is talk.text.field
+    assert pointed_at[-1] is talk.export
+    window.talking_dialogs.show_tour()
+    tour.onward.click()
+    tour.back.click()
+    assert tour.stop == 0
+    press(window, Qt.Key.Key_Escape)
+    assert not tour.isVisible()
+    window.talking_dialogs.show_first_tour()  # it was shown before
+    assert not tour.isVisible()
+    settings.remove("talk/toured")
+    window.talking_dialogs.show_first_tour()
+    assert tour.isVisible()
+    window.show_page(0)
+    assert not tour.isVisible()
+
+
+def test_a_language_is_found_by_any_part_of_its_name_and_what_is_none_is_forgotten(window, desktop):
+    box = panel(window).language
+    for typed in ("britain", "klingon"):
+        choose(window, typed)
+        panel(window).field.setFocus()
+        assert desktop.talking.text.written.language == "en-gb"
+        assert box.field.text() == "English (Great Britain)"
+    assert box.itemData(1) == "en-gb"  # chosen last
+    assert not desktop.session.source.playing
 
 
 def test_without_a_language_a_sentence_says_what_to_do(window):

@@ -5,7 +5,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QMenu, QSizePolicy, QWidget
 
@@ -29,11 +29,13 @@ MARGIN = 5
 """Pixels above and below a curve, so that keys at 0 and 1 can be caught."""
 STEP, COARSE = 0.01, 0.1
 """Of the weight, for an arrow key, and with Shift."""
+PLAIN = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 LEAST_PIXELS = 3
 """Between two keys that can be told apart."""
 HINT = tr_noop(
     "Drag a key, or move the selected one with the arrow keys (Shift: farther). Double-click adds a key, Delete "
-    "removes it. Shift+drag marks a range to smooth, raise or lower."
+    "removes it. Shift+drag, or Shift+Left and Shift+Right, marks a range to smooth, raise or lower. Page Up, Page "
+    "Down: select another key; with Ctrl, another curve."
 )
 
 
@@ -243,17 +245,27 @@ class KeyLanes(QWidget):
         if shape is not None and curve is not None and self._key_at(shape, place) is None:
             self._set(shape, curve, self.axis.time_at(place.x()), _weight_at(place.y(), self.rows()[shape]))
 
+    def event(self, event: QEvent) -> bool:
+        """Claim Shift+Left and Shift+Right, which are shortcuts of the window elsewhere."""
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride and _goes_along(event):
+            event.accept()
+            return True
+        return super().event(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Move, choose or delete the selected key."""
-        step = COARSE if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else STEP
+        """Move, choose or delete the selected key; raise, lower or mark a range."""
+        shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
+        control = bool(event.modifiers() & Qt.KeyboardModifier.ControlModifier)
+        step, choose = COARSE if shift else STEP, self._choose_curve if control else self._choose
         frame = 0.0 if self.keys.animation is None else 1 / self.keys.animation.rate
+        along = self._mark if shift else lambda seconds: self._nudge(seconds, 0.0)
         acts: dict[Qt.Key, Callable[[], None]] = {
             Qt.Key.Key_Up: lambda: self._nudge(0.0, step),
             Qt.Key.Key_Down: lambda: self._nudge(0.0, -step),
-            Qt.Key.Key_Left: lambda: self._nudge(-frame, 0.0),
-            Qt.Key.Key_Right: lambda: self._nudge(frame, 0.0),
-            Qt.Key.Key_PageUp: lambda: self._choose(-1),
-            Qt.Key.Key_PageDown: lambda: self._choose(1),
+            Qt.Key.Key_Left: lambda: along(-frame),
+            Qt.Key.Key_Right: lambda: along(frame),
+            Qt.Key.Key_PageUp: lambda: choose(-1),
+            Qt.Key.Key_PageDown: lambda: choose(1),
             Qt.Key.Key_Delete: self.delete,
             Qt.Key.Key_Backspace: self.delete,
         }
@@ -266,6 +278,8 @@ class KeyLanes(QWidget):
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         """Offer what can be done with the key, the range and the curve."""
         shape = self._shape_at(QPointF(event.pos()))
+        if event.reason() is QContextMenuEvent.Reason.Keyboard:
+            shape = self.marked.shape if self.marked is not None else self._curve_in_hand()
         if shape is None or self._shown(shape) is None:
             return
         menu = QMenu(self)
@@ -320,6 +334,8 @@ class KeyLanes(QWidget):
 
     def _nudge(self, seconds: float, weight: float) -> None:
         held = self.selected
+        if held is None and weight:
+            self.raise_by(weight)
         curve = None if held is None else self._shown(held.shape)
         if held is None or curve is None or not held.before < held.time < held.after:
             return
@@ -330,17 +346,47 @@ class KeyLanes(QWidget):
 
     def _choose(self, step: int) -> None:
         """Select the next key of the blend shape, or the one before."""
-        shape = self.selected.shape if self.selected is not None else next(iter(self.keys.shapes), "")
+        here = self.axis.start if self.selected is None else self.selected.time
+        self._take_key(self._curve_in_hand(), here, lambda apart: apart > 0 if step > 0 else apart < 0)
+
+    def _choose_curve(self, step: int) -> None:
+        """Select a key of the next curve, or of the one before, near the time of the selected one."""
+        shapes = self.keys.shapes
+        number = shapes.index(self._curve_in_hand()) + step if shapes else -1
+        if 0 <= number < len(shapes):
+            here = self._playhead if self.selected is None else self.selected.time
+            self._take_key(shapes[number], here, lambda apart: np.ones_like(apart, bool))
+
+    def _take_key(self, shape: str, here: float, wanted: Callable[[Float64Array], Any]) -> None:
+        """Select that key of a curve nearest to a time whose distance from it is wanted."""
+        curve = self._shown(shape) if shape else None
+        points = np.zeros(0) if curve is None else curve.points()
+        others = points[wanted(points - here)]
+        if len(others):
+            self.marked = None
+            self.selected = self._held(shape, points, float(others[np.argmin(np.abs(others - here))]))
+            self._texts.view.reveal(TimeSpan(self.selected.time, self.selected.time))
+            self.update()
+
+    def _curve_in_hand(self) -> str:
+        """Return the blend shape of the selected key, or of the marked range, or the first one; empty for none."""
+        for chosen in (self.selected, self.marked):
+            if chosen is not None:
+                return chosen.shape
+        return next(iter(self.keys.shapes), "")
+
+    def _mark(self, seconds: float) -> None:
+        """Mark a range from the selected key on, or from where the sound is, or move the end of the one there is."""
+        shape = self._curve_in_hand()
         curve = self._shown(shape) if shape else None
         if curve is None:
             return
-        here = self.axis.start if self.selected is None else self.selected.time
-        points = curve.points()
-        others = points[points > here] if step > 0 else points[points < here][::-1]
-        if len(others):
-            self.selected = self._held(shape, points, float(others[0]))
-            self._texts.view.reveal(TimeSpan(self.selected.time, self.selected.time))
-            self.update()
+        start = self._playhead if self.selected is None else self.selected.time
+        marked = self.marked or MarkedRange(shape, start, start)
+        end = min(max(marked.end + seconds, 0.0), float(curve.times[-1]))
+        self.marked, self.selected = replace(marked, end=end), None
+        self._texts.view.reveal(TimeSpan(end, end))
+        self.update()
 
     def _drag(self, held: HeldKey, before: KeyCurve, time: float, y: float) -> None:
         curve = self.keys.curve_of(held.shape)
@@ -390,6 +436,11 @@ class KeyLanes(QWidget):
             self.marked = None
         self.updateGeometry()
         self.update()
+
+
+def _goes_along(event: QKeyEvent) -> bool:
+    """Return whether a key moves something along the time."""
+    return event.key() in {Qt.Key.Key_Left, Qt.Key.Key_Right} and event.modifiers() in PLAIN
 
 
 def _y_of(weight: float, row: QRectF) -> float:

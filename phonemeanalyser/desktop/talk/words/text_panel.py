@@ -24,6 +24,7 @@ from phonemeanalyser.desktop.widgets.builders import (
     tool_button,
 )
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.search_box import SearchBox
 from phonemeengine.labels.utterance import Utterance
 
 N_LINES = 4
@@ -105,10 +106,9 @@ class TextPanel(QWidget):
             tr("Script…"), tr("Open the text of the recording: a text file, a TextGrid, or JSON with word times")
         )
         self.speaker = choice((), tr("Speaker"), tr("Speaker whose words are read from the labels"))
-        self.language = choice(
-            (),
+        self.language = SearchBox(
             tr("Language of the text"),
-            tr("Language of the text, those that were chosen last first; type its name to find it"),
+            tr("Language of the text, those that were chosen last first; type any part of its name to find it"),
         )
         self.language.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
         self.language.setMinimumWidth(NARROWEST)
@@ -143,8 +143,8 @@ class TextPanel(QWidget):
         written = column(self.field, row(self.anyway, (self.refusal, 1), spacing=6), spacing=4)
         beside = column(
             row(self.language, self.speaker, 1, spacing=6),
-            row(self.voice, self.script, self.lexicon, 1, spacing=6),
-            row(self.literal, 1, spacing=6),
+            row(self.voice, self.script, 1, spacing=6),
+            row(self.lexicon, self.literal, 1, spacing=6),
             row(self.act, (self.state, 1), spacing=6),
             1,
             spacing=4,
