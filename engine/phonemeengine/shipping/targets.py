@@ -30,6 +30,7 @@ from phonemeengine.shipping.sections import (
     viseme_sections,
     viseme_set_of,
 )
+from phonemeengine.shipping.unity_package import metas, package_files
 from phonemeengine.storage.files import atomic_write, reason_of
 
 # The way to npm, which fetches the library that draws the demo page's head.
@@ -196,6 +197,7 @@ class ShipTarget:
     makes : what gives the files that are made when it is shipped.
     preset, licence : the names of the files of the preset, and of the licence.
     script : the name of a script that holds the preset as well; empty for none.
+    describe : what makes files that describe all others, the preset among them.
     """
 
     words: str
@@ -204,6 +206,7 @@ class ShipTarget:
     preset: str = "preset.ear"
     licence: str = "LICENSE"
     script: str = ""
+    describe: tuple[Callable[[Files], Files], ...] = ()
 
     def files(self) -> Files:
         """Return the files that it gets beside the preset, by their path in the folder.
@@ -272,21 +275,9 @@ def _demo_page() -> Files:
     return {"demo/head.glb": shipped_glb().content(), **three}
 
 
-def _unity_package() -> Files:
-    """Return the libraries where Unity looks for them, and what makes a package of the folder."""
-    package = {
-        "name": "com.phonemeanalyser.ear",
-        "version": phonemeengine.__version__,
-        "displayName": "Phoneme Ear",
-        "description": DESCRIPTION,
-        "unity": "2021.2",
-        "license": "MIT",
-    }
-    places = {".dylib": "macOS", ".so": "x86_64", ".dll": "x86_64"}
-    libraries = {
-        f"Runtime/Plugins/{places[Path(name).suffix]}/{name}": content for name, content in shared_libraries().items()
-    }
-    return {"package.json": _json(package), **libraries}
+def _unity_libraries() -> Files:
+    """Return all that belongs to the package for Unity beside its sources."""
+    return package_files(shared_libraries(), DESCRIPTION)
 
 
 def _json(document: object) -> bytes:
@@ -307,9 +298,10 @@ TARGETS: Mapping[str, ShipTarget] = {
     "unity": ShipTarget(
         "Unity package: C#, a talking face and a talking sprite",
         {"unity": "", "csharp": "Runtime"},
-        (_unity_package,),
+        (_unity_libraries,),
         "preset.bytes",
         "LICENSE.md",  # which Unity shows
+        describe=(metas,),
     ),
     "godot": ShipTarget(
         "add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (shared_libraries,)
@@ -392,6 +384,8 @@ def ship(
     files = {shipped.preset: content, **shipped.files()}
     if shipped.script:
         files[shipped.script] = _as_module(content)
+    for describe in shipped.describe:
+        files |= describe(files)
     for name, content in files.items():
         if not overwrite:
             _check_free(folder / name, content)

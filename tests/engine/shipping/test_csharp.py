@@ -13,6 +13,7 @@ from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.labels.visemes import NO_VISEME, VISEME_PHONES, Viseme
 from phonemeengine.shipping import targets
 from phonemeengine.shipping.targets import format_ear
+from phonemeengine.shipping.unity_package import package_files
 from tests.compiled_ears import SOURCES, Frames
 from tests.compiled_ears import compiled as compiled_library
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech
@@ -34,11 +35,11 @@ def folder(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     return place
 
 
-def compiled(target: Path, sources: list[Path]) -> None:
+def compiled(target: Path, sources: list[Path], *words: str) -> None:
     kind = "library" if target.suffix == ".dll" else "exe"
     assert shutil.which("mcs"), "there is no C# compiler; install mono-mcs and mono-runtime"
-    words = ["mcs", "-langversion:7.2", "-warnaserror", f"-target:{kind}", f"-out:{target}", *map(str, sources)]
-    done = subprocess.run(words, capture_output=True, text=True, check=False)
+    flags = "-langversion:7.2", "-warnaserror", f"-target:{kind}", f"-out:{target}", *words
+    done = subprocess.run(["mcs", *flags, *map(str, sources)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout + done.stderr
 
 
@@ -85,7 +86,18 @@ def weights_of(frames: Frames) -> np.ndarray:
 def test_the_components_compile(folder: Path, tmp_path: Path) -> None:
     is_unity = (folder / "Runtime").exists()
     stand_ins = OURS / ("UnityEngine.cs" if is_unity else "Godot.cs")
-    compiled(tmp_path / "components.dll", [stand_ins, *folder.rglob("*.cs")])
+    for system in ("UNITY_EDITOR", "UNITY_WEBGL"):
+        compiled(tmp_path / "components.dll", [stand_ins, *folder.rglob("*.cs")], f"-define:{system}")
+
+
+def test_the_window_guesses_blend_shapes_by_what_programs_call_them(tmp_path: Path) -> None:
+    names, program = tmp_path / "names.txt", tmp_path / "Guess.exe"
+    names.write_bytes(package_files({}, "")["Editor/shape_names.txt"])
+    compiled(program, [OURS / "Guess.cs", SHIPPING / "unity" / "Editor" / "ShapeGuess.cs"])
+    states = "jawOpen,mouthSmileLeft,mouthSmileRight,jawLeft,mouthPucker,eyeBlinkRight,tongueOut"
+    face = "head.Jaw_Drop,Mouth_Smile_L,Mouth_Smile_R,Jaw_L,lipsPucker,Eye_Blink_R,nothing"
+    done = in_mono(program, tmp_path, str(names), states, face).stdout.decode().splitlines()
+    assert done == [*face.split(",")[:-1], ""]
 
 
 def test_what_cannot_be_opened_is_an_exception_with_a_sentence(folder: Path, tmp_path: Path) -> None:

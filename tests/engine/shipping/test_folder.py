@@ -181,7 +181,7 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
     licence = "LICENSE.md" if target == "unity" else "LICENSE"
     assert (tmp_path / target / licence).read_bytes() == (ROOT / "LICENSE").read_bytes()
     readme = (tmp_path / target / "README.md").read_text(encoding="utf-8")
-    named = [path for path in files if path.suffix == ".cs" or path.name.startswith("preset")]
+    named = [path for path in files if path.suffix == ".cs" or path.name in ("preset.bytes", "preset.ear")]
     assert len(named) >= 5
     assert all(path.name in readme for path in named)
 

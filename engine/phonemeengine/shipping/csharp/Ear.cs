@@ -227,7 +227,11 @@ namespace PhonemeEar
 
     internal static class Native
     {
+#if !UNITY_EDITOR && (UNITY_WEBGL || UNITY_IOS || (UNITY_ANDROID && ENABLE_IL2CPP))
+        internal const string Library = "__Internal"; // compiled into the program
+#else
         internal const string Library = "ear";
+#endif
 
         internal static void Check(int code)
         {

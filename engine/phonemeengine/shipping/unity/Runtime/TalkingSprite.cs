@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace PhonemeEar
 {
-    /// <summary>Shows the drawing of a mouth that goes with what is heard.</summary>
-    [RequireComponent(typeof(SpriteRenderer))]
+    /// <summary>Shows the drawing of a mouth that goes with what is recognised.</summary>
+    [RequireComponent(typeof(SpriteRenderer)), AddComponentMenu("Phoneme Ear/Talking Sprite")]
     public sealed class TalkingSprite : EarListener
     {
         [Serializable]
@@ -21,21 +21,21 @@ namespace PhonemeEar
         private readonly Dictionary<int, Sprite> sprites = new Dictionary<int, Sprite>();
         private SpriteRenderer mouth;
 
-        private void Reset() => table = "rhubarb";
+        protected override string UsualTable => "rhubarb";
 
-        protected override void OnEnable()
+        protected override void Begin()
         {
-            base.OnEnable();
-            if (Model == null)
-                return;
             mouth = GetComponent<SpriteRenderer>();
+            sprites.Clear();
             var shapes = new List<string>(Model.Shapes(TableNumber));
             foreach (var drawing in drawings)
                 if (shapes.Contains(drawing.shape))
                     sprites[shapes.IndexOf(drawing.shape)] = drawing.sprite;
                 else
-                    Debug.LogWarning($"the table {table} has no shape {drawing.shape}; it has {string.Join(", ", shapes)}", this);
+                    Debug.LogWarning($"the table {TableName} has no shape {drawing.shape}; it has {string.Join(", ", shapes)}", this);
         }
+
+        protected override void End() { }
 
         protected override void Hear(in Frame frame)
         {
