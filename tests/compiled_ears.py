@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import filelock
@@ -30,7 +30,7 @@ SANITIZED = (
     "-fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow",
     "-fno-sanitize-recover=all",
 )
-N_PHONEMES = 11
+N_PHONEMES, MOST_VISEMES = 11, 32
 LAST_FRAMES = 32
 OK, NO_EAR_FILE, NEWER_FILE, DAMAGED_FILE, OUT_OF_MEMORY, TOO_LITTLE_MEMORY, BAD_RATE, TOO_FEW_FRAMES = range(8)
 FRAME = np.dtype(
@@ -41,6 +41,7 @@ FRAME = np.dtype(
         ("intensity", np.float32),
         ("confidence", np.float32),
         ("scores", np.float32, N_PHONEMES),
+        ("viseme_scores", np.float32, MOST_VISEMES),
     ]
 )
 """`ear_frame`."""
@@ -91,6 +92,7 @@ class EarLibrary:
         self.c = ctypes.CDLL(str(path))
         self.c.ear_error_text.restype = ctypes.c_char_p
         self.c.ear_latency.restype = ctypes.c_double
+        self.c.ear_version.restype = ctypes.c_char_p
         names = (
             "ear_table_shape_name",
             "ear_table_movestate",
@@ -139,16 +141,24 @@ class CEar:
         size, self.handle = ctypes.c_size_t(), ctypes.c_void_p()
         self._ask(self._c.ear_size(model.handle, rate, ctypes.byref(size)))
         self.size, self._memory = size.value, ctypes.create_string_buffer(size.value)
-        self._ask(self._c.ear_open(model.handle, rate, self._memory, size, ctypes.byref(self.handle)))
+        words = self._memory, size, ctypes.byref(self.handle)
+        self._ask(self._c.ear_open_sized(model.handle, rate, ctypes.c_size_t(FRAME.itemsize), *words))
         self.latency = self._c.ear_latency(self.handle)
 
     def push(self, samples: Sound) -> Frames:
         """Take samples, and give the frames that became known."""
-        samples = np.ascontiguousarray(samples, np.float32)
+        return self._pushed(self._c.ear_push, np.ascontiguousarray(samples, np.float32))
+
+    def push_channels(self, samples: NDArray[np.float32 | np.int16]) -> Frames:
+        """Take samples of several channels, shape (n, n_channels), and give the frames that became known."""
+        by = self._c.ear_push_int16 if samples.dtype == np.int16 else self._c.ear_push_channels
+        return self._pushed(by, np.ascontiguousarray(samples), samples.shape[1])
+
+    def _pushed(self, by: Callable[..., int], samples: NDArray[np.generic], *channels: int) -> Frames:
         frames = np.zeros(len(samples) * 100 // self.rate + 2, FRAME)
         n = ctypes.c_size_t()
-        words = samples.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(samples))
-        self._ask(self._c.ear_push(self.handle, *words, *_room(frames), ctypes.byref(n)))
+        words = samples.ctypes.data_as(ctypes.c_void_p), ctypes.c_size_t(len(samples)), *channels
+        self._ask(by(self.handle, *words, *_room(frames), ctypes.byref(n)))
         return frames[: n.value]
 
     def finish(self) -> Frames:

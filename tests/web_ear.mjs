@@ -1,6 +1,7 @@
 /*
  * Has the shipped module listen in Node, for tests: node web_ear.mjs TASK FOLDER RATE, with float32 on the standard input.
  * Answers are float64 on the standard output: of each frame number, phoneme, viseme, intensity, confidence and scores.
+ * (32 of visemes, of which those that there are not are 0).
  */
 import { readFileSync } from "node:fs";
 import { join, resolve } from "node:path";
@@ -16,7 +17,8 @@ const samples = new Float32Array(input.buffer.slice(input.byteOffset, input.byte
 const rows = [];
 
 const model = () => new EarModel(new WebAssembly.Module(code), preset);
-const row = (f) => rows.push(f.number, f.phoneme, f.viseme, f.intensity, f.confidence, ...f.scores);
+const scores = (f) => [...f.scores, ...f.visemeScores, ...new Array(32 - f.visemeScores.length).fill(0)];
+const row = (f) => rows.push(f.number, f.phoneme, f.viseme, f.intensity, f.confidence, ...scores(f));
 
 function hear() {
   const ear = model().ear(Number(rate));
@@ -60,6 +62,13 @@ function move() {
     mouth.hear(time, { phoneme, viseme, intensity });
     rows.push(...mouth.weights(time));
   }
+}
+
+/* Weights of the frames of a sound, by how likely visemes are. */
+function blend() {
+  const opened = model();
+  const ear = opened.ear(Number(rate));
+  [...ear.push(samples), ...ear.finish()].forEach((frame) => rows.push(...opened.blend("arkit", frame)));
 }
 
 /* Closed twice, which is once. */
@@ -112,5 +121,5 @@ function tell() {
   );
 }
 
-await { hear, listenInWorklet, move, refuse, tell }[task]();
+await { blend, hear, listenInWorklet, move, refuse, tell }[task]();
 process.stdout.write(new Uint8Array(Float64Array.from(rows).buffer));

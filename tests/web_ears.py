@@ -8,9 +8,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.compiled_ears import FRAME, N_PHONEMES, Frames
+from tests.compiled_ears import FRAME, MOST_VISEMES, N_PHONEMES, Frames
 from tests.sounds import Sound
 
+ROW = 5 + N_PHONEMES + MOST_VISEMES
+"""Numbers that are told of a frame."""
 SCRIPT = Path(__file__).with_name("web_ear.mjs")
 
 
@@ -34,9 +36,9 @@ def in_node(folder: Path, task: str, sound: Sound, rate: int = 44_100) -> tuple[
 
 def frames_of(numbers: np.ndarray) -> Frames:
     """Give what the script tells of frames as the ear in C gives them."""
-    rows = numbers.reshape(-1, len(FRAME.names) - 1 + N_PHONEMES)
+    rows = numbers.reshape(-1, ROW)
     frames = np.zeros(len(rows), FRAME)
-    for k, name in enumerate(FRAME.names[:-1]):
+    for k, name in enumerate(FRAME.names[:-2]):
         frames[name] = rows[:, k]
-    frames["scores"] = rows[:, -N_PHONEMES:]
+    frames["scores"], frames["viseme_scores"] = np.split(rows[:, -MOST_VISEMES - N_PHONEMES :], [N_PHONEMES], axis=1)
     return frames

@@ -365,7 +365,8 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
 
 def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
     """Return consecutive blocks as one; there must be at least one."""
-    of_visemes = [a.viseme_scores for a in analyses if a.viseme_scores is not None]
+    blocks = [a for a in analyses if len(a)] or analyses  # an empty one may not know that visemes are told apart
+    of_visemes = [a.viseme_scores for a in blocks if a.viseme_scores is not None]
     return Analysis(
         analyses[0].start,
         concatenate([a.frames for a in analyses]),
@@ -375,7 +376,7 @@ def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
         intensities=np.concatenate([a.intensities for a in analyses]),
         confidences=np.concatenate([a.confidences for a in analyses]),
         settings=analyses[-1].settings,
-        viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(analyses) else None,
+        viseme_scores=np.concatenate(of_visemes) if len(of_visemes) == len(blocks) else None,
         viseme_set=analyses[-1].viseme_set,
     )
 

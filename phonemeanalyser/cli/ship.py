@@ -11,6 +11,7 @@ from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, without_real_t
 
 EXAMPLES = (
     "phonemeanalyser ship learned -o mouth",
+    "phonemeanalyser ship learned -o program --embed",
     "phonemeanalyser ship extended -o sources --table arkit --table vrm",
     "phonemeanalyser ship learned -o page --target web",
 )
@@ -28,6 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     usual = " and ".join(USUAL_TABLES)
     words = f"mouth table (may be repeated): a file, or one of {', '.join(shipped_tables())} (default: {usual})"
     parser.add_argument("--table", action="append", metavar="T", help=words)
+    parser.add_argument("--embed", action="store_true", help="write the preset as a C array too (preset.c)")
     parser.add_argument("--overwrite", action="store_true", help="replace changed files too")
 
 
@@ -37,7 +39,8 @@ def run(options: argparse.Namespace) -> int:
     preset = load_preset(options.preset)
     if note := without_real_time_model(preset):
         say_note(preset.name, note)
-    written = ship(preset, options.out, options.target, tables=tables, overwrite=options.overwrite)
+    choices = {"tables": tables, "embed": options.embed, "overwrite": options.overwrite}
+    written = ship(preset, options.out, options.target, **choices)
     size = sum(path.stat().st_size for path in written)
     print(f"{options.out}: {preset.name!r} in {len(written)} files, {size / 1e6:.2f} MB; see README.md there")
     return 0

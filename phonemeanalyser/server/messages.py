@@ -16,11 +16,13 @@ from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.features.feeling import Feeling
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
+from phonemeengine.mouth.blending import blended_weights
 from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import FRAME_PERIOD
 
 _PHONEMES = [phoneme.label for phoneme in Phoneme]
-_START = ("encoding", "rate", "channels", "table", "language", "text", "feeling")
+_START = ("encoding", "rate", "channels", "table", "probabilities", "language", "text", "feeling")
 _LATER = ("text", "end")
 _T = TypeVar("_T", int, str)
 
@@ -33,6 +35,7 @@ class StreamStart:
     ----------
     form : what the bytes are that follow.
     table : the mouth whose weights it wants; None for none.
+    probabilities : whether it wants those of all phonemes and visemes, and the weights that follow them.
     language : of the text; empty where none will come.
     text : the beginning of what is said, as far as it is known.
     felt : whether it wants to know how the voice sounds.
@@ -40,6 +43,7 @@ class StreamStart:
 
     form: StreamFormat
     table: MouthTable | None = None
+    probabilities: bool = False
     language: str = ""
     text: str = ""
     felt: bool = False
@@ -72,7 +76,8 @@ def start_of(message: str) -> StreamStart:
     language, text = _value(told, "language", str, ""), _value(told, "text", str, "")
     if text and not language:
         raise RefusedError("the text has no language; name it in the first message, such as en-us or de")
-    return StreamStart(form, _table_named(_value(told, "table", str, "")), language, text, _switch(told, "feeling"))
+    table, probabilities = _table_named(_value(told, "table", str, "")), _switch(told, "probabilities")
+    return StreamStart(form, table, probabilities, language, text, _switch(told, "feeling"))
 
 
 def later_words_of(message: str) -> LaterWords:
@@ -98,8 +103,8 @@ def words(grown: GrownWords) -> str:
     return json.dumps(told | ({"skipped": grown.skipped} if grown.skipped else {}))
 
 
-def frames(heard: HeardPiece) -> str:
-    """Return what is said in the frames of a piece, of which there are some."""
+def frames(heard: HeardPiece, start: StreamStart) -> str:
+    """Return what is said in the frames of a piece, of which there are some, to a client that began so."""
     analysis = heard.analysis
     sure = _thousandths(analysis.confidences)
     told: dict[str, Any] = {
@@ -110,7 +115,12 @@ def frames(heard: HeardPiece) -> str:
         "intensities": _thousandths(analysis.intensities),
     }
     if heard.weights is not None:
-        told["weights"] = np.round(heard.weights.astype(np.float64), 3).tolist()
+        told["weights"] = _rounded(heard.weights)
+    if start.probabilities:
+        scores = scores_in(analysis.features)
+        told["phoneme_scores"] = None if scores is None else _rounded(scores)
+        told["viseme_scores"] = None if analysis.viseme_scores is None else _rounded(analysis.viseme_scores)
+        told |= {"blended": _rounded(blended_weights(start.table, analysis))} if start.table else {}
     if len(heard.feelings):
         for name, column in zip(Feeling._fields, heard.feelings.T, strict=True):
             told[name] = _thousandths(column)
@@ -141,6 +151,11 @@ def _word(word: Word) -> dict[str, Any]:
         for phone in word.phones
     ]
     return {"word": word.text, "start": round(word.start, 2), "end": round(word.end, 2), "phones": phones}
+
+
+def _rounded(rows: Float32Array) -> list[list[float]]:
+    rounded: list[list[float]] = np.round(rows.astype(np.float64), 3).tolist()
+    return rounded
 
 
 def _thousandths(values: Float32Array) -> list[float]:

@@ -142,7 +142,7 @@ class StreamSession:
     def tell(self, heard: HeardPiece) -> None:
         """Have the client told what is known of a piece."""
         if len(heard.analysis):
-            self._unsent.put_nowait(messages.frames(heard))
+            self._unsent.put_nowait(messages.frames(heard, self._start))
         if heard.words is not None:
             self.tell_words(heard.words)
 
@@ -176,7 +176,7 @@ class StreamSession:
         message = await self._next_message()
         if not isinstance(message, str):
             raise RefusedError("the first message must say in JSON what is sent, such as its encoding and rate")
-        start = messages.start_of(message)
+        start = self._start = messages.start_of(message)
         self.speech = IncomingSpeech(
             self._preset, start.form, start.table, with_text=bool(start.language), felt=start.felt
         )

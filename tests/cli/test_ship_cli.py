@@ -13,7 +13,7 @@ def test_a_preset_is_shipped_with_the_tables_that_are_asked_for(
     folder = tmp_path / "game"
     words = ["ship", "thesis", "-o", str(folder), "--target", "c", "--table", "five", "--table", "vrm"]
     assert main(words) == 0
-    assert capsys.readouterr().out.startswith(f"{folder}: 'Thesis' in 10 files, ")
+    assert capsys.readouterr().out.startswith(f"{folder}: 'Thesis' in 12 files, ")
     content = (folder / "preset.ear").read_bytes()
     assert content.startswith(b"EAR\x1a")
     assert content.count(b"MOUT") == 2

@@ -1,6 +1,6 @@
 // Has the shipped C# listen, for tests: Listen.exe PRESET RATE, with float32 on the standard input.
 // Answers are float64 on the standard output: of each frame number, phoneme, viseme, intensity, confidence and scores;
-// then the weights of the mouth "arkit" at each of them.
+// then, at each of them, the weights of the mouth "arkit", and those by probabilities.
 
 using System;
 using System.Collections.Generic;
@@ -44,7 +44,7 @@ public static class Listen
             }
             Keep(found, frames, ear.Finish(frames));
             using (var output = new BinaryWriter(Console.OpenStandardOutput()))
-                Write(output, found, mouth);
+                Write(output, found, mouth, model);
         }
     }
 
@@ -56,7 +56,7 @@ public static class Listen
             found.Add(frame);
     }
 
-    private static void Write(BinaryWriter output, List<Frame> found, Mouth mouth)
+    private static void Write(BinaryWriter output, List<Frame> found, Mouth mouth, EarModel model)
     {
         var weights = new float[mouth.Movestates.Count];
         foreach (var frame in found)
@@ -67,11 +67,16 @@ public static class Listen
             output.Write((double)frame.Confidence);
             foreach (Phoneme phoneme in Enum.GetValues(typeof(Phoneme)))
                 output.Write((double)frame.ScoreOf(phoneme));
+            for (var viseme = 0; viseme < 32; viseme++)
+                output.Write((double)frame.ScoreOf(viseme));
         }
         foreach (var frame in found)
         {
             mouth.Hear(frame.Time, frame);
             mouth.Weights(frame.Time, weights);
+            foreach (var weight in weights)
+                output.Write((double)weight);
+            model.Blend(model.FindTable("arkit"), frame, weights);
             foreach (var weight in weights)
                 output.Write((double)weight);
         }

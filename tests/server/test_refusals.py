@@ -46,6 +46,7 @@ def said(server: str, *messages: str | bytes) -> Told:
         ('{"rate": 44100, "channels": 0}', "1..8 channels, got 0"),
         ('{"rate": 44100, "encoding": "mp3"}', "there is no encoding 'mp3'; send s16, f32, opus"),
         ('{"rate": 44100, "table": "/etc/passwd"}', "there is no mouth table '/etc/passwd'"),
+        ('{"rate": 44100, "probabilities": 1}', "probabilities must be true or false, got 1"),
         ('{"rate": 44100, "colour": "red"}', "there is no 'colour' in such a message"),
         ('{"rate": 44100, "text": "hello"}', "the text has no language"),
         ('{"rate": 44100, "text": "hello", "language": "xx-yy"}', "xx-yy"),

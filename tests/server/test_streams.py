@@ -17,8 +17,10 @@ from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.audio.resampling import resample_whole
 from phonemeengine.labels.visemes import NO_VISEME
 from phonemeengine.live.incoming_speech import IncomingSpeech, in_time
+from phonemeengine.mouth.blending import blended_weights
 from phonemeengine.mouth.morpher import Morpher
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import CORPUS
 from tests.server.conftest import FAST
@@ -56,6 +58,23 @@ def test_a_stream_is_told_what_the_engine_finds_in_the_whole_sound(
     told = streamed(server, {"rate": 44_100}, cut(data, sizes))
     check(told, heard(np.frombuffer(data, "<i2").astype(np.float32) / np.float32(32_768)))
     assert told.messages[-1] == {"end": round(len(data) / 2 / 44_100, 4)}
+
+
+def test_a_client_that_wants_them_is_told_probabilities_and_the_weights_by_them(
+    server: str, recording: Sound
+) -> None:
+    start = {"encoding": "f32", "rate": 44_100, "table": "oculus", "probabilities": True}
+    told, expected = streamed(server, start, cut(recording.tobytes(), [7000])), heard(recording)
+    assert expected.viseme_scores is not None
+    for name, rows in (
+        ("phoneme_scores", scores_in(expected.features)),
+        ("viseme_scores", expected.viseme_scores),
+        ("blended", blended_weights(load_table("oculus"), expected)),
+    ):
+        np.testing.assert_allclose(told.column(name), rows, atol=1e-3)
+    assert (
+        "viseme_scores" not in streamed(server, {"encoding": "f32", "rate": 44_100}, [recording.tobytes()]).frames[0]
+    )
 
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "templates"])

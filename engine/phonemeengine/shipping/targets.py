@@ -352,12 +352,33 @@ def format_ear(preset: Preset, tables: Iterable[str | os.PathLike[str]] = USUAL_
     return join_sections([*viseme_sections(visemes), *recogniser, *mouths])
 
 
+_ARRAY = b"/* The file preset.ear as an array, made by phonemeanalyser ship. */\n"
+
+
+def _embedded(ear_file: bytes) -> Files:
+    """Return the preset as a source file, for programs that open no files, and its header."""
+    rows = (", ".join(map(str, ear_file[at : at + 24])) for at in range(0, len(ear_file), 24))
+    of = b"const unsigned char preset_ear[] = {\n" + ",\n".join(rows).encode() + b"};\n"
+    size = b"const size_t preset_ear_size = sizeof preset_ear;\n"
+    declared = (
+        b"#include <stddef.h>\n\nextern const unsigned char preset_ear[];\nextern const size_t preset_ear_size;\n"
+    )
+    opened = b'#ifdef __cplusplus\nextern "C" {\n#endif\n', b"#ifdef __cplusplus\n}\n#endif\n"
+    declared = declared.replace(b"\n\n", b"\n\n" + opened[0], 1) + opened[1]
+    head = _ARRAY + b"/* SPDX-License-Identifier: MIT */\n"
+    return {
+        "preset.c": head + b'#include "preset.h"\n\n' + of + size,
+        "preset.h": head + b"#ifndef PRESET_H\n#define PRESET_H\n\n" + declared + b"\n#endif\n",
+    }
+
+
 def ship(
     preset: Preset,
     folder: str | os.PathLike[str],
     target: str = "c",
     *,
     tables: Sequence[str | os.PathLike[str]] = USUAL_TABLES,
+    embed: bool = False,
     overwrite: bool = False,
 ) -> tuple[Path, ...]:
     """Write a folder with which a program without Python recognises as a preset does live; return its files.
@@ -368,6 +389,7 @@ def ship(
     folder : where; it is made where there is none.
     target : what for: one of `phonemeengine.shipping.targets.TARGETS`.
     tables : the mouth tables that go with it, by name or file.
+    embed : whether the preset comes as a C array too, in preset.c.
     overwrite : whether files that were changed since they were shipped are replaced too.
 
     Raises
@@ -381,7 +403,7 @@ def ship(
         raise ExportError(f"there is no target {target!r:.40}; {remedy(target, TARGETS)}")
     folder = Path(folder)
     shipped, content = TARGETS[target], format_ear(preset, tables)
-    files = {shipped.preset: content, **shipped.files()}
+    files = {shipped.preset: content, **(_embedded(content) if embed else {}), **shipped.files()}
     if shipped.script:
         files[shipped.script] = _as_module(content)
     for describe in shipped.describe:
@@ -395,9 +417,9 @@ def ship(
 
 
 def _is_preset(content: bytes) -> bool:
-    """Return whether a file holds a preset, as it is or as a script."""
+    """Return whether a file holds a preset, as it is, as a script or as an array."""
     start = content[len(_SCRIPT) :][:8] if content.startswith(_SCRIPT) else b""
-    return is_ear_file(base64.b64decode(start) if start else content)
+    return content.startswith(_ARRAY) or is_ear_file(base64.b64decode(start) if start else content)
 
 
 def _check_free(path: Path, content: bytes) -> None:

@@ -11,13 +11,14 @@ import pytest
 
 from phonemeengine import Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.labels.visemes import NO_VISEME, VISEME_PHONES, Viseme
+from phonemeengine.mouth.blending import blended_weights
 from phonemeengine.shipping import targets
 from phonemeengine.shipping.targets import format_ear
 from phonemeengine.shipping.unity_package import package_files
 from tests.compiled_ears import SOURCES, Frames
 from tests.compiled_ears import compiled as compiled_library
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech
-from tests.web_ears import frames_of
+from tests.web_ears import ROW, frames_of
 
 pytestmark = pytest.mark.csharp
 
@@ -64,11 +65,12 @@ def test_it_hears_and_moves_as_the_engine_does(folder: Path, tmp_path: Path) -> 
     assert done.returncode == 0, done.stderr.decode()
     numbers = np.frombuffer(done.stdout, np.float64)
     analysis = heard_by_engine(load_preset("learned"), SOUND)
-    n = 16 * len(analysis)
+    n = ROW * len(analysis)
     frames = frames_of(numbers[:n])
     check_same(frames, analysis)
-    found = numbers[n:].reshape(len(frames), -1)
+    found, blended = np.split(numbers[n:].reshape(len(frames), -1), 2, axis=1)
     assert np.abs(found - weights_of(frames)).max() < 1e-5
+    assert np.abs(blended - blended_weights(load_table("arkit"), analysis)).max() < 1e-3
     assert found.max() > 0.3
 
 

@@ -22,7 +22,7 @@ from phonemeengine import (
 )
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.shipping import targets
-from tests.compiled_ears import CModel, EarLibrary
+from tests.compiled_ears import CModel, EarLibrary, compiled
 from tests.conftest import ROOT
 from tests.engine.shipping.test_same_results import speech
 from tests.models import centred_model
@@ -33,6 +33,7 @@ FILES = {
     "ear.h",
     "ear.c",
     "ear_kernels.h",
+    "CMakeLists.txt",
     "Makefile",
     "README.md",
     "examples/files.h",
@@ -61,7 +62,9 @@ def test_a_shipped_folder_has_the_preset_the_sources_examples_and_a_readme(built
     assert files >= FILES
     readme = (built / "README.md").read_text(encoding="utf-8")
     assert all(
-        name in readme for name in FILES if name.startswith(("ear", "preset", "Make", "examples/r", "examples/m"))
+        name in readme
+        for name in FILES
+        if name.startswith(("ear", "preset", "Make", "CMake", "examples/r", "examples/m"))
     )
 
 
@@ -205,3 +208,55 @@ def test_every_target_has_sources_that_are_looked_through() -> None:
 
 def test_a_shipped_folder_holds_the_licence_whole(built: Path) -> None:
     assert (built / "LICENSE").read_bytes() == (ROOT / "LICENSE").read_bytes()
+
+
+EMBEDDED = """
+#include <ear.h>
+#include <preset.h>
+#include <stdio.h>
+
+int main(void)
+{
+    ear_model *model = NULL;
+    int result = ear_model_open(preset_ear, preset_ear_size, NULL, 0, &model);
+    puts(result == EAR_OK ? ear_model_name(model) : ear_error_text(result));
+    ear_model_close(model);
+    return result;
+}
+"""
+
+
+def test_an_embedded_preset_is_opened_without_a_file_and_replaced_by_another_one(tmp_path: Path) -> None:
+    for name in ("templates", "thesis"):
+        ship(load_preset(name), tmp_path, embed=True)
+    (tmp_path / "main.c").write_text(EMBEDDED, encoding="utf-8")
+    sources = [tmp_path / name for name in ("main.c", "preset.c", "ear.c")]
+    program = compiled("embedded", sources, "-O1", "-I", str(tmp_path))
+    said = subprocess.run([program], capture_output=True, text=True, check=True).stdout
+    assert said.strip() == load_preset("thesis").name
+
+
+@pytest.mark.long
+def test_cmake_installs_what_another_project_finds(tmp_path: Path) -> None:
+    ship(load_preset("thesis"), tmp_path / "shipped", embed=True)
+    for shared in ("ON", "OFF"):
+        place, user = tmp_path / f"installed-{shared}", tmp_path / f"user-{shared}"
+        cmake("-S", tmp_path / "shipped", "-B", tmp_path / shared, f"-DBUILD_SHARED_LIBS={shared}")
+        cmake("--build", tmp_path / shared)
+        cmake("--install", tmp_path / shared, "--prefix", place)
+        user.mkdir()
+        (user / "main.c").write_text(EMBEDDED, encoding="utf-8")
+        (user / "CMakeLists.txt").write_text(
+            "cmake_minimum_required(VERSION 3.14)\nproject(user C)\nfind_package(ear 0.9 REQUIRED)\n"
+            f"add_executable(user main.c {tmp_path}/shipped/preset.c)\n"
+            f"target_include_directories(user PRIVATE {tmp_path}/shipped)\ntarget_link_libraries(user ear::ear)\n",
+            encoding="utf-8",
+        )
+        cmake("-S", user, "-B", user / "build", f"-DCMAKE_PREFIX_PATH={place}")
+        cmake("--build", user / "build")
+        subprocess.run([user / "build" / "user"], check=True)
+
+
+def cmake(*words: str | Path) -> None:
+    done = subprocess.run(["cmake", *words], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr

@@ -74,6 +74,10 @@ def check_same(frames: Frames, analysis: Analysis) -> None:
     assert np.allclose(frames["confidence"][same], analysis.confidences[same], atol=NEAR, equal_nan=True)
     scores = scores_in(analysis.features)
     assert np.abs(frames["scores"] - (0 if scores is None else scores)).max() <= NEAR
+    seen = np.zeros_like(frames["viseme_scores"])
+    if analysis.viseme_scores is not None:
+        seen[:, : analysis.viseme_scores.shape[1]] = analysis.viseme_scores
+    assert np.abs(frames["viseme_scores"] - seen).max() <= NEAR
 
 
 def says_several(analysis: Analysis, n: int) -> bool:

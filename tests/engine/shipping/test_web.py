@@ -11,6 +11,7 @@ import pytest
 
 from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
+from phonemeengine.mouth.blending import blended_weights
 from phonemeengine.shipping import targets
 from tests.engine.shipping.test_same_results import check_same, heard_by_engine, says_several, speech
 from tests.sounds import silence, vowel
@@ -33,6 +34,14 @@ def test_the_module_hears_what_the_engine_hears(folder: Path) -> None:
     analysis = heard_by_engine(load_preset("learned"), speech())
     assert says_several(analysis, 9)
     check_same(frames_of(in_node(folder, "hear", speech())[0]), analysis)
+
+
+def test_weights_by_probabilities_are_those_of_the_engine(folder: Path) -> None:
+    sound = speech()[: 3 * 44_100]
+    expected = blended_weights(load_table("arkit"), heard_by_engine(load_preset("learned"), sound))
+    found = in_node(folder, "blend", sound)[0].reshape(expected.shape)
+    assert np.abs(found - expected).max() < 1e-3
+    assert expected.max() > 0.2
 
 
 def test_rules_hear_the_same_as_well(tmp_path: Path) -> None:

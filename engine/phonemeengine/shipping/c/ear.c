@@ -16,6 +16,8 @@
 #include "ear.h"
 #include "ear_kernels.h"
 
+#undef ear_open /* the macro, so that the function of this name can be written */
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -31,7 +33,10 @@ enum {
     SHORT = 1024, /* samples that log mels look at, in the middle of a frame */
     BANDS = 40,
     CEPSTRA = 12,
-    MOST_VISEMES = TILE,
+    MOST_VISEMES = EAR_MOST_VISEMES,
+    OLDEST_FRAME = offsetof(ear_frame, viseme_scores), /* bytes */
+    MOST_FRAME = 4096,
+    MOST_CHANNELS_IN = 64,
     MOST_LAYERS = 32,
     MOST_CHANNELS = 1024,
     MOST_DILATION = 256,
@@ -52,6 +57,11 @@ static const double PI = 3.14159265358979323846;
 /* ------------------------------------------------------------------------------------------------------------------
  * Words
  * ---------------------------------------------------------------------------------------------------------------- */
+
+const char *ear_version(void)
+{
+    return EAR_VERSION;
+}
 
 const char *ear_error_text(int code)
 {
@@ -75,10 +85,15 @@ const char *ear_error_text(int code)
     case EAR_NO_TABLE:
         return "the model has no mouth table of this number; ship the preset with it, or ask ear_table_find";
     case EAR_BAD_ARGUMENT:
-        return "a pointer that is needed is NULL; pass what the function asks for";
+        return "a pointer that is needed is NULL, or a number out of its range; pass what the function asks for";
     default:
         return "this is none of ear's results";
     }
+}
+
+float ear_frame_viseme_score(const ear_frame *frame, int viseme)
+{
+    return frame && viseme >= 0 && viseme < MOST_VISEMES ? frame->viseme_scores[viseme] : 0;
 }
 
 const char *ear_phoneme_name(int phoneme)
@@ -1291,6 +1306,7 @@ struct ear {
     size_t filled;
     uint64_t n_received, n_framed;
     uint32_t next;   /* number of the next frame that is given */
+    size_t frame_size;
     size_t n_early;  /* answers that are about frames before the first */
     float levels[MOST_AHEAD + 1];
     size_t level_at;
@@ -1412,7 +1428,9 @@ int ear_size(const ear_model *model, uint32_t rate, size_t *size)
     return EAR_OK;
 }
 
-int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t size, ear **listener)
+int ear_open_sized(
+    const ear_model *model, uint32_t rate, size_t frame_size, void *memory, size_t size, ear **listener
+)
 {
     arena laid;
     ear made;
@@ -1422,7 +1440,10 @@ int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t size, e
     if (!listener)
         return EAR_BAD_ARGUMENT;
     *listener = NULL;
+    if (frame_size < OLDEST_FRAME || frame_size > MOST_FRAME || frame_size % sizeof(float))
+        return EAR_BAD_ARGUMENT;
     result = begin_ear(model, rate, &made);
+    made.frame_size = frame_size;
     if (result == EAR_OK)
         result = ear_size(model, rate, &needed);
     if (result == EAR_OK)
@@ -1435,6 +1456,11 @@ int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t size, e
     *listener = (ear *)laid.base;
     **listener = made;
     return EAR_OK;
+}
+
+int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t size, ear **listener)
+{
+    return ear_open_sized(model, rate, OLDEST_FRAME, memory, size, listener);
 }
 
 void ear_close(ear *listener)
@@ -1983,7 +2009,7 @@ static float intensity_of(const ear_model *model, float level, int phoneme)
 static int hear_window(ear *of, const float *window, ear_frame *frame)
 {
     const ear_model *model = of->model;
-    float visemes[MOST_VISEMES] = {0}, level = peak_of(window);
+    float *visemes = frame->viseme_scores, level = peak_of(window);
     uint32_t raw;
     memset(frame, 0, sizeof *frame);
     /* A ring of look_ahead + 1 levels: an answer is about a frame that lies so far back, and so is its loudness. */
@@ -2034,11 +2060,20 @@ typedef struct {
     size_t given, most;
 } output;
 
+/* Write a frame in the size that the program knows. */
+static void write_frame(const ear *of, const ear_frame *frame, void *frames, size_t at)
+{
+    size_t known = of->frame_size < sizeof *frame ? of->frame_size : sizeof *frame;
+    unsigned char *place = (unsigned char *)frames + at * of->frame_size;
+    memcpy(place, frame, known);
+    memset(place + known, 0, of->frame_size - known);
+}
+
 static void hear_and_give(ear *of, const float *window, output *to)
 {
     ear_frame frame;
     if (hear_window(of, window, &frame) && to->given < to->most)
-        to->frames[to->given++] = frame;
+        write_frame(of, &frame, to->frames, to->given++);
 }
 
 /* Hear the window once it is full, and go on to the next one. */
@@ -2096,23 +2131,74 @@ static void resample_and_take(ear *of, const float *samples, size_t n, output *t
     }
 }
 
+static int check_push(ear *of, const void *samples, size_t n, const output *to, size_t *n_frames)
+{
+    if (n_frames)
+        *n_frames = 0;
+    if (!of || !n_frames || (n && !samples) || (to->most && !to->frames))
+        return EAR_BAD_ARGUMENT;
+    return n > SIZE_MAX / 100 || to->most < EAR_MOST_FRAMES(n, of->resampler.rate) ? EAR_TOO_FEW_FRAMES : EAR_OK;
+}
+
+static void take_at_any_rate(ear *of, const float *samples, size_t n, output *to)
+{
+    (of->resamples ? resample_and_take : take_samples)(of, samples, n, to);
+}
+
 int ear_push(ear *of, const float *samples, size_t n, ear_frame *frames, size_t most, size_t *n_frames)
 {
     output to = {frames, 0, most};
-    uint32_t rate;
-    if (n_frames)
-        *n_frames = 0;
-    if (!of || !n_frames || (n && !samples) || (most && !frames))
-        return EAR_BAD_ARGUMENT;
-    rate = of->resampler.rate;
-    if (n > SIZE_MAX / 100 || most < EAR_MOST_FRAMES(n, rate))
-        return EAR_TOO_FEW_FRAMES;
-    if (of->resamples)
-        resample_and_take(of, samples, n, &to);
-    else
-        take_samples(of, samples, n, &to);
+    int result = check_push(of, samples, n, &to, n_frames);
+    if (result != EAR_OK)
+        return result;
+    take_at_any_rate(of, samples, n, &to);
     *n_frames = to.given;
     return EAR_OK;
+}
+
+/* Hear the mean of interleaved channels, of which either floats or int16 are given. */
+static int push_mean(
+    ear *of, const float *floats, const int16_t *whole, size_t n, unsigned channels, output *to, size_t *n_frames
+)
+{
+    const float full = 1.0f / 32768;
+    float mono[CHUNK];
+    size_t at, k, now;
+    unsigned c;
+    int result = check_push(of, floats ? (const void *)floats : (const void *)whole, n, to, n_frames);
+    if (result != EAR_OK)
+        return result;
+    if (channels < 1 || channels > MOST_CHANNELS_IN)
+        return EAR_BAD_ARGUMENT;
+    for (at = 0; at < n; at += now) {
+        now = n - at < CHUNK ? n - at : CHUNK;
+        for (k = 0; k < now; k++) {
+            const size_t first = (at + k) * channels;
+            float sum = 0;
+            for (c = 0; c < channels; c++)
+                sum += floats ? floats[first + c] : (float)whole[first + c] * full;
+            mono[k] = sum / (float)channels;
+        }
+        take_at_any_rate(of, mono, now, to);
+    }
+    *n_frames = to->given;
+    return EAR_OK;
+}
+
+int ear_push_channels(
+    ear *of, const float *samples, size_t n, unsigned channels, ear_frame *frames, size_t most, size_t *n_frames
+)
+{
+    output to = {frames, 0, most};
+    return push_mean(of, samples, NULL, n, channels, &to, n_frames);
+}
+
+int ear_push_int16(
+    ear *of, const int16_t *samples, size_t n, unsigned channels, ear_frame *frames, size_t most, size_t *n_frames
+)
+{
+    output to = {frames, 0, most};
+    return push_mean(of, NULL, samples, n, channels, &to, n_frames);
 }
 
 /* Give the samples that the resampler still holds: as many as the sound has at 44.1 kHz. */
@@ -2225,6 +2311,49 @@ const char *ear_table_shape_name(const ear_model *model, int table, int shape)
 {
     const mouth_table *known = table_of(model, table);
     return known && shape >= 0 && (size_t)shape < known->n_shapes ? known->shapes[shape] : "";
+}
+
+static void add_shape(const mouth_table *table, const mouth_entry *entry, float share, float gain, float *weights)
+{
+    const float *row = table->rows + entry->row * table->n_movestates;
+    size_t k;
+    share *= entry->closes ? 1 : gain;
+    for (k = 0; k < table->n_movestates; k++)
+        weights[k] += share * row[k];
+}
+
+/* The first phoneme that a viseme may show. */
+static int phoneme_of(const viseme_set *set, int viseme)
+{
+    int phoneme = 0;
+    while (phoneme < EAR_PHONEMES && !(set->allowed[phoneme] & BIT(viseme)))
+        phoneme++;
+    return phoneme < EAR_PHONEMES ? phoneme : EAR_UNIDENTIFIED;
+}
+
+int ear_table_blend(const ear_model *model, int table, const ear_frame *frame, float *weights)
+{
+    const mouth_table *known = model ? table_of(model, table) : NULL;
+    float gain;
+    int k;
+    if (!model || !frame || (known && known->n_movestates && !weights))
+        return EAR_BAD_ARGUMENT;
+    if (!known)
+        return EAR_NO_TABLE;
+    gain = (float)known->minimum_opening + (1 - (float)known->minimum_opening) * frame->intensity;
+    for (k = 0; (size_t)k < known->n_movestates; k++)
+        weights[k] = 0;
+    if (model->recogniser == BY_NETWORK && model->net.n_visemes)
+        for (k = 0; (size_t)k < model->visemes.n; k++) {
+            const mouth_entry *entry = entry_of(known, phoneme_of(&model->visemes, k), k);
+            add_shape(known, entry, frame->viseme_scores[k], gain, weights);
+        }
+    else if (model->recogniser != BY_RULES)
+        for (k = 0; k < EAR_PHONEMES; k++)
+            add_shape(known, entry_of(known, k, EAR_NO_VISEME), frame->scores[k], gain, weights);
+    else
+        add_shape(known, entry_of(known, frame->phoneme, EAR_NO_VISEME), 1, gain, weights);
+    return EAR_OK;
 }
 
 /* ------------------------------------------------------------------------------------------------------------------

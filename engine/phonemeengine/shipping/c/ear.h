@@ -37,7 +37,9 @@ extern "C" {
 #define EAR_API
 #endif
 
-enum { EAR_PHONEMES = 11, EAR_VISEMES = 15 };
+#define EAR_VERSION "0.9.0"
+
+enum { EAR_PHONEMES = 11, EAR_VISEMES = 15, EAR_MOST_VISEMES = 32 /* of a model with its own */ };
 
 /* What a frame can be. The numbers stand in ear_frame.phoneme. */
 enum {
@@ -68,7 +70,7 @@ enum {
 
 enum { EAR_LOWEST_RATE = 1000, EAR_HIGHEST_RATE = 768000 };
 
-/* What was heard in 10 ms. */
+/* What was heard in 10 ms. Later versions may add to its end: see ear_open_sized. */
 typedef struct {
     uint32_t number;            /* it lasts from number x 10 ms of the sound to 10 ms later */
     int32_t phoneme;            /* EAR_SILENCE to EAR_O, calmed as the preset says */
@@ -76,6 +78,7 @@ typedef struct {
     float intensity;            /* how loud, 0..1; 0 in silence */
     float confidence;           /* the share of such answers that are right, 0..1; NaN where nobody knows */
     float scores[EAR_PHONEMES]; /* how likely each phoneme is, before smoothing; all 0 with rules, which name one only */
+    float viseme_scores[EAR_MOST_VISEMES]; /* the same of the model's visemes; all 0 where it tells none apart */
 } ear_frame;
 
 /* At least as many frames as come of n samples at a rate, at once. */
@@ -87,11 +90,16 @@ typedef struct ear_model ear_model;
 typedef struct ear ear;
 typedef struct ear_mouth ear_mouth;
 
+/* EAR_VERSION of the library, which a program that loads it may compare with that of its header. */
+EAR_API const char *ear_version(void);
 /* One sentence about a result, in English, static. */
 EAR_API const char *ear_error_text(int code);
 /* Names as in PhonemeAnalyser's files, such as "sch" and "FF"; "" for what is none. */
 EAR_API const char *ear_phoneme_name(int phoneme);
 EAR_API const char *ear_viseme_name(int viseme);
+
+/* frame->viseme_scores[viseme], for languages that cannot read arrays in structures; 0 for what is none. */
+EAR_API float ear_frame_viseme_score(const ear_frame *frame, int viseme);
 
 /* -- A model: a preset, and what it knows. Its file's bytes are not needed once it is open. -- */
 
@@ -106,10 +114,20 @@ EAR_API int ear_model_look_ahead(const ear_model *model);
 EAR_API int ear_model_visemes(const ear_model *model);
 EAR_API const char *ear_model_viseme(const ear_model *model, int viseme);
 
-/* -- A recogniser of one stream: mono, float, full scale +-1, at any rate of 1..768 kHz. -- */
+/* -- A recogniser of one stream: float of full scale +-1, or int16, at any rate of 1..768 kHz. -- */
 
 EAR_API int ear_size(const ear_model *model, uint32_t rate, size_t *size);
+/*
+ * `frame_size` is sizeof(ear_frame) as your program knows it: the library writes frames of that size, so a program and
+ * a library of other versions fit. What the library does not know is 0. The macro ear_open gives it; the function of
+ * that name is for programs of before 0.9.0, whose frames end after `scores`.
+ */
+EAR_API int ear_open_sized(
+    const ear_model *model, uint32_t rate, size_t frame_size, void *memory, size_t size, ear **listener
+);
 EAR_API int ear_open(const ear_model *model, uint32_t rate, void *memory, size_t size, ear **listener);
+#define ear_open(model, rate, memory, size, listener)                                                                  \
+    ear_open_sized(model, rate, sizeof(ear_frame), memory, size, listener)
 EAR_API void ear_close(ear *listener);
 /*
  * Take the next samples, and give the frames that became known. Cut the sound as you like: the frames are the same.
@@ -117,6 +135,13 @@ EAR_API void ear_close(ear *listener);
  * Samples that are no number, or beyond +-1e6, count as 0.
  */
 EAR_API int ear_push(ear *listener, const float *samples, size_t n, ear_frame *frames, size_t most, size_t *n_frames);
+/* The same with n samples of each of 1..64 channels, which lie interleaved; their mean is heard. */
+EAR_API int ear_push_channels(
+    ear *listener, const float *samples, size_t n, unsigned channels, ear_frame *frames, size_t most, size_t *n_frames
+);
+EAR_API int ear_push_int16(
+    ear *listener, const int16_t *samples, size_t n, unsigned channels, ear_frame *frames, size_t most, size_t *n_frames
+);
 /* The sound is over: give the last frames, at most EAR_LAST_FRAMES. Then the ear is as new. */
 EAR_API int ear_finish(ear *listener, ear_frame *frames, size_t most, size_t *n_frames);
 /* Forget the sound, and begin another one. */
@@ -137,6 +162,13 @@ EAR_API const char *ear_table_movestate(const ear_model *model, int table, int m
 EAR_API int ear_table_shapes(const ear_model *model, int table);
 EAR_API int ear_table_shape(const ear_model *model, int table, int phoneme, int viseme);
 EAR_API const char *ear_table_shape_name(const ear_model *model, int table, int shape);
+
+/*
+ * The weights of a table's movestates for one frame, 1 for the whole movement: the shapes of all visemes, each by how
+ * likely it is, and by the intensity but where lips meet; of the phonemes where the model tells no visemes apart. They
+ * are continuous and not smoothed; `frame` is one of this header's.
+ */
+EAR_API int ear_table_blend(const ear_model *model, int table, const ear_frame *frame, float *weights);
 
 /* -- A mouth: moves smoothly from shape to shape; equal seeds make equal mouths. -- */
 

@@ -26,11 +26,12 @@ namespace PhonemeEar
 
 #pragma warning disable 0649 // the library writes these
     /// <summary>What was heard in 10 ms.</summary>
-    [StructLayout(LayoutKind.Sequential)]
+    [StructLayout(LayoutKind.Sequential, Size = Bytes)]
     public struct Frame
     {
         /// <summary>It lasts from Number x 10 ms of the sound to 10 ms later.</summary>
         public readonly uint Number;
+        internal const int Bytes = 192;
         public readonly Phoneme Phoneme;
         public readonly Viseme Viseme;
         /// <summary>How loud, 0..1.</summary>
@@ -41,6 +42,18 @@ namespace PhonemeEar
 
         /// <summary>Seconds.</summary>
         public double Time => Number / 100.0;
+
+        /// <summary>How likely a viseme is, by its number; 0 where the preset tells none apart.</summary>
+        public float ScoreOf(int viseme)
+        {
+            if (viseme < 0 || viseme >= 32)
+                throw new EarException($"there is no viseme {viseme}; ask for one of 0..31");
+            var frame = this;
+            return Native.ear_frame_viseme_score(ref frame, viseme);
+        }
+
+        /// <summary>How likely a viseme is; 0 where the preset tells none apart.</summary>
+        public float ScoreOf(Viseme viseme) => ScoreOf((int)viseme);
 
         /// <summary>How likely a phoneme is; 0 with rules, which name one only.</summary>
         public float ScoreOf(Phoneme phoneme)
@@ -121,6 +134,19 @@ namespace PhonemeEar
         public int ShapeOf(int table, in Frame frame) =>
             Native.ear_table_shape(Handle, table, (int)frame.Phoneme, (int)frame.Viseme);
 
+        /// <summary>
+        /// Put the weights of a table's movestates for a frame into `weights`: all visemes, each by how likely it is. They
+        /// are continuous and not smoothed; a Mouth moves smoothly.
+        /// </summary>
+        public void Blend(int table, in Frame frame, float[] weights)
+        {
+            var n = Native.ear_table_movestates(Handle, table);
+            if (weights.Length < n)
+                throw new EarException($"a table of {n} movestates needs as much room, got {weights.Length}");
+            var heard = frame;
+            Native.Check(Native.ear_table_blend(Handle, table, ref heard, weights));
+        }
+
         public void Dispose()
         {
             Native.ear_model_close(handle);
@@ -141,7 +167,8 @@ namespace PhonemeEar
         {
             this.model = model;
             this.rate = rate;
-            Native.Check(Native.ear_open(model.Handle, (uint)Math.Max(0, rate), IntPtr.Zero, UIntPtr.Zero, out handle));
+            Native.Check(Native.ear_open_sized(
+                model.Handle, (uint)Math.Max(0, rate), (UIntPtr)Frame.Bytes, IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
         /// <summary>From the middle of a frame to when it is known, on the average, seconds.</summary>
@@ -269,7 +296,11 @@ namespace PhonemeEar
         [DllImport(Library)] internal static extern int ear_model_visemes(IntPtr model);
         [DllImport(Library)] internal static extern IntPtr ear_model_viseme(IntPtr model, int viseme);
         [DllImport(Library)]
-        internal static extern int ear_open(IntPtr model, uint rate, IntPtr memory, UIntPtr size, out IntPtr listener);
+        internal static extern int ear_open_sized(
+            IntPtr model, uint rate, UIntPtr frameSize, IntPtr memory, UIntPtr size, out IntPtr listener);
+        [DllImport(Library)] internal static extern float ear_frame_viseme_score(ref Frame frame, int viseme);
+        [DllImport(Library)]
+        internal static extern int ear_table_blend(IntPtr model, int table, ref Frame frame, [Out] float[] weights);
         [DllImport(Library)] internal static extern void ear_close(IntPtr listener);
         [DllImport(Library)]
         internal static extern int ear_push(

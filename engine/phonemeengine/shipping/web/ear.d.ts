@@ -18,13 +18,15 @@ export interface Frame {
   readonly confidence: number;
   /** How likely each phoneme is; all 0 with rules, which name one only. */
   readonly scores: Float32Array;
+  /** How likely each viseme is; all 0 where the model tells none apart. */
+  readonly visemeScores: Float32Array;
 }
 
 /** What cannot be done, in a sentence. */
 export class EarError extends Error {}
 
-/** Read a frame from the bytes that the module wrote. */
-export function readFrame(bytes: Uint8Array): Frame;
+/** Read a frame from the bytes that the module wrote; `visemes`: how many the model tells apart (15). */
+export function readFrame(bytes: Uint8Array, visemes?: number): Frame;
 
 /** Open the module and the preset of this package; or fetch others (ear.wasm, preset.ear), which are given by address. */
 export function loadModel(wasm?: string | URL, preset?: string | URL): Promise<EarModel>;
@@ -96,6 +98,8 @@ export class EarModel {
   movestates(table: string): string[];
   /** The name of the shape that a table has for a frame, such as "B". */
   shapeOf(table: string, heard: Pick<Frame, "phoneme" | "viseme">): string;
+  /** The weights of a table's movestates for a frame: all visemes, each by how likely it is; not smoothed. */
+  blend(table: string, heard: Pick<Frame, "phoneme" | "intensity" | "scores" | "visemeScores">): Float32Array;
 }
 
 /** The module, and a memory in which a recogniser is open: `ear` and what follows are places in it, `room` is in frames. */

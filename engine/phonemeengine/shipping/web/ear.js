@@ -5,7 +5,7 @@
  *     const recogniser = await createRecogniser({ onFrame: ({ phoneme }) => console.log(recogniser.model.phonemes[phoneme]) });
  */
 
-const FRAME_BYTES = 64;
+const FRAME_BYTES = 192;
 const MOST_SAMPLES = 4096; // that are handed to the module at once
 const LAST_FRAMES = 32; // that a sound's end gives at most
 const PHONEMES = 11;
@@ -19,8 +19,8 @@ export class EarError extends Error {
   name = "EarError";
 }
 
-/** Read a frame from the bytes that the module wrote. */
-export function readFrame(bytes) {
+/** Read a frame from the bytes that the module wrote; `visemes`: how many the model tells apart. */
+export function readFrame(bytes, visemes = 15) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, FRAME_BYTES);
   const number = view.getUint32(0, true);
   return {
@@ -31,6 +31,7 @@ export function readFrame(bytes) {
     intensity: view.getFloat32(12, true),
     confidence: view.getFloat32(16, true),
     scores: Float32Array.from({ length: PHONEMES }, (_, k) => view.getFloat32(20 + 4 * k, true)),
+    visemeScores: Float32Array.from({ length: visemes }, (_, k) => view.getFloat32(20 + 4 * (PHONEMES + k), true)),
   };
 }
 
@@ -82,7 +83,7 @@ export class EarModel {
   /** Open a recogniser for one stream of a sample rate. */
   ear(rate) {
     const { ear, room, ...buffers } = this.#opened(rate);
-    return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code));
+    return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code), this.visemes.length);
   }
 
   /** What a worklet needs to listen at a sample rate without opening anything: a memory in which an ear is open. */
@@ -96,7 +97,7 @@ export class EarModel {
   #opened(rate) {
     const room = Math.max(Math.floor((MOST_SAMPLES * 100) / rate) + 2, LAST_FRAMES);
     return {
-      ear: this.#made((place) => this.#c.ear_open(this.#model, rate, 0, 0, place)),
+      ear: this.#made((place) => this.#c.ear_open_sized(this.#model, rate, FRAME_BYTES, 0, 0, place)),
       samples: this.#allocate(4 * MOST_SAMPLES),
       frames: this.#allocate(FRAME_BYTES * room),
       room,
@@ -124,6 +125,29 @@ export class EarModel {
     const number = this.#numberOf(table);
     const shape = this.#c.ear_table_shape(this.#model, number, phoneme, viseme);
     return this.#text(this.#c.ear_table_shape_name(this.#model, number, shape));
+  }
+
+  /**
+   * The weights of a table's movestates for a frame: the shapes of all visemes, each by how likely it is. They are
+   * continuous and not smoothed; a mouth moves smoothly.
+   */
+  blend(table, { phoneme, intensity, scores, visemeScores }) {
+    const number = this.#numberOf(table);
+    const n = this.#c.ear_table_movestates(this.#model, number);
+    const place = this.#allocate(FRAME_BYTES + 4 * n);
+    try {
+      const { buffer } = this.#c.memory;
+      new Uint8Array(buffer, place, FRAME_BYTES).fill(0);
+      const view = new DataView(buffer, place, FRAME_BYTES);
+      view.setInt32(4, phoneme, true);
+      view.setFloat32(12, intensity, true);
+      scores.forEach((score, k) => view.setFloat32(20 + 4 * k, score, true));
+      visemeScores.forEach((score, k) => view.setFloat32(20 + 4 * (PHONEMES + k), score, true));
+      this.#check(this.#c.ear_table_blend(this.#model, number, place, place + FRAME_BYTES));
+      return new Float32Array(buffer, place + FRAME_BYTES, n).slice();
+    } finally {
+      this.#c.free(place);
+    }
   }
 
   #numberOf(table) {
@@ -173,16 +197,18 @@ export class Ear {
   #buffers;
   #room;
   #check;
+  #visemes;
   #memory;
   #samples;
   #count;
 
-  constructor(c, ear, buffers, room, check) {
+  constructor(c, ear, buffers, room, check, visemes) {
     this.#c = c;
     this.#ear = ear;
     this.#buffers = buffers;
     this.#room = room;
     this.#check = check;
+    this.#visemes = visemes;
     this.latency = c.ear_latency(ear);
     this.#look();
   }
@@ -207,7 +233,7 @@ export class Ear {
     const found = [];
     for (let at = 0; at < samples.length; at += MOST_SAMPLES) {
       const n = this.take(samples.subarray(at, at + MOST_SAMPLES));
-      for (let k = 0; k < n; k++) found.push(readFrame(this.slots[k]));
+      for (let k = 0; k < n; k++) found.push(readFrame(this.slots[k], this.#visemes));
     }
     return found;
   }
@@ -217,7 +243,7 @@ export class Ear {
     checkOpen(this.#ear, "ear");
     if (this.#memory !== this.#c.memory.buffer) this.#look();
     this.#check(this.#c.ear_finish(this.#ear, this.#buffers.frames, this.#room, this.#buffers.count));
-    return this.slots.slice(0, this.#count[0]).map(readFrame);
+    return this.slots.slice(0, this.#count[0]).map((bytes) => readFrame(bytes, this.#visemes));
   }
 
   /** Forget the sound, and begin another one. */
@@ -304,7 +330,7 @@ export async function earNode(context, model, hear, worklet) {
     channelCountMode: "explicit",
     processorOptions,
   });
-  node.port.onmessage = ({ data }) => hear(readFrame(data));
+  node.port.onmessage = ({ data }) => hear(readFrame(data, model.visemes.length));
   node.connect(context.destination); // what leads nowhere is not asked to listen
   node.close = () => {
     node.port.postMessage("close");
