@@ -5,6 +5,8 @@ import subprocess
 import sys
 from pathlib import Path
 
+import pytest
+
 from phonemeengine.encoder.model_folder import FOLDER_VARIABLE
 from phonemeengine.storage.paths import cache_folder, data_folder, presets_folder, recordings_folder
 from tests.conftest import ROOT
@@ -63,13 +65,14 @@ def test_what_the_program_keeps_lies_in_the_home_of_this_run():
         assert folder.is_relative_to(home)
 
 
-def test_programs_of_tests_leave_a_full_home_alone(tmp_path, whisper_folder):
+@pytest.mark.parametrize("read_it", [WHAT_READ_IT[:2], pytest.param(WHAT_READ_IT[2:], marks=pytest.mark.long)])
+def test_programs_of_tests_leave_a_full_home_alone(tmp_path, whisper_folder, read_it):
     home = tmp_path / "home"
     full_home(home, whisper_folder)
     environment = os.environ | environment_of(home)
     for name in (FOLDER_VARIABLE, "PYTEST_XDIST_WORKER", "PYTEST_CURRENT_TEST"):
         environment.pop(name, None)
-    words = ["-m", "pytest", "-q", "-p", "no:cacheprovider", "--basetemp", str(tmp_path / "inner"), *WHAT_READ_IT]
+    words = ["-m", "pytest", "-q", "-p", "no:cacheprovider", "--basetemp", str(tmp_path / "inner"), *read_it]
     done = subprocess.run(
         [sys.executable, *words], cwd=ROOT, env=environment, capture_output=True, text=True, check=False
     )

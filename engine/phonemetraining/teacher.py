@@ -7,10 +7,7 @@ that learn from the moved labels tell whether that helps.
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from collections.abc import Set as AbstractSet
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
-from multiprocessing import get_context
-from os import cpu_count
 from pathlib import Path
 from typing import Any
 
@@ -32,6 +29,7 @@ from phonemeengine.storage.files import atomic_write
 from phonemetraining.examples import SoftLabels, key_of
 from phonemetraining.groups import folds_of
 from phonemetraining.networks import HeadNetwork
+from phonemetraining.processes import in_processes
 from phonemetraining.realignment import Round, realigned_by, round_of
 from phonemetraining.training import cross_entropy, device_of_choice, reduced_precision
 
@@ -71,10 +69,9 @@ def encode_all(utterances: Sequence[LabelledUtterance], folder: Path, whisper: P
     missing = [u for u in utterances if not files[key_of(u)].is_file()]
     if missing:
         WhisperEncoder(whisper / MODEL_FILE)  # says at once what is wrong with it
-        with ProcessPoolExecutor(cpu_count(), get_context("spawn"), _open_encoder, (whisper,)) as pool:
-            tasks = pool.map(_encode, missing, [files[key_of(u)] for u in missing], chunksize=4)
-            for k, _ in enumerate(tasks, 1):
-                on_progress(k / len(missing))
+        columns = (missing, [files[key_of(u)] for u in missing])
+        for k, _ in enumerate(in_processes(_encode, columns, _open_encoder, (whisper,)), 1):
+            on_progress(k / len(missing))
     return files
 
 

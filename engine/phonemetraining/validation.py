@@ -1,10 +1,7 @@
 """How well a model does on speakers that it was not trained on, before and after it knows a few seconds of them."""
 
-import os
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
-from multiprocessing import get_context
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +13,7 @@ from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.scores.evaluation import Predictions, predict
 from phonemeengine.calibration.scores.scoring import Answers, scores_of
 from phonemeengine.encoder.live import LOOK_AHEADS, LiveEncoder
-from phonemeengine.execution import end_with_parent, single_threaded
+from phonemeengine.execution import end_with_parent
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.encoded import OVERLAP, STRETCH, EncodedRecogniser
 from phonemeengine.recognition.learned import LearnedRecogniser
@@ -25,6 +22,7 @@ from phonemeengine.recognition.scores import Sensitivity
 from phonemeengine.recognition.smoothing import UNREPLACED
 from phonemeengine.recognition.spec import LEARNED
 from phonemeengine.settings import FRAME_PERIOD, HOP, AnalysisSettings, ModelKind
+from phonemetraining.processes import in_processes
 
 LEAST_READ, MOST_READ = 5.0, 10.0
 """Seconds that are learned: of one recording, or of the first ones that are as long together."""
@@ -107,11 +105,10 @@ def recognise_all(
     ------
     AudioError : a sound cannot be read.
     """
-    found, spawned = [], get_context("spawn")
-    with single_threaded(), ProcessPoolExecutor(os.cpu_count(), spawned, _use, (model, encoder)) as pool:
-        for k, predictions in enumerate(pool.map(_predict, utterances, chunksize=4), 1):
-            found.append(predictions)
-            on_progress(k / len(utterances))
+    found = []
+    for k, predictions in enumerate(in_processes(_predict, (utterances,), _use, (model, encoder)), 1):
+        found.append(predictions)
+        on_progress(k / len(utterances))
     return found
 
 

@@ -23,13 +23,12 @@ def sounds(sound: Path, tmp_path: Path) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("command", [("analyse",), EXPORT], ids=lambda command: command[0])
-def test_two_processes_write_the_bytes_of_one_by_one(command: tuple[str, ...], sounds: Path, tmp_path: Path) -> None:
-    assert main([*command, str(sounds), "-o", str(tmp_path / "two"), "--jobs", "2"]) == 0
-    assert main([*command, str(sounds), "-o", str(tmp_path / "one"), "--jobs", "1"]) == 0
+def test_two_processes_write_the_bytes_of_one_by_one(sounds: Path, tmp_path: Path) -> None:
+    assert main([*EXPORT, str(sounds), "-o", str(tmp_path / "two"), "--jobs", "2"]) == 0
+    assert main([*EXPORT, str(sounds), "-o", str(tmp_path / "one"), "--jobs", "1"]) == 0
     single = tmp_path / "single"
     for path in ("a.wav", "b.wav", "deep/c.wav"):
-        assert main([*command, str(sounds / path), "-o", str((single / path).parent)]) == 0
+        assert main([*EXPORT, str(sounds / path), "-o", str((single / path).parent)]) == 0
     assert contents(tmp_path / "two") == contents(tmp_path / "one") == contents(single)
     assert len(contents(single)) == 3
 

@@ -19,7 +19,7 @@ from tests.engine.performance.corpora import DURATION, write_recording
 from tests.graphics import context_or_skip
 
 CHINESE = ["--script", "chinese.TextGrid"]
-SMALL = ["--size", "128x96", "--fps", "10"]
+SMALL = ["--size", "128x96", "--fps", "5"]
 HEAD = (64, 88)
 """Of a picture with two heads: its half, above the caption."""
 DRIVERS = ("pinyin", "table", "rules")
@@ -89,7 +89,7 @@ def test_two_heads_are_those_of_two_drivers_alone_in_step(recorded: Path) -> Non
     context_or_skip().release()
     performer = ["--performance", "ann.sqlite"]
     both = shown("both", "--text-driver", "pinyin", "--beside", "table", *performer)
-    assert both.shape == (13, 96, 128, 3)  # the sound, and until both faces are at rest
+    assert both.shape == (7, 96, 128, 3)  # the sound, and until both faces are at rest
     size = ["--size", "64x88"]
     letters, table = (
         shown("pinyin", "--text-driver", "pinyin", *size),
@@ -123,7 +123,7 @@ def test_a_film_of_two_heads_has_the_size_of_the_whole_and_one_sound(recorded: P
     )
     with av.open(recorded / "film.mp4") as film:
         (video,), (audio,) = film.streams.video, film.streams.audio
-        assert (video.width, video.height, video.frames) == (128, 96, 13)
+        assert (video.width, video.height, video.frames) == (128, 96, 7)
         assert float(audio.duration * audio.time_base) == pytest.approx(DURATION, abs=0.05)
 
 

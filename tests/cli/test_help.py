@@ -26,7 +26,7 @@ PARTED = {"movestates": movestates, "performance": performance}
 """Commands that do several things, by name."""
 FIRST_SENTENCE = 4.2
 """Seconds of the demo."""
-FIRST_WORD = 0.8
+FIRST_WORD = 0.1
 """The same of what is drawn, which is slow without a graphics card."""
 TEXT = "She sells sea shells, maybe, on the shore near my house."
 READ_ALONE = {

@@ -69,16 +69,25 @@ def corpus(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder
 
 
-def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, tmp_path, capsys):
+@pytest.fixture(scope="module")
+def quick(corpus: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A preset with small networks that were trained once, without validation."""
+    out = tmp_path_factory.mktemp("quick") / "quick.npz"
+    arguments = ["--epochs", "1", "--width", "4", "--variations", "0", "--no-validation"]
+    assert main(["train", str(corpus), "-o", str(out), *arguments]) == 0
+    return out.with_suffix(".toml")
+
+
+def test_a_voice_is_adapted_to_and_the_preset_written_with_its_model(takes, quick, tmp_path, capsys):
     out = tmp_path / "voice.toml"
-    assert main(["adapt", str(takes), "-o", str(out)]) == 0
+    assert main(["adapt", str(takes), "--preset", str(quick), "-o", str(out)]) == 0
     said = capsys.readouterr().out
     assert said.startswith(f"{out}: 4 recordings, 8 s; ")
     assert "each quarter held out in turn" in said
     preset = load_preset(out)
     assert preset.name == "voice"
     assert preset.recogniser == "learned"
-    assert (preset.model != load_preset(DEFAULT_PRESET).model) == ("unchanged" not in said)
+    assert (preset.model != load_preset(quick).model) == ("unchanged" not in said)
     assert (tmp_path / "voice.npz").is_file()
 
 
@@ -102,12 +111,12 @@ def by_text(read: Path) -> Templates:
 
 def test_one_read_line_is_aligned_with_what_is_read_and_learned(read, tmp_path, capsys):
     out = tmp_path / "voice.toml"
-    assert main(["adapt", str(read), "--line", "english", "-o", str(out)]) == 0
+    assert main(["adapt", str(read), "--line", "english", "--preset", "templates", "-o", str(out)]) == 0
     said = capsys.readouterr().out
     assert said.startswith(f"{out}: 1 recording, 8 s; ")
     assert "each quarter held out in turn, 6 s" in said
-    by_api = calibrate(load_preset("learned"), [read_sentence(read, sentences_in("English")[0])])
-    assert load_preset(out).model == by_api.preset.model
+    by_api = calibrate(load_preset("templates"), [read_sentence(read, sentences_in("English")[0])])
+    assert load_preset(out).templates == by_api.preset.templates
 
 
 def test_any_text_may_be_read(read, by_text, tmp_path):
@@ -222,17 +231,14 @@ def test_training_writes_a_model_and_a_card_that_tells_of_it(corpus, tmp_path, c
     assert not out.with_suffix(".training").exists()
 
 
-def test_without_validation_networks_are_trained_once_and_nothing_is_judged(corpus, tmp_path, capsys):
-    out = tmp_path / "quick.npz"
-    arguments = ["--epochs", "1", "--width", "4", "--variations", "0", "--no-validation"]
-    assert main(["train", str(corpus), "-o", str(out), *arguments]) == 0
-    assert "left out" not in capsys.readouterr().out
-    assert "Not measured in this training." in out.with_suffix(".md").read_text()
-    preset = load_preset(tmp_path / "quick.toml")
+def test_without_validation_networks_are_trained_once_and_nothing_is_judged(quick):
+    assert "Not measured in this training." in quick.with_suffix(".md").read_text()
+    preset = load_preset(quick)
     assert preset.model.about["speakers"] == 2
     assert preset.confidences == {}
 
 
+@pytest.mark.long  # tests/training/test_pipeline.py trains a smaller encoder by the same function
 def test_a_teacher_teaches_moves_labels_and_hears_files(corpus, tmp_path, capsys, whisper):
     out = tmp_path / "taught.npz"
     folder = shutil.copytree(corpus, tmp_path / "corpus")

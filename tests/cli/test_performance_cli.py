@@ -97,7 +97,23 @@ def test_a_film_of_a_recording_has_its_sound_where_that_is_found(
     assert np.abs(shown(table, recorded / "silence.mp4", "--from", "0.6")).max() < 0.01
     assert capsys.readouterr().err == ""
     (recorded / "mami.wav").unlink()
-    assert main(["performance", "show", str(table), "mami", "-o", str(recorded / "still.mp4")]) == 0
+    assert (
+        main(
+            [
+                "performance",
+                "show",
+                str(table),
+                "mami",
+                "-o",
+                str(recorded / "still.mp4"),
+                "--size",
+                "96x96",
+                "--fps",
+                "2",
+            ]
+        )
+        == 0
+    )
     assert "Ann: note: the sound of mami is not where it was" in capsys.readouterr().err
     with av.open(recorded / "still.mp4") as film:
         assert [stream.type for stream in film.streams] == ["video"]

@@ -61,6 +61,7 @@ def test_a_channel_that_a_device_lacks_is_refused(card: VirtualSound, takes: Pat
         assert not any("Traceback" in line for line in program.errors)
 
 
+@pytest.mark.long
 def test_a_text_is_heard_to_its_end_on_a_card_that_sleeps(tmp_path: Path) -> None:
     words = ["-m", "phonemeanalyser", "speak", "The first sentence is heard. And so is the second one.", "--language"]
     spoken = tmp_path / "spoken.wav"

@@ -4,6 +4,7 @@ import re
 import subprocess
 from pathlib import Path
 
+import pytest
 import soundfile
 
 from tests.conftest import ROOT
@@ -14,6 +15,7 @@ POLL = ROOT / "examples" / "poll_microphone.py"
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 
 
+@pytest.mark.long
 def test_what_is_said_into_the_microphone_is_printed(card: VirtualSound, tmp_path: Path) -> None:
     speech, rate = soundfile.read(DEMO)
     soundfile.write(tmp_path / "speech.wav", speech, rate)

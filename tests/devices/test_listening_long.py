@@ -3,10 +3,13 @@
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from phonemeanalyser.cli.window import DEMO
 from tests.devices.programs import HERE, Program
 from tests.fakes.virtual_sound import VirtualSound
+
+pytestmark = pytest.mark.long
 
 N_STARTS = 200
 SETTLED = 50

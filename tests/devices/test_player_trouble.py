@@ -14,6 +14,8 @@ from tests.devices.programs import HERE, PATIENCE, SIGNATURE, Program, Samples, 
 from tests.fakes.virtual_sound import VirtualSound
 from tests.waiting import let_pass
 
+pytestmark = pytest.mark.long
+
 SECONDS = 40.0
 """Of sound: it goes on, however long a busy machine takes to see what is there."""
 WITH, WITHOUT = "with a card", "without a card"

@@ -4,6 +4,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
+import pytest
 
 from phonemeengine.audio.journal import interrupted_recordings
 from tests.devices.conftest import Minute
@@ -29,6 +30,7 @@ LONG = 120.0
 """Seconds that play until a program has begun, however long that takes."""
 
 
+@pytest.mark.long
 def test_a_killed_program_leaves_all_that_was_on_the_disk(card: VirtualSound, takes: Path) -> None:
     pcm = pcm_noise(takes / "noise.wav", LONGEST + 2, seed=1)
     paths = [takes / f"{k}{'.flac' if k % 2 else '.wav'}" for k in range(N_KILLS)]
@@ -70,6 +72,7 @@ def test_the_first_sound_of_a_running_microphone_is_recorded_at_once(card: Virtu
     assert followed(pcm[place_of(heard[:SIGNATURE], pcm) :], heard).skipped <= counted + UNSEEN
 
 
+@pytest.mark.long
 def test_a_minute_is_recorded_sample_by_sample_but_for_what_is_counted_as_lost(minute: Future[Minute]) -> None:
     done = minute.result()
     assert done.codes == [0, 0]

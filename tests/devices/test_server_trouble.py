@@ -98,7 +98,7 @@ def test_a_server_that_dies_ends_nothing_and_recording_goes_on_when_it_is_back(
     followed(np.concatenate([before, after]), recorded)
 
 
-@pytest.mark.parametrize("seconds", [1.0, 5.0])
+@pytest.mark.parametrize("seconds", [1.0, pytest.param(5.0, marks=pytest.mark.long)])
 def test_a_suspended_microphone_is_told_of_and_goes_on(seconds: float, card: VirtualSound, takes: Path) -> None:
     take = takes / "take.wav"
     program = listener(takes, card, take)
@@ -121,6 +121,7 @@ def test_a_suspended_microphone_is_told_of_and_goes_on(seconds: float, card: Vir
     followed(np.concatenate([before, after]), recorded)
 
 
+@pytest.mark.long
 def test_what_could_not_be_heard_is_counted(card: VirtualSound, takes: Path) -> None:
     def trouble(_program: Program) -> None:
         card.suspend_microphone(True)
@@ -132,6 +133,7 @@ def test_what_could_not_be_heard_is_counted(card: VirtualSound, takes: Path) -> 
     assert abs(lost - missing) < CLOSE
 
 
+@pytest.mark.long
 def test_a_process_that_stood_still_hears_on_or_counts_what_it_lost(card: VirtualSound, takes: Path) -> None:
     def trouble(program: Program) -> None:
         os.kill(program.process.pid, signal.SIGSTOP)

@@ -53,6 +53,7 @@ def test_the_window_says_what_it_hears_and_how_late_it_is(window: Program, card:
     assert window.log[-1]["banner"].startswith("Recorded ")
 
 
+@pytest.mark.long
 def test_a_server_that_dies_is_said_and_recording_goes_on_by_itself(
     window: Program, card: VirtualSound, takes: Path
 ) -> None:

@@ -163,6 +163,7 @@ def test_three_packages_are_installed_and_nothing_else(wheel: Path) -> None:
     assert "phonemeengine/shipping/web/ear.js" in shipped <= names
 
 
+@pytest.mark.long
 def test_a_wheel_from_the_source_distribution_is_the_same(wheel: Path, tmp_path: Path) -> None:
     with tarfile.open(build("sdist", tmp_path / "sdist")) as files:
         files.extractall(tmp_path, filter="data")
@@ -190,6 +191,7 @@ def test_a_checkout_that_is_installed_for_editing_finds_the_presets(tmp_path: Pa
     ]
 
 
+@pytest.mark.long
 def test_a_user_s_type_checker_sees_the_types(installed: Path, tmp_path: Path) -> None:
     (tmp_path / "user.py").write_text(USER)
     mypy = (sys.executable, "-m", "mypy", "--strict", "--python-executable", installed, "user.py")

@@ -9,6 +9,7 @@ import pytest
 from tools.release.__main__ import ROOT, add_on, made_twice, main, package, write_checksums
 
 
+@pytest.mark.long
 def test_the_add_on_wheel_and_source_have_the_same_bytes_twice(tmp_path, monkeypatch):
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
     assert made_twice(package, tmp_path) == []

@@ -21,7 +21,7 @@ from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.settings import FRAME_PERIOD, SAMPLE_RATE
 
 REMEMBERED = 120.0
-"""Seconds of what is spoken, at least, that can be shown; it may be made half a minute before it plays."""
+"""Seconds of what is spoken that can be shown: it may be made half a minute before it plays."""
 PREPARED = 60.0
 """Seconds before the end of what is spoken that are looked up already."""
 
@@ -51,6 +51,7 @@ class SpokenFace:
     table : recorded performances; it stays open as long as this is used.
     language : of the text.
     options : how they are looked up.
+    remembered : seconds of what is spoken, at least, that can be shown.
 
     Attributes
     ----------
@@ -63,9 +64,15 @@ class SpokenFace:
 
     movestates = FACE
 
-    def __init__(self, table: PerformanceTable, language: str, options: PerformanceOptions | None = None) -> None:
+    def __init__(
+        self,
+        table: PerformanceTable,
+        language: str,
+        options: PerformanceOptions | None = None,
+        remembered: float = REMEMBERED,
+    ) -> None:
         options = options or PerformanceOptions()
-        self._table, self._language = table, language
+        self._table, self._language, self._remembered = table, language, remembered
         self._driver = PerformanceDriver(table, options)
         self._keywords = load_keywords() if options.keywords is None else options.keywords
         self._analyser, self._prosody = Analyser(load_preset(DEFAULT_PRESET), pitch=True), Prosody()
@@ -138,9 +145,9 @@ class SpokenFace:
     def _forget(self) -> None:
         """Forget the sentences that ended long ago, seldom, as all others have other numbers then."""
         end = self._n / SAMPLE_RATE
-        if end - self._begin < 2 * REMEMBERED:
+        if end - self._begin < 2 * self._remembered:
             return
-        old = [said for said, _ in self._known if said[-1].end < end - REMEMBERED]
+        old = [said for said, _ in self._known if said[-1].end < end - self._remembered]
         if old:
             self._begin, self._first = old[-1][-1].start, self._first + len(old)
             self._words = [word for word in self._words if word.start >= self._begin]

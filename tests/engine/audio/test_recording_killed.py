@@ -89,7 +89,7 @@ def kill_after(process: "subprocess.Popen[str]", seconds: float) -> list[int]:
     return said
 
 
-@pytest.mark.parametrize("batch", range(5))
+@pytest.mark.parametrize("batch", [0, *(pytest.param(k, marks=pytest.mark.long) for k in range(1, 5))])
 def test_a_killed_process_leaves_all_that_it_said_to_be_on_the_disk(batch: int, tmp_path: Path) -> None:
     lengths = np.random.default_rng(batch).uniform(0.0, 2.0, 4)
     folders = [tmp_path / str(number) for number in range(4)]

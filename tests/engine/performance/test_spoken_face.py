@@ -12,7 +12,7 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions
 from phonemeengine.performance.recording import HEAD
-from phonemeengine.performance.spoken_face import REMEMBERED, SpokenFace
+from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.track import PerformanceTrack
 from phonemeengine.settings import SAMPLE_RATE
@@ -80,22 +80,22 @@ def test_each_sentence_is_looked_up_before_its_sound_is_handed_on(table: Perform
 
 
 def test_what_was_spoken_long_ago_is_forgotten_and_the_rest_is_as_it_was(table: PerformanceTable) -> None:
-    sentences = spoken(60, pause=4.0)
-    face = SpokenFace(table, "en", PerformanceOptions(ExampleChoice.BAND, seed=2))
+    remembered, sentences = 20.0, spoken(12, pause=4.0)
+    face = SpokenFace(table, "en", PerformanceOptions(ExampleChoice.BAND, seed=2), remembered)
     for _ in face.follow(sentences):
         pass
     words, at = [], 0.0
     for sentence in sentences:
         words += [shifted(word, at) for word in sentence.words]
         at += sentence.duration
-    assert at > 2 * REMEMBERED
+    assert at > 2 * remembered
     whole = spoken_text(sentences, language="en")
     track = PerformanceTrack(whole.utterance, whole.transcript, table, PerformanceOptions(ExampleChoice.BAND, seed=2))
     kept = face.units
-    assert at - 2 * REMEMBERED < kept[0].start < at - REMEMBERED + 5
+    assert at - 2 * remembered < kept[0].start < at - remembered + 5
     assert [*track.units()][-len(kept) + 1 :] == list(kept[1:])
     mouth = track.mouth()
-    for time in (at - 60.0, at - 30.3, at - 1.0):
+    for time in (at - 15.0, at - 7.3, at - 1.0):
         assert np.array_equal(face.weights(time), mouth.weights(time))
 
 
