@@ -84,8 +84,11 @@ class Product:
 
     def has(self, name: str, nearby: set[str]) -> bool:
         """Return whether a name is one of the product, of its module or of an installed package."""
+        return self._defines(name, nearby) or is_installed(name)  # which may import much
+
+    def _defines(self, name: str, nearby: set[str]) -> bool:
         *owners, last = name.split(".")
-        if name in nearby or name in self.tops or is_installed(name):
+        if name in nearby or name in self.tops:
             return True
         if owners and owners[-1] in self.members:
             return self._is_member(owners[-1], last)

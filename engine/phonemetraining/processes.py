@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from phonemeengine.execution import single_threaded
 
 FEW = 16
-"""Up to so many recordings are worked on here: until other processes have imported PyTorch, that is done."""
+"""Up to this number of recordings, no other process is started: until it has imported PyTorch, they are done."""
 Result = TypeVar("Result")
 
 

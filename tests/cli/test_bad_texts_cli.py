@@ -59,6 +59,7 @@ def files_in(folder: Path) -> Iterator[Path]:
         ("兙嗧", ["--language", "cmn"], "no sounds for this text; check its language"),
     ],
 )
+@pytest.mark.parametrize("command", ["speak", "analyse"], indirect=True)
 def test_a_text_that_nobody_can_speak_is_refused_and_nothing_is_written(
     command: list[str], text: str, words: list[str], sentence: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -86,6 +87,7 @@ def refused_with_notes(capsys: pytest.CaptureFixture[str], *words: str) -> str:
         (f"{TEXT} 银行", "the voice of de spells words of another script letter by letter: 银行"),
     ],
 )
+@pytest.mark.parametrize("command", ["speak", "align"], indirect=True)
 def test_what_is_left_out_or_spelt_is_told_and_the_rest_is_done(
     command: list[str], text: str, note: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -95,6 +97,7 @@ def test_what_is_left_out_or_spelt_is_told_and_the_rest_is_done(
 
 
 @pytest.mark.parametrize("text", [TEXT.replace("See", "λόγος"), TEXT.replace("See", "naïve Łódź"), f"<b>{TEXT}</b>"])
+@pytest.mark.parametrize("command", ["align"], indirect=True)
 def test_what_the_voice_reads_needs_no_note(
     command: list[str], text: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -121,6 +124,7 @@ def test_what_the_voice_reads_needs_no_note(
         ("none.toml", None, "none.toml: cannot be read (No such file or directory); check the file"),
     ],
 )
+@pytest.mark.parametrize("command", ["analyse"], indirect=True)
 def test_a_lexicon_with_nonsense_is_refused_and_nothing_is_written(
     command: list[str],
     name: str,

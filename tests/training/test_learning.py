@@ -150,12 +150,17 @@ def test_a_network_learns_the_vowels_of_made_up_voices_and_names_those_of_anothe
 SHORT = TrainingConfig(width=8, dilations=(1,), n_epochs=3, batch_size=2, n_frames=50)
 
 
-def test_the_same_seed_trains_the_same_model(examples):
-    assert trained_on(examples, SHORT) == trained_on(examples, SHORT)
+@pytest.fixture(scope="module")
+def short(examples):
+    return trained_on(examples, SHORT)
+
+
+def test_the_same_seed_trains_the_same_model(examples, short):
+    assert trained_on(examples, SHORT) == short
     assert trained_on(examples, SHORT) != trained_on(examples, replace(SHORT, seed=2))
 
 
-def test_an_interrupted_training_goes_on_and_ends_with_the_same_model(examples, tmp_path: Path):
+def test_an_interrupted_training_goes_on_and_ends_with_the_same_model(examples, short, tmp_path: Path):
     state, shares = tmp_path / "a.state", []
 
     def interrupt(share: float) -> None:
@@ -166,7 +171,7 @@ def test_an_interrupted_training_goes_on_and_ends_with_the_same_model(examples, 
         train_small(examples, SHORT, checkpoint=state, on_progress=interrupt)
     resumed = train_small(examples, SHORT, checkpoint=state, on_progress=shares.append)
     assert shares[0] > 1 / 3
-    assert resumed.finished() == trained_on(examples, SHORT)
+    assert resumed.finished() == short
 
 
 # -- the encoder -------------------------------------------------------------------------------------------

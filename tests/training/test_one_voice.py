@@ -63,6 +63,7 @@ def test_of_who_said_little_or_nothing_else_nothing_is_told_and_of_who_said_much
     assert [a.voice for a in adapted_to_each(preset, [*little, *alone, *much])] == ["made/dan"] * MOST_JUDGED
 
 
+@pytest.mark.long
 def test_the_real_time_model_is_judged_as_it_recognises_live_sound(tmp_path: Path):
     utterances = [spoken(tmp_path, "eve", k, 4) for k in range(2)]
     model, encoder = load_preset("learned").model, build_live_encoder(encoder_weights(n_layers=1, n_channels=64))

@@ -6,6 +6,7 @@ They are read from the engine's sources: what is given to an error, or to one of
 import ast
 import re
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -44,6 +45,7 @@ _FORMAT = re.compile(r"phonemeanalyser [\w ]+")
 """With what files of the program begin."""
 
 
+@cache
 def errors_in(folders: tuple[Path, ...] = (ENGINE, RENDERING)) -> dict[str, Path]:
     """Return all sentences, and the parts that are put into them, each with the module where it is found first.
 

@@ -7,6 +7,7 @@ with which it refuses something.
 import ast
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from phonemeengine.settings import STAGES
@@ -33,6 +34,7 @@ class Source:
     file: str
 
 
+@cache
 def sources_in(folder: Path = WINDOW) -> dict[tuple[str, str], Source]:
     """Return all texts of a folder and of the engine by text and comment, each where it is found first."""
     found: dict[tuple[str, str], Source] = {}

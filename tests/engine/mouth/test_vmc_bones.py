@@ -71,8 +71,13 @@ def values_of(messages: list[Message], name: str) -> list[float]:
     return [float(v[1]) for address, v in messages if address == "/VMC/Ext/Blend/Val" and v[0] == name]
 
 
-def test_a_receiver_sees_head_eyes_gaze_and_blinks_of_an_avatar() -> None:
-    messages = seen_of(load_table("vrm"))
+@pytest.fixture(scope="module")
+def avatar() -> list[Message]:
+    return seen_of(load_table("vrm"))
+
+
+def test_a_receiver_sees_head_eyes_gaze_and_blinks_of_an_avatar(avatar: list[Message]) -> None:
+    messages = avatar
     for name in ("Head", "LeftEye", "RightEye"):
         quaternions = bones_of(messages, name)
         np.testing.assert_allclose(np.linalg.norm(quaternions, axis=1), 1, atol=1e-5)
@@ -85,10 +90,9 @@ def test_a_receiver_sees_head_eyes_gaze_and_blinks_of_an_avatar() -> None:
     assert np.all(looks[:, 3] > 0.8)  # ahead
 
 
-def test_eyes_turn_as_far_as_they_look() -> None:
-    messages = seen_of(load_table("vrm"), n=1500)
-    quaternions = bones_of(messages, "LeftEye")
-    looks = np.array([v[1:] for address, v in messages if address == "/VMC/Ext/Set/Eye"], float)
+def test_eyes_turn_as_far_as_they_look(avatar: list[Message]) -> None:
+    quaternions = bones_of(avatar, "LeftEye")
+    looks = np.array([v[1:] for address, v in avatar if address == "/VMC/Ext/Set/Eye"], float)
     x, y, z, w = quaternions[: len(looks)].T
     ahead = np.stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)), axis=1)
     np.testing.assert_allclose(ahead, looks[: len(ahead)], atol=1e-4)

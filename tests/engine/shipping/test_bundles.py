@@ -45,7 +45,7 @@ def check_heard(told: dict[str, Any], preset: Preset) -> None:
     assert told["refusal"] == "EarError: this recogniser was closed; open another one"
 
 
-@pytest.mark.parametrize("by", ["vite", "esbuild"])
+@pytest.mark.parametrize("by", [pytest.param("vite", marks=pytest.mark.browser), "esbuild"])
 def test_a_bundled_page_listens_in_the_audio_thread(by: str, package: Path, preset: Preset, tmp_path: Path) -> None:
     folder, script = bundled(by, project(tmp_path / "page", package))
     check_heard(in_node(folder, script), preset)
