@@ -213,19 +213,19 @@ def ambient_occlusion(
     float32, shape (n_vertices,), 0..1; of a mesh that was looked at lately, what was seen then.
     """
     content = b"".join(part.tobytes() for part in (mesh.positions, mesh.normals, mesh.triangles))
-    kept = _kept(blake2b(content).digest())
+    kept = _kept(blake2b(content).digest(), n_corners)
     if not kept:
-        kept.append(_look_around(context, array, mesh))
+        kept.append(_look_around(context, array, mesh, n_corners))
     return kept[0]
 
 
 @lru_cache(maxsize=4)
-def _kept(_digest: bytes) -> list[Float32Array]:
+def _kept(_digest: bytes, _n_corners: int) -> list[Float32Array]:
     """Return the place for what is seen of a mesh, empty at first."""
     return []
 
 
-def _look_around(context: moderngl.Context, array: moderngl.VertexArray, mesh: Mesh) -> Float32Array:
+def _look_around(context: moderngl.Context, array: moderngl.VertexArray, mesh: Mesh, n_corners: int) -> Float32Array:
     depths = context.depth_texture((SIZE, SIZE))
     dark_room, room = context.framebuffer(depth_attachment=depths), BoundingSphere.around(mesh)
     seen, faced = np.zeros(len(mesh)), np.full(len(mesh), 1e-6)
