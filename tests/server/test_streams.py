@@ -125,7 +125,7 @@ def test_a_client_that_asks_is_told_how_the_voice_sounds():
     start = messages.start_of('{"rate": 44100, "encoding": "f32", "feeling": true}')
     speech = IncomingSpeech(LEARNED, start.form, felt=start.felt)
     tone = np.sin(2 * np.pi * 150 * np.arange(SAMPLE_RATE) / SAMPLE_RATE).astype(np.float32)
-    told = [json.loads(messages.frames(speech.hear(piece))) for piece in speech.pieces(tone.tobytes())][-1]
+    told = [json.loads(messages.frames(speech.hear(piece), start)) for piece in speech.pieces(tone.tobytes())][-1]
     names = ("activation", "activation_spread", "pleasantness", "pleasantness_spread")
     assert [len(told[name]) for name in names] == [len(told["phonemes"])] * 4
     assert 0 < told["activation_spread"][-1] < 1
