@@ -16,14 +16,12 @@ from phonemeengine import (
     load_morph_targets,
     matched,
     morph_targets_of,
-    movestate_of,
     save_morph_targets,
 )
 from phonemeengine.mouth.face_mapping import ENOUGH, guess_mapping, mapped_table
-from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES
+from phonemeengine.mouth.files.io import MESH_SUFFIXES, TARGET_SUFFIXES, deformed_states
 from phonemeengine.mouth.head import Head
 from phonemeengine.mouth.morph_mesh import TOLERANCE
-from phonemeengine.mouth.movestate import LONGEST_NAME
 from phonemeengine.mouth.table import table_to_toml
 from phonemeengine.storage.files import write_file
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
@@ -118,10 +116,10 @@ def run(options: argparse.Namespace) -> int:
 def _export(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
     base = _morph_mesh_of(options.base)
-    states = [*base.states, *(state for path in options.targets for state in _states_of(path, base))]
+    states = deformed_states(base, options.targets)
     if not states:
         raise MeshError(f"{options.base.name}: there are no morph targets in it; name the files of targets after it")
-    targets = _named_apart(base, states)
+    targets = morph_targets_of(base.mesh, states)
     save_morph_targets(targets, options.out, base)
     yield _summary(options.out, targets)
 
@@ -141,27 +139,6 @@ def _map(options: argparse.Namespace) -> Iterator[str]:
     for what, left in (("not found", mapping.missing), ("left over", mapping.left_over)):
         if left:
             yield f"{what}: {', '.join(left)}"
-
-
-def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:
-    """Return what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
-    target = _morph_mesh_of(path)
-    if len(target.mesh) != len(base.mesh):
-        raise MeshError(
-            f"{path.name}: it has {len(target.mesh)} vertices, and the base has {len(base.mesh)}; export both alike"
-        )
-    name = "".join(c for c in path.stem if c.isprintable()).strip()[: LONGEST_NAME // 4] or "target"
-    moved = movestate_of(name, target.mesh.positions - base.mesh.positions)
-    if not len(moved) and not target.states:
-        raise MeshError(f"{path.name}: no vertex moves, it is the base's shape; leave it out, or export it again")
-    return [*([moved] if len(moved) else []), *target.states]
-
-
-def _named_apart(base: MorphMesh, states: list[Movestate]) -> MorphTargets:
-    try:
-        return morph_targets_of(base.mesh, states)
-    except MeshError as error:
-        raise MeshError(f"{error}, or rename a target's file") from error
 
 
 def _info(options: argparse.Namespace) -> Iterator[str]:

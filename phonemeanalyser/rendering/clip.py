@@ -319,7 +319,7 @@ def face_of(files: FaceFiles) -> MorphMesh:
     ------
     EngineError : it cannot be used.
     """
-    if files.mesh is None and files.movestates is not None:
+    if files.mesh is None and isinstance(files.movestates, Path):
         raise RenderingError(f"{files.movestates.name}: movestates move a mesh of their own; name it with --mesh")
     face = files.load()
     if files.mesh is not None and not face.states:

@@ -64,7 +64,7 @@ class FaceInUse:
 
     table: str = USUAL_TABLE
     options: ExportOptions = field(default_factory=ExportOptions)
-    movestates: Path | None = None
+    movestates: Path | tuple[Path, ...] | None = None
     driver: DriverChoice = USUAL_DRIVER
     words: Mapping[Path, Utterance] = field(default_factory=dict)
     speech: TextToSay | None = None
@@ -95,7 +95,7 @@ class ExportOrder:
     channel: Channel = Channel.MIX
     texts: SpokenTexts | None = NO_TEXTS
     driver: DriverChoice = USUAL_DRIVER
-    movestates: Path | None = None
+    movestates: Path | tuple[Path, ...] | None = None
     speech: TextToSay | None = None
     keys: Mapping[Path, KeyLayer] | None = None
     overwrite: bool = False

@@ -96,11 +96,13 @@ class TalkDialogs(QObject):
             self.open(paths)
 
     def open(self, paths: list[Path]) -> None:
-        """Show a mesh, or other movestates of the mesh that is there, or both."""
+        """Show a mesh, or other movestates of the mesh that is there, or both; of several meshes one face."""
         meshes = [path for path in paths if path.suffix.lower() not in TARGET_SUFFIXES]
         targets = [path for path in paths if path.suffix.lower() in TARGET_SUFFIXES]
         face = self._talking.face
-        if meshes:
+        if len(meshes) > 1:
+            face.load(FaceFiles.of_meshes(meshes))
+        elif meshes:
             face.load(FaceFiles(meshes[0], targets[0] if targets else None))
         elif targets:
             face.load(FaceFiles(face.files.mesh, targets[0]))
@@ -209,16 +211,19 @@ class TalkDialogs(QObject):
         self._settings.setValue("talk/languages", json.dumps(written.recent))
         files, performance = self._talking.face.files, self._talking.text.drivers.performance
         keep(self._settings, "talk/mesh", files.mesh or "")
-        keep(self._settings, "talk/movestates", files.movestates or "")
+        moved = files.movestates if isinstance(files.movestates, tuple) else (files.movestates or "",)
+        self._settings.setValue("talk/movestates", list(map(str, moved)))
         tables, chosen = performance.opened
         self._settings.setValue("talk/performances", list(map(str, tables)))
         keep(self._settings, "talk/performance", chosen or "")
 
     def restore(self) -> None:
         """Take up what was chosen at the last start."""
-        names = [read(self._settings, f"talk/{name}", "") for name in ("mesh", "movestates")]
-        if any(names) and all(name in {*Head} or Path(name).is_file() for name in names if name):
-            self._talking.face.files = FaceFiles(*(Path(name) if name else None for name in names))
+        mesh = read(self._settings, "talk/mesh", "")
+        moved = tuple(path for path in read_paths(self._settings, "talk/movestates") if path.name)
+        if (mesh in {*Head} or Path(mesh).is_file() or (moved and not mesh)) and all(map(Path.is_file, moved)):
+            several = moved if len(moved) > 1 or {path.suffix.lower() for path in moved} & {*MESH_SUFFIXES} else None
+            self._talking.face.files = FaceFiles(Path(mesh) if mesh else None, several or next(iter(moved), None))
         for choice in self._kept():
             choice.restore(self._settings)
         written = self._talking.text.written

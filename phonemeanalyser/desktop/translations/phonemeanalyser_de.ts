@@ -10940,6 +10940,11 @@
             <translation>{clock} · Bild {picture}</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
+            <source>{error}, or rename a target's file</source>
+            <translation>{error}, oder die Datei eines Targets umbenennen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/gltf.py" />
             <source>{face}: it has no morph target of the table {name} ({wanted}, ...); choose a table for its names with --table, or name the targets in your modelling program</source>
             <translation>{face}: Kein Morph-Target der Tabelle {name} vorhanden ({wanted}, ...); passende Tabelle wählen (--table) oder die Targets im Modellierprogramm umbenennen</translation>
@@ -11615,6 +11620,11 @@
             <translation>{name}: Hat {has} und daher keinen Kanal {number}; {choice} wählen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
+            <source>{name}: it has {target} vertices, and the base has {base}; export both alike</source>
+            <translation>{name}: Es hat {target} Vertices, die Form in Ruhe hat {base}; beide gleich exportieren</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/text/script.py" />
             <source>{name}: it holds the words of one sound, and there are {sounds}; write a table with the name of a sound, a tab and its words in each line</source>
             <translation>{name}: Enthält den Text nur einer Audiodatei, es sind aber {sounds}; eine Tabelle schreiben, je Zeile Name der Audiodatei, Tabulator und Text</translation>
@@ -11668,6 +11678,11 @@
             <location filename="../../../engine/phonemeengine/inspection/speaker_spectra.py" />
             <source>{name}: no frame of it was found; choose a longer segment or more recordings</source>
             <translation>{name}: kein Frame gefunden; einen längeren Abschnitt oder mehr Aufnahmen wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
+            <source>{name}: no vertex moves, it is the base's shape; leave it out, or export it again</source>
+            <translation>{name}: Kein Vertex bewegt sich, es ist die Form in Ruhe; weglassen oder neu exportieren</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/inspection/speaker_spectra.py" />

@@ -20,6 +20,7 @@ from tests.desktop.hands import FileAnswers, button, click
 from tests.desktop.stage import Stage
 from tests.desktop.talk.desk import drawn
 from tests.glb_faces import face_with_targets
+from tests.meshes import CUBE_OBJ
 
 # -- without a window ---------------------------------------------------------------------------------
 
@@ -146,6 +147,21 @@ def test_woman_and_man_are_chosen_by_a_click_and_the_choice_is_kept(window, desk
     desktop.talking.face.files = FaceFiles()
     window.talking_dialogs.restore()
     assert desktop.talking.face.files == FaceFiles(Path("man"))
+
+
+def test_several_meshes_are_one_face_which_is_kept(window, desktop, qtbot, tmp_path):
+    for name, corner in (("face", b"1 1 1"), ("jawOpen", b"1 1.5 1"), ("mouthClose", b"1 1 1.2")):
+        (tmp_path / f"{name}.obj").write_bytes(CUBE_OBJ.replace(b"v 1 1 1\n", b"v " + corner + b"\n"))
+    window.files.show = FileAnswers(*(tmp_path / f"{name}.obj" for name in ("jawOpen", "mouthClose", "face")))
+    click(window.talk.choices.own)
+    qtbot.waitUntil(lambda: window.talk.choices.face.text() == "face.obj")
+    assert [*desktop.talking.percentages] == ["jawOpen", "mouthClose"]
+    files = desktop.talking.face.files
+    window.talking_dialogs.save()
+    desktop.talking.face.files = FaceFiles()
+    window.talking_dialogs.restore()
+    assert desktop.talking.face.files == files
+    assert desktop.talking.in_use.movestates == (tmp_path / "jawOpen.obj", tmp_path / "mouthClose.obj")
 
 
 def test_a_mesh_that_is_dropped_is_shown(window, desktop, qtbot, tmp_path):

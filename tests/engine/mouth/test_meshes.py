@@ -6,7 +6,7 @@ import pytest
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.files.gltf import parse_gltf
 from phonemeengine.mouth.files.gltf_writing import format_glb
-from phonemeengine.mouth.files.io import load_morph_mesh
+from phonemeengine.mouth.files.io import FaceFiles, load_morph_mesh
 from phonemeengine.mouth.files.obj import parse_obj
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.mesh import Material, mesh_of, normals_of
@@ -169,3 +169,20 @@ class TestX:
         for length in range(0, CUBE_X.rindex(b"}"), 7):
             with pytest.raises(MeshError):
                 parse_x(CUBE_X[:length])
+
+
+def test_several_meshes_are_one_face_with_a_movestate_each(tmp_path: Path) -> None:
+    """The mesh at rest is found by its name, or is that of the shortest one; two vertices rise in the other."""
+    raised = CUBE_OBJ.replace(b"v -1 1 1\n", b"v -1 1.5 1\n").replace(b"v 1 1 1\n", b"v 1 1.5 1\n")
+    assert raised != CUBE_OBJ
+    for names in (("a_smile.obj", "mouth_Neutral.obj"), ("face_smile.obj", "face.obj")):
+        shape, rest = (tmp_path / name for name in names)
+        shape.write_bytes(raised)
+        rest.write_bytes(CUBE_OBJ)
+        files = FaceFiles.of_meshes([shape, rest])
+        assert files == FaceFiles(rest, (shape,))
+        (state,) = files.load().states
+        assert (state.name, state.reach, len(state)) == (shape.stem, 0.5, 2)
+    shape.write_bytes(b"v 0 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n")
+    with pytest.raises(MeshError, match=r"^face_smile.obj: it has 3 vertices, and the base has 8; export"):
+        files.load()

@@ -1,7 +1,8 @@
 """Opens and saves files of meshes and movestates; the ending says the format."""
 
 import os
-from collections.abc import Callable
+import re
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -14,12 +15,15 @@ from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh, MorphTargets, bust_of, matched, morph_targets_of
+from phonemeengine.mouth.movestate import LONGEST_NAME, Movestate, movestate_of
 from phonemeengine.storage.files import MEGABYTE, read_file, write_file
 
 LARGEST = {".3dm": 64, ".3dma": 32, ".obj": 32, ".gltf": 4, ".glb": 64, ".vrm": 64, ".x": 16}
 """Megabytes of a file of each kind: so much is read, and no more."""
 LARGEST_BESIDE = 64
 TARGET_SUFFIXES = (".3dm", ".3dma")
+RESTING = re.compile(r"(^|[^a-z])(neutral|base|basis|rest|default|idle)([^a-z]|$)")
+"""In the names of files: the mesh at rest."""
 MESH_SUFFIXES = (".obj", ".gltf", ".glb", ".vrm", ".x")
 
 Beside = Callable[[str], bytes | None]
@@ -51,11 +55,18 @@ class FaceFiles:
     Attributes
     ----------
     mesh : .obj, .gltf, .glb, .vrm or .x; or the name of a `Head`.
-    movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted.
+    movestates : .3dm or .3dma, where the mesh brings none of its own, or others are wanted; or files of the same
+        mesh deformed, one for each movestate, beside those that it brings.
     """
 
     mesh: Path | None = None
-    movestates: Path | None = None
+    movestates: Path | tuple[Path, ...] | None = None
+
+    @classmethod
+    def of_meshes(cls, paths: Sequence[Path]) -> "FaceFiles":
+        """Return one face of files of the same mesh: that at rest, by its name or else the shortest, is deformed."""
+        rest = min(paths, key=lambda path: (RESTING.search(path.stem.lower()) is None, len(path.stem), path.stem))
+        return cls(rest, tuple(path for path in paths if path != rest) or None)
 
     @property
     def head(self) -> Head | None:
@@ -72,9 +83,40 @@ class FaceFiles:
         MeshError : a file cannot be read, or the movestates are those of another mesh.
         """
         face = load_morph_mesh(self.mesh) if self.mesh else load_head()
-        if self.movestates is not None:
+        if isinstance(self.movestates, tuple):
+            states = deformed_states(face, self.movestates)
+            face = replace(face, states=states)
+        elif self.movestates is not None:
             face = replace(face, states=matched(load_morph_targets(self.movestates), face.mesh).states)
         return bust_of(face)
+
+
+def deformed_states(base: MorphMesh, paths: Sequence[Path]) -> tuple[Movestate, ...]:
+    """Return the movestates of a face, and those that files of the same mesh deformed make, by their names.
+
+    Raises
+    ------
+    MeshError : a file cannot be read, is of another mesh, or no vertex moves in it; or two movestates have one name.
+    """
+    states = (*base.states, *(state for path in paths for state in _states_of(path, base)))
+    try:
+        return morph_targets_of(base.mesh, states).states
+    except MeshError as error:
+        raise MeshError(f"{error}, or rename a target's file") from error
+
+
+def _states_of(path: Path, base: MorphMesh) -> list[Movestate]:
+    """Return what a target's file holds: its mesh as a movestate of the file's name, and its own morph targets."""
+    target = load_morph_mesh(path)
+    if len(target.mesh) != len(base.mesh):
+        raise MeshError(
+            f"{path.name}: it has {len(target.mesh)} vertices, and the base has {len(base.mesh)}; export both alike"
+        )
+    name = "".join(c for c in path.stem if c.isprintable()).strip()[: LONGEST_NAME // 4] or "target"
+    moved = movestate_of(name, target.mesh.positions - base.mesh.positions)
+    if not len(moved) and not target.states:
+        raise MeshError(f"{path.name}: no vertex moves, it is the base's shape; leave it out, or export it again")
+    return [*([moved] if len(moved) else []), *target.states]
 
 
 def load_morph_targets(path: str | os.PathLike[str]) -> MorphTargets:
