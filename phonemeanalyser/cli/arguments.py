@@ -31,6 +31,7 @@ MOVED = (
     "seed",
     "expression",
     "feeling",
+    "text-feeling",
     "priority",
 )
 DRIVEN = ("text-driver", "pinyin-table", "spring", "performance", "use", "choice", "without", "keywords", "units")

@@ -415,7 +415,9 @@ class ClipWork:
             pitch = self.options.idle.head or driving.recorded is not None
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=self.options.idle.feels)
-            animations, captions = self._faces_of(utterance, speech, printable_name(job.source), driving, say)
+            feeling = self.texts.feeling_of(job.sound, utterance)
+            shows = self if feeling is None else replace(self, options=self.options.expressing(feeling))
+            animations, captions = shows._faces_of(utterance, speech, printable_name(job.source), driving, say)
             if self.driver.beside is not None:
                 say(
                     printable_name(job.source), difference_in_words(movement_difference(animations[0], animations[1]))

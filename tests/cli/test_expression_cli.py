@@ -80,3 +80,27 @@ def test_a_file_follows_the_feeling_in_its_voice_as_far_as_is_asked_for(tmp_path
     brows = column(rows, "BrowOuterUpLeft")
     assert 0.01 < brows.max() < 0.6
     assert column(rows, "MouthSmileLeft").max() == column(exported(tmp_path / "b.csv"), "MouthSmileLeft").max()
+
+
+def test_a_spoken_text_shows_what_it_says_of_feeling_and_refuses_what_it_cannot(tmp_path, capsys):
+    words = [
+        "speak",
+        "--silent",
+        "--language",
+        "cmn",
+        "--format",
+        "livelink-csv",
+        "--text-feeling",
+        "1",
+        "--no-blinks",
+    ]
+
+    def frown(text: str, name: str) -> float:
+        assert main([*words, "--export", str(tmp_path / name), text]) == 0
+        return float(column(rows_of(tmp_path / name), "MouthFrownLeft").max())
+
+    plain, sad = frown("我很高兴。", "a.csv"), frown("我很难过。", "b.csv")
+    assert sad > plain + 0.1
+    assert frown("[sad] 我很高兴。", "c.csv") > frown("[sad 0.4] 我很高兴。", "d.csv") > plain
+    assert main([*words, "--export", str(tmp_path / "e.csv"), "[smile] [sad] 我。"]) == 1
+    assert "smile and sorrow are asked for at one place" in capsys.readouterr().err

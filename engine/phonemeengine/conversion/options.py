@@ -271,6 +271,11 @@ class ConversionOptions:
         "V",
         read_feeling,
     )
+    text_feeling: float | None = _option(
+        "follow what the text says of feeling, 0..1: [smile], [angry 0.6], emoji, good and bad words",
+        "V",
+        Number(0, 1),
+    )
     priority: str | None = _option(
         "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
     )
@@ -384,6 +389,7 @@ FACIAL = (
     "no-head",
     "expression",
     "feeling",
+    "text-feeling",
     "priority",
     "text-driver",
     "pinyin-table",

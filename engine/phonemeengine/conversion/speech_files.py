@@ -16,6 +16,7 @@ from phonemeengine.labels import textgrid
 from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.expression.text_feeling import spoken_feeling
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.settings import SAMPLE_RATE
@@ -51,6 +52,7 @@ class SpeechFiles:
     driving : moves the face.
     say : told what is odd.
     overwrite : whether files that the program did not make are replaced.
+    text_feeling : how far the face shows what the text says of feeling, 0..1; None for not at all.
 
     Raises
     ------
@@ -65,6 +67,7 @@ class SpeechFiles:
     driving: Driving
     say: Say
     overwrite: bool = False
+    text_feeling: float | None = None
 
     def __post_init__(self) -> None:
         if [self.sound, self.labels, self.export, self.plan].count(STANDARD_OUTPUT) > 1:
@@ -89,7 +92,8 @@ class SpeechFiles:
                 felt = self.exporter is not None and self.exporter.idle.feels
                 sound = files.get(self.sound)
                 said = spoken_text(noted, language=language, sound=sound, path=self.sound, felt=felt)
-                self._export(files, said.transcript, self._track_of(said.utterance, said.transcript, text))
+                track = self._track_of(said.utterance, said.transcript, text)
+                self._export(files, said.transcript, track, text)
             else:
                 deque(written_as_spoken(noted, files.get(self.sound)), maxlen=0)
 
@@ -98,7 +102,8 @@ class SpeechFiles:
         plan = plan_of(utterance, self.driving.pinyin, seed=self.driving.asked.seed)
         with self._opened() as files:
             self._write_plan(files, plan.rows)
-            self._export(files, speech, self._track_of(utterance, speech) if self._moves else None)
+            text = " ".join(word.text for word in utterance.words)
+            self._export(files, speech, self._track_of(utterance, speech) if self._moves else None, text)
 
     def write_silent(self, text: SilentText, name: str) -> tuple[str, ...]:
         """Write what is said in a text without sound; returns what of it is not said.
@@ -116,7 +121,7 @@ class SpeechFiles:
             speech = said.transcript(name)
             self._write_plan(files, said.plan.rows)
             letters = PinyinTrack(said.utterance, said.plan, text.table) if has_pinyin(said.utterance) else None
-            self._export(files, speech, self._track_of(said.utterance, speech, letters=letters))
+            self._export(files, speech, self._track_of(said.utterance, speech, letters=letters), text.text)
             return said.utterance.skipped
 
     @property
@@ -192,10 +197,13 @@ class SpeechFiles:
             return letters
         return self.driving.track(driver, utterance, speech, self.say, text)
 
-    def _export(self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None) -> None:
+    def _export(
+        self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None, text: str = ""
+    ) -> None:
         if self.exporter is not None:
-            movement = self.driving.movement(track, speech, self.exporter, self.say)
-            files[self.export].writelines(self.exporter.chunks_of(speech, movement))
+            exporter = self.exporter.expressing(spoken_feeling(text, speech.utterance, self.text_feeling))
+            movement = self.driving.movement(track, speech, exporter, self.say)
+            files[self.export].writelines(exporter.chunks_of(speech, movement))
 
     def _write_plan(
         self, files: dict[Path | None, BinaryIO], rows: Iterable[PlanRow], *, header: bool = True

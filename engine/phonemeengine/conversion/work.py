@@ -237,6 +237,7 @@ class ConversionWork:
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
             felt = exporter.idle.feels
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=felt)
+            exporter = exporter.expressing(self.texts.feeling_of(job.sound, utterance))
             driver = driving.chosen(utterance, printable_name(job.source), exporter.takes)
             track = driving.track(driver, utterance, speech, say)
             movement = driving.movement(track, speech, exporter, say)

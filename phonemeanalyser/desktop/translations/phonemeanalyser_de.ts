@@ -84,6 +84,11 @@
             <translation>--speaker gehört zu einem --script, das Sprecher unterscheidet: .TextGrid oder .json</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/conversion/spoken_texts.py" />
+            <source>--text-feeling goes with --text or --script: give the text that is spoken</source>
+            <translation>--text-feeling gehört zu --text oder --script: den gesprochenen Text angeben</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>0 at</source>
             <translation>0 bei</translation>
@@ -272,6 +277,21 @@
             <location filename="../../../engine/phonemeengine/mouth/table.py" />
             <source>[times] silence has none: the mouth closes in the release of what was said before; remove it</source>
             <translation>[times] silence hat keine Zeiten: Der Mund schließt sich im Ausklang des vorigen Lauts; Eintrag entfernen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>[{words}]: a feeling is shown by 0..1, found {entry}; correct it</source>
+            <translation>[{words}]: Ein Gefühl wird mit 0..1 gezeigt, gefunden: {entry}; berichtigen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>[{words}]: neutral goes with no other feeling; leave one of them out</source>
+            <translation>[{words}]: neutral verträgt kein anderes Gefühl; eines davon weglassen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>[{words}]: there is no feeling {entry}; {lexicon}</source>
+            <translation>[{words}]: Es gibt kein Gefühl {entry}; {lexicon}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/files/threedm.py" />
@@ -707,6 +727,11 @@
             <location filename="../../../engine/phonemeengine/conversion/work.py" />
             <source>a table of frames has no place for words; leave the text out, or choose phonemes</source>
             <translation>Eine Tabelle von Frames hat keinen Platz für Wörter; Text weglassen oder Phoneme wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>a tag asks for the feeling {style}; {lexicon}</source>
+            <translation>ein Tag verlangt das Gefühl {style}; {lexicon}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take.py" />
@@ -10815,6 +10840,11 @@
             <translation>Wörter</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>words are good or bad by -1..1, found {key}; correct it</source>
+            <translation>Wörter sind gut oder schlecht mit -1..1, gefunden: {key}; berichtigen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/lanes_panel.py" />
             <source>Words that fit the recording badly; choose one to play it</source>
             <translation>Wörter, die schlecht zur Aufnahme passen; eines wählen, um es abzuspielen</translation>
@@ -11118,6 +11148,11 @@
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>{first} and {last}</source>
             <translation>{first} und {last}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>{first} and {second} are asked for at one place; keep one, or write [{first_2} 0.5, {second_2} 0.5]</source>
+            <translation>{first} und {second} stehen an einer Stelle; eines davon entfernen oder [{first_2} 0.5, {second_2} 0.5] schreiben</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
@@ -12698,6 +12733,11 @@
             <location filename="../../../engine/phonemeengine/batch/runner.py" />
             <source>{words}; the disk is full, so the batch ends here: free some space, and start it again, which goes on where it was</source>
             <translation>{words}; das Laufwerk ist voll, daher endet der Stapel hier: Platz schaffen und neu starten, er macht dann hier weiter</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/text/feelings.py" />
+            <source>{word} is called both good and bad; name it once</source>
+            <translation>{word} ist als gut und als schlecht eingetragen; nur einmal eintragen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/pinyin.py" />

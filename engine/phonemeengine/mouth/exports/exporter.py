@@ -3,7 +3,7 @@
 import math
 import os
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from phonemeengine.errors import ExportError, MouthError, remedy
@@ -11,6 +11,8 @@ from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import NEARLY, Export
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.expression.composer import with_stream
+from phonemeengine.mouth.expression.streams import ExpressionStream
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import MouthTable, load_table
@@ -61,6 +63,10 @@ class ExportOptions:
         table = load_table(self.table or usual)
         return table.with_motion(self.attack, self.release, random=self.random)
 
+    def expressing(self, stream: ExpressionStream) -> "ExportOptions":
+        """Return the same of a face that shows one more expression."""
+        return replace(self, idle=replace(self.idle, expression=with_stream(self.idle.expression, stream)))
+
 
 class Exporter:
     """Writes speech in one format; what the format cannot do is said at once.
@@ -94,6 +100,10 @@ class Exporter:
         self._check_mesh()
         self._check_expression()
         self.export_of(Transcript("", 0.0))
+
+    def expressing(self, stream: ExpressionStream | None) -> "Exporter":
+        """Return an exporter whose face shows one more expression; the same one for None."""
+        return self if stream is None else Exporter(self.name, self._options.expressing(stream))
 
     def export_of(self, speech: Transcript, movement: Animation | None = None, keys: KeyLayer = NO_KEYS) -> Export:
         """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""

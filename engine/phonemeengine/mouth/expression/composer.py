@@ -15,7 +15,7 @@ this one is ours.
 import math
 from collections import deque
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -153,6 +153,13 @@ class Expression:
                 f"expressions move the blend shapes of ARKit, which are not those of the table {table!r}; choose "
                 "another table, such as arkit"
             )
+
+
+def with_stream(expression: Expression | None, stream: ExpressionStream) -> Expression:
+    """Return an expression with one more stream."""
+    if expression is None:
+        return Expression((stream,))
+    return replace(expression, streams=(*expression.streams, stream))
 
 
 class Composer:
