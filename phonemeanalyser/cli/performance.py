@@ -44,7 +44,7 @@ EXAMPLES_OF = {
         "phonemeanalyser performance info face.sqlite --log log.txt",
     ),
     "show": (
-        "phonemeanalyser performance show face.sqlite synthetic0001 -o whole.gif --size 64x64",
+        "phonemeanalyser performance show face.sqlite synthetic0001 -o whole.gif --size 64x64 --fps 5",
         "phonemeanalyser performance show face.sqlite synthetic0001 -o start.mp4 --to 0.4",
         "phonemeanalyser performance show face.sqlite synthetic0001 -o frames --from 0.2 --to 0.4 --fps 25",
     ),

@@ -125,7 +125,7 @@ def test_a_fit_betters_a_preset_that_was_made_for_other_voices(bench, preset):
 
 
 @pytest.mark.parametrize("preset", [THESIS, OWN], ids=["thesis", "rules"])
-@pytest.mark.parametrize("hold", [0.0, 0.5])
+@pytest.mark.parametrize("hold", [pytest.param(0.0, marks=pytest.mark.long), 0.5])
 def test_a_fit_is_never_worse_than_what_was_there(bench, preset, hold):
     settings = replace(preset.settings, minimum_hold=hold)  # of which the search knows nothing
     before = fit_preset(bench, replace(preset, settings=settings)).preset

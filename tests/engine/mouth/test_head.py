@@ -208,17 +208,26 @@ def first_part(positions: np.ndarray, triangles: np.ndarray, part: np.ndarray, p
         axis=1,
     )
     corners, numbers = corners[near], part[triangles[near, 0]]
+    lowest, highest = corners[..., :2].min(axis=1), corners[..., :2].max(axis=1)
+    seen = np.zeros(len(places), int)
+    for k, place in enumerate(places):
+        here = np.flatnonzero(np.all((lowest <= place) & (place <= highest), axis=1))
+        seen[k] = first_at(place, corners[here], numbers[here])
+    return seen
+
+
+def first_at(place: np.ndarray, corners: np.ndarray, numbers: np.ndarray) -> int:
+    """The number of the triangle that is seen at a place; -1 for none."""
+    if not len(corners):
+        return -1
     a, b, c = corners[:, 0, :2], corners[:, 1, :2], corners[:, 2, :2]
     area = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
     flat = np.abs(area) < 1e-12
-    seen = np.zeros(len(places), int)
-    for k, place in enumerate(places):
-        v = ((place - a)[:, 0] * (c - a)[:, 1] - (place - a)[:, 1] * (c - a)[:, 0]) / np.where(flat, 1, area)
-        w = ((b - a)[:, 0] * (place - a)[:, 1] - (b - a)[:, 1] * (place - a)[:, 0]) / np.where(flat, 1, area)
-        depth = corners[:, 0, 2] * (1 - v - w) + corners[:, 1, 2] * v + corners[:, 2, 2] * w
-        depth[flat | (v < 0) | (w < 0) | (v + w > 1)] = -np.inf
-        seen[k] = numbers[int(np.argmax(depth))]
-    return seen
+    v = ((place - a)[:, 0] * (c - a)[:, 1] - (place - a)[:, 1] * (c - a)[:, 0]) / np.where(flat, 1, area)
+    w = ((b - a)[:, 0] * (place - a)[:, 1] - (b - a)[:, 1] * (place - a)[:, 0]) / np.where(flat, 1, area)
+    depth = corners[:, 0, 2] * (1 - v - w) + corners[:, 1, 2] * v + corners[:, 2, 2] * w
+    depth[flat | (v < 0) | (w < 0) | (v + w > 1)] = -np.inf
+    return int(numbers[np.argmax(depth)]) if np.isfinite(depth).any() else -1
 
 
 def test_eyes_and_brows_live_their_own_life(morph_mesh: MorphMesh):

@@ -112,7 +112,7 @@ def test_a_phoneme_is_the_farther_from_giving_way_the_more_the_nearest_other_one
     assert separations_of(deficits[:2], np.array([1, 0], np.uint8)).tolist() == pytest.approx([0.25, 1 / 6])
 
 
-@pytest.mark.parametrize("name", ["thesis", "extended"])
+@pytest.mark.parametrize("name", [pytest.param("thesis", marks=pytest.mark.long), "extended"])
 def test_a_curve_of_rules_holds_for_speakers_whom_it_was_not_fitted_to_and_tells_right_from_wrong(name: str):
     bare = replace(load_preset(name), confidences={ModelKind.REAL_TIME: UNFITTED})
     predictions = [predict(utterance, bare) for utterance in read_corpus(CORPUS)]
@@ -128,7 +128,15 @@ def test_a_curve_of_rules_holds_for_speakers_whom_it_was_not_fitted_to_and_tells
     assert hits[high].mean() > 1.8 * hits[~high].mean()
 
 
-@pytest.mark.parametrize("name", ["thesis", "thesis-calm", "thesis-anti-aliased", "extended", "templates"])
+@pytest.mark.parametrize(
+    "name",
+    [
+        "thesis",
+        *(pytest.param(f"thesis-{kind}", marks=pytest.mark.long) for kind in ("calm", "anti-aliased")),
+        "extended",
+        "templates",
+    ],
+)
 def test_confidence_holds_on_speech_that_the_presets_were_not_measured_on(name: str):
     overall = score(load_preset(name), read_corpus(CORPUS)).overall
     assert overall.calibration_error < 0.08
