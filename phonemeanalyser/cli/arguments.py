@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, NoReturn
 
 from phonemeanalyser.rendering import Framing
-from phonemeanalyser.rendering.clip_options import USUAL_CLIP_SIZE
+from phonemeanalyser.rendering.clip_options import LARGEST_CLIP, SMALLEST_CLIP, USUAL_CLIP_SIZE
 from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
 from phonemeengine.conversion.options import OPTIONS, ConversionOptions, Number
@@ -44,8 +44,6 @@ OLD_OPTIONS = {
 }
 """Options of the release before, which this one still accepts, and what they are called now."""
 MOST_JOBS = 1024
-SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
-"""Pixels along an edge of its pictures."""
 
 
 class CommandParser(argparse.ArgumentParser):

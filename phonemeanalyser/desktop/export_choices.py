@@ -7,8 +7,9 @@ from pathlib import Path
 from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QSpinBox, QWidget
 
+from phonemeanalyser.colours import DARK, LIGHT
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, FaceInUse
+from phonemeanalyser.desktop.session.export_kinds import CLIPS, EXPORT_KINDS, ExportOrder, FaceInUse
 from phonemeanalyser.desktop.settings import read
 from phonemeanalyser.desktop.talk.head.face_model import HEADS
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import (
@@ -22,6 +23,8 @@ from phonemeanalyser.desktop.widgets.builders import choice, named
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.preset_picker import PresetChoice, Sections
+from phonemeanalyser.rendering import Framing
+from phonemeanalyser.rendering.clip_options import LARGEST_CLIP, SMALLEST_CLIP, USUAL_CLIP, ClipOptions
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice
 from phonemeengine.conversion.options import OPTIONS
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
@@ -41,6 +44,9 @@ USUAL = tr_noop("Format default")
 ON_TALK = "Same as Talk"
 """Chosen where it is as the page Talk has it."""
 ON_TALK_WORDS = tr_noop("Same as Talk: {name}")
+VIEWS = {Framing.MOUTH: tr_noop("Mouth"), Framing.FACE: tr_noop("Face"), Framing.BUST: tr_noop("Bust")}
+GROUNDS = {LIGHT.name: (LIGHT, tr_noop("Light")), DARK.name: (DARK, tr_noop("Dark"))}
+"""What is behind heads of clips, and what people call it."""
 
 
 class ExportChoices(QFormLayout):
@@ -58,6 +64,7 @@ class ExportChoices(QFormLayout):
     ----------
     kind, preset, timing, driver, table, mesh, expression, rate, minimum, anticipation, detail, blinks, head, seed :
         choices.
+    width, height, view, ground : choices for clips.
 
     Signals
     -------
@@ -118,6 +125,7 @@ class ExportChoices(QFormLayout):
             talk.movestates if self.mesh.currentData() == ON_TALK else None,
             talk.speech,
             talk.keys if "keys" in kind.options and not self.is_text and self.keys.isChecked() else None,
+            look=self._look() if kind.name in CLIPS else USUAL_CLIP,
         )
 
     def show_kind(self) -> None:
@@ -140,7 +148,7 @@ class ExportChoices(QFormLayout):
             self.expression: "expression" in options and self._face.options.idle.expression is not None,
             self.timing: not self.is_text and kind.has_words,
             self.preset: not self.is_text,
-        }
+        } | dict.fromkeys((self.width, self.height, self.view, self.ground), kind.name in CLIPS)
         for widget, is_shown in shown.items():
             widget.setEnabled(is_shown)
             self.setRowVisible(widget, is_shown)
@@ -152,6 +160,16 @@ class ExportChoices(QFormLayout):
         for widget in (self.kind, self.preset):
             widget.setEnabled(on)
         self.timing.setEnabled(on and self.chosen.has_words)
+
+    def _look(self) -> ClipOptions:
+        """Return how clips look."""
+        ground = self.ground.currentData()
+        return ClipOptions(
+            (self.width.value(), self.height.value()),
+            theme=GROUNDS[ground or LIGHT.name][0],
+            framing=Framing(self.view.currentData()),
+            transparent=ground is None,
+        )
 
     @property
     def _table_on_talk(self) -> str:
@@ -206,6 +224,11 @@ class ExportChoices(QFormLayout):
         self.seed = QSpinBox()
         self.seed.setRange(0, 999_999)
         self.seed.setValue(talk.idle.seed)
+        self.width, self.height = _edge(USUAL_CLIP.size[0]), _edge(USUAL_CLIP.size[1])
+        self.view = choice((tr(words), view) for view, words in VIEWS.items())
+        self.view.setCurrentIndex(self.view.findData(USUAL_CLIP.framing))
+        grounds = ((tr(words), name) for name, (_, words) in GROUNDS.items())
+        self.ground = choice([*grounds, (tr("Transparent (GIF)"), None)])
         self.blinks, self.head = QCheckBox(tr("Blinks")), QCheckBox(tr("Head motion"))
         self.keys = QCheckBox(tr("Edited keys"))
         self.keys.setChecked(True)
@@ -254,6 +277,10 @@ class ExportChoices(QFormLayout):
                 tr("Random seed"),
                 tr("Start value of all random motion; the same number gives the same blinks and head motion again"),
             ),
+            (self.width, tr("Width"), tr("Width of the picture, pixels")),
+            (self.height, tr("Height"), tr("Height of the picture, pixels")),
+            (self.view, tr("View"), tr("How much is in the picture")),
+            (self.ground, tr("Background"), tr("What is behind the head; films have no transparent background")),
             (self.blinks, "", tr(BLINKS_TIP)),
             (self.head, "", tr(MOTION_TIP)),
             (self.keys, "", tr("Keys edited on the page Talk, or saved beside a recording as NAME.keys.toml")),
@@ -277,6 +304,15 @@ class ExportChoices(QFormLayout):
 def _name_of_table(table: str) -> str:
     """Return what a mouth table is called: by the name that a shipped one has, or its file."""
     return tr(load_table(table).name) if table in shipped_tables() else Path(table).name
+
+
+def _edge(pixels: int) -> QSpinBox:
+    """Make the field of an edge of a picture."""
+    field = QSpinBox()
+    field.setRange(SMALLEST_CLIP, LARGEST_CLIP)
+    field.setSuffix(" px")
+    field.setValue(pixels)
+    return field
 
 
 def _number(option: str, *, unit: str, decimals: int, step: float = 1.0, below: float = 0.0) -> NumberField:

@@ -9,6 +9,8 @@ USUAL_CLIP_RATE = 30.0
 """Frames per second."""
 USUAL_CLIP_SIZE = 640, 640
 """Pixels."""
+SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
+"""Pixels along an edge."""
 
 
 @dataclass(frozen=True)

@@ -326,7 +326,13 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     dialog.files.selectAll()
     QTest.mouseClick(dialog.remove, LEFT)
     dialog.add([folder / "one.flac"])
+    assert not dialog.choices.isRowVisible(dialog.choices.width)
     choose(dialog, "clip-gif")
+    assert dialog.choices.isRowVisible(dialog.choices.width)
+    dialog.choices.width.setValue(120)
+    dialog.choices.height.setValue(90)
+    for box, words in ((dialog.choices.view, "Mouth"), (dialog.choices.ground, "Transparent (GIF)")):
+        box.setCurrentText(words)
     dialog.choices.rate.setValue(1)
     dialog.choices.head.setChecked(False)
     QTest.mouseClick(dialog.look, LEFT)
@@ -336,7 +342,7 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     assert dialog.told.text() == "1 done"
     other, preset = tmp_path / "other.gif", str(THESIS_PRESET)
     words = [str(folder / "one.flac"), "-o", str(other), "--fps", "1", "--preset", preset, "--no-head"]
-    assert main(["preview", *words]) == 0
+    assert main(["preview", *words, "--size", "120x90", "--view", "mouth", "--transparent"]) == 0
     assert (folder / "one.gif").read_bytes() == other.read_bytes()
     before = (folder / "one.gif").read_bytes()
     dialog.choices.rate.setValue(2)
@@ -345,6 +351,9 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     dialog.question.reject()
     assert not dialog.queue.busy
     assert (folder / "one.gif").read_bytes() == before
+    choose(dialog, "clip-mp4")
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.told.text().startswith("an .mp4 has no transparent ground")
 
 
 def test_better_work_of_the_command_line_is_not_replaced_unasked(dialog, folder, qtbot):

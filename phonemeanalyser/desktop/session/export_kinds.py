@@ -87,6 +87,7 @@ class ExportOrder:
     speech : the text that is turned into a file in place of sounds.
     keys : an animator's edits by the sound's file, which go before those beside the sounds; None for no edits at all.
     overwrite : whether to replace whatever is there, not only what the same order made.
+    look : of clips; their rate is that of the options.
     """
 
     kind: str
@@ -99,6 +100,7 @@ class ExportOrder:
     speech: TextToSay | None = None
     keys: Mapping[Path, KeyLayer] | None = None
     overwrite: bool = False
+    look: ClipOptions = USUAL_CLIP
 
 
 def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
@@ -146,7 +148,7 @@ def work_of(order: ExportOrder) -> Work:
         return ReportWork(order)
     from phonemeanalyser.rendering.clip import ClipWork, check_clip  # noqa: PLC0415 - no window waits for it
 
-    options, look = order.options, ClipOptions(rate=order.options.rate or USUAL_CLIP.rate)
+    options, look = order.options, replace(order.look, rate=order.options.rate or USUAL_CLIP.rate)
     check_clip(Path("clip" + kind.ending), look)
     face = FaceFiles(None if options.mesh is None else Path(options.mesh), order.movestates)
     return ClipWork(
@@ -226,6 +228,7 @@ class ReportWork:
 
 
 CLIP_OPTIONS = frozenset({"table", "fps", "anticipation", "mesh", *WEIGHTED, *FACIAL})
+CLIPS = {"clip-mp4", "clip-gif"}
 EXPORT_KINDS: dict[str, Conversion] = CONVERSIONS | {
     kind.name: kind
     for kind in (

@@ -1429,6 +1429,11 @@
             <translation>10 ms zurück</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Background</source>
+            <translation>Hintergrund</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>background noise</source>
             <translation>Hintergrundgeräusch</translation>
@@ -1624,7 +1629,7 @@
             <translation>Bulgarisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Bust</source>
             <translation>Büste</translation>
         </message>
@@ -3710,6 +3715,16 @@
             <translation>Hebräisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Height</source>
+            <translation>Höhe</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Height of the picture, pixels</source>
+            <translation>Höhe des Bildes in Pixeln</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Held out</source>
             <translation>Ausgelassen</translation>
@@ -3848,6 +3863,11 @@
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. Rules need no look-ahead. The microphone has a limit of its own, since there waiting delays the mouth.</source>
             <translation>Wie lange der Erkenner auf das warten darf, was einem Frame folgt: Länger ist genauer, erhöht aber die Latenz. Regeln brauchen keine Vorausschau. Das Mikrofon hat eine eigene Grenze, da Warten dort den Mund verzögert.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>How much is in the picture</source>
+            <translation>Was im Bild zu sehen ist</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
@@ -5460,7 +5480,7 @@
             <translation>Höchstens Bedingungen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/head_pair.py" />
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Mouth</source>
             <translation>Mund</translation>
         </message>
@@ -10185,6 +10205,11 @@
             <translation>Tour durch Sprechen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Transparent (GIF)</source>
+            <translation>Transparent (GIF)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />
             <source>Transport</source>
             <translation>Wiedergabe</translation>
@@ -10525,6 +10550,11 @@
             <translation>Vietnamesisch (Süden)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>View</source>
+            <translation>Ausschnitt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>Views are frozen</source>
             <translation>Ansichten eingefroren</translation>
@@ -10670,6 +10700,11 @@
             <translation>Was mit der Sprache, den anderen Mundformen und dem Blinzeln geschieht, solange ein Regler über 0 steht: Sie bleiben, und alle Bewegungen addieren sich; alles außer dem Blinzeln geht auf 0; auch das Blinzeln geht auf 0; oder erst die Sprache, dann die anderen Formen werden verringert, bis die Summe höchstens 100 % ist. Tasten und Schaltflächen setzen alles außer dem Blinzeln auf 0, solange sie gehalten werden</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>What is behind the head; films have no transparent background</source>
+            <translation>Was hinter dem Kopf ist; Filme haben keinen transparenten Hintergrund</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>What Is This?</source>
             <translation>Was ist das?</translation>
@@ -10778,6 +10813,16 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
             <source>Whose numbers are edited: those of the preset, or those of a set for a range of pitch</source>
             <translation>Wessen Zahlen bearbeitet werden: die des Presets oder die eines Satzes für einen Grundfrequenzbereich</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Width</source>
+            <translation>Breite</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
+            <source>Width of the picture, pixels</source>
+            <translation>Breite des Bildes in Pixeln</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
