@@ -176,10 +176,10 @@ class ShownCurve:
         return np.where(offsets != 0, np.clip(self.generated + offsets, 0.0, 1.0), self.generated)
 
     def points(self, tolerance: float = 0.02) -> Float64Array:
-        """Return the times of all keys, and of few points whose joining lines are near the curve, seconds, rising.
+        """Return the times of the keys in the sound, and of few points whose joining lines are near the curve.
 
-        The points are those of Ramer (1972) and Douglas & Peucker (1973): the frame that is farthest from the line
-        between two points becomes a point, until none is farther than the tolerance.
+        They are seconds, and rise. The points are those of Ramer (1972) and Douglas & Peucker (1973): the frame that
+        is farthest from the line between two points becomes a point, until none is farther than the tolerance.
         """
         found = {0, max(len(self.shown) - 1, 0)}
         waiting = [(0, len(self.shown) - 1)]
@@ -193,7 +193,8 @@ class ShownCurve:
                 middle = first + int(np.argmax(far))
                 found.add(middle)
                 waiting += [(first, middle), (middle, last)]
-        return np.unique(np.concatenate([[k / self.rate for k in found], self.keys.times]))
+        keys = self.keys.times[self.keys.times * self.rate <= len(self.shown) - 1 + 1e-6]
+        return np.unique(np.concatenate([[k / self.rate for k in found], keys]))
 
     def with_point(self, time: float, weight: float, before: float, after: float) -> KeyCurve:
         """Return the keys by which the curve goes through a weight at a time; outside of `before`..`after` it stays.

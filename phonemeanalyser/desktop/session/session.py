@@ -135,7 +135,8 @@ class Session(QObject):
         except EngineError as error:
             self.error.emit(str(error))
             return False
-        is_another = path != self.path
+        # what is known of a file that has become longer or shorter on disk belongs to another sound, too
+        is_another = path != self.path or self.file is None or file.duration != self.file.duration
         if is_another and not self.may_leave():
             file.close()
             return False

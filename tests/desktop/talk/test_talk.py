@@ -4,20 +4,22 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import soundfile
 from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.tone.settings import Tone, ToneKind
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word
+from phonemeengine.labels.utterance import LabelUnit, Phone, Syllable, Utterance, Word
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.transcript import transcript_of_utterance
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.settings import SAMPLE_RATE
 from tests.desktop.sessions import settled
-from tests.desktop.stage import BEGINS, ENDS, LONG, Stage
+from tests.desktop.stage import AN_A, BEGINS, ENDS, LONG, Stage
 from tests.fakes.outputs import Outputs
 from tests.sounds import silence, vowel
 
@@ -330,3 +332,21 @@ def test_a_still_face_is_not_drawn_anew(stage: Stage) -> None:
     revision = stage.talking.head.revision
     stage.wait(3.0)
     assert stage.talking.head.revision == revision
+
+
+def test_moved_boundaries_are_asked_about_before_a_file_that_changed_on_disk_is_opened_again(desk, tmp_path):
+    desk.open(tmp_path)
+    desk.align()
+    desk.texts.edits.move_boundary(LabelUnit.WORD, 2, 0.8)
+    asked: list[bool] = []
+    desk.session.may_leave = lambda: asked.append(desk.texts.words.has_unsaved_changes) or False
+    assert desk.session.open(tmp_path / "said.wav")
+    assert (asked, desk.words()) == ([], ["so", "oh"])  # the same sound
+    soundfile.write(tmp_path / "new.wav", AN_A[: len(AN_A) // 2], SAMPLE_RATE, subtype="FLOAT")
+    (tmp_path / "new.wav").replace(tmp_path / "said.wav")
+    assert not desk.session.open(tmp_path / "said.wav")
+    assert (asked, desk.words()) == ([True], ["so", "oh"])
+    desk.session.may_leave = lambda: True
+    assert desk.session.open(tmp_path / "said.wav")
+    desk.wait()
+    assert (desk.words(), desk.texts.text) == ([], "so oh")

@@ -111,6 +111,16 @@ def test_keys_out_of_order_or_outside_the_sound_are_refused(jaw, times, words):
         jaw.with_point(time, 0.5, before, after)
 
 
+def test_keys_beyond_the_sound_move_nothing_and_stay_through_edits_within(jaw):
+    beyond = ((5.0, 0.3), (9.0, -0.5))  # the file was longer, or is another one, when they were made
+    shown = replace(jaw, keys=curve_of(*beyond))
+    assert shown.shown == pytest.approx(jaw.shown)
+    assert shown.points().max() <= jaw.times[-1]
+    raised = shown.raised(0.5, 1.0, 0.2)
+    assert raised.times[-2:].tolist() == [5.0, 9.0]
+    assert replace(jaw, keys=raised).shown[45] == pytest.approx(jaw.shown[45] + 0.2, abs=1e-6)
+
+
 def test_a_file_of_keys_gives_them_back(tmp_path):
     layer = KeyLayer({"jawOpen": curve_of((0.1, 0), (0.2, 0.9), (0.3, 0)), "tongueOut": curve_of((0, -1), (1, 1))})
     path = keys_beside(tmp_path / "talk.wav")

@@ -21,7 +21,7 @@ from phonemeengine.mouth.key_layer import KeyCurve, ShownCurve
 
 LEFT = 66
 """Pixels of the names, as in the time line above."""
-LANE, LEAST_LANE = 64, 40
+LANE, LEAST_LANE = 64, 26
 """Pixels of a lane: as it would like to be, and at least."""
 NEAR, DOT = 7, 3
 """Pixels by which a press may miss a key, and from the middle of a key to its edge."""

@@ -45,6 +45,8 @@ class LanesPanel(QWidget):
         self._list.aboutToShow.connect(self._fill_list)
         for signal in (self._texts.changed, self._texts.text_changed):
             signal.connect(self._show_state)
+        for view in (talking.session.view, self._texts.speech_view):
+            view.moved.connect(self._allow_whole)
         self._show_state()
 
     def refresh(self) -> None:
@@ -61,6 +63,9 @@ class LanesPanel(QWidget):
         self.poor.setText(tr_count("{n} poor match", "{n} poor matches", n) + " ▾")
         for button in (self.previous, self.poor, self.next):
             button.setVisible(n > 0)
+        self._allow_whole()
+
+    def _allow_whole(self) -> None:
         self.whole.setEnabled(self._texts.view.duration > 0)
 
     def _summary(self) -> str:
