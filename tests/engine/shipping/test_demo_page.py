@@ -178,6 +178,23 @@ def test_a_file_that_is_no_sound_or_no_head_is_refused(address: str, tmp_path: P
         assert "notes.wav: this head cannot be read; choose a GLB file" in page.inner_text("#trouble")
 
 
+def test_the_page_fits_a_phone_and_works_without_a_network(address: str, tmp_path: Path) -> None:
+    path = tmp_path / "speech.wav"
+    soundfile.write(path, SOUND[: 2 * 44_100], 44_100, subtype="PCM_16")
+    with opened(address) as page:
+        page.set_viewport_size({"width": 360, "height": 640})
+        page.evaluate("() => navigator.serviceWorker.ready")
+        page.context.set_offline(True)
+        page.reload()
+        page.wait_for_selector("#microphone:not([disabled])")
+        page.set_input_files("#file", path)
+        wait_for_frames(page, 100)
+        assert page.inner_text("#latency") == "latency 38 ms"
+        assert page.is_hidden("#trouble")
+        assert page.evaluate("() => document.documentElement.scrollWidth") == 360
+        page.context.set_offline(False)
+
+
 def test_the_folder_packs_into_a_package_that_another_project_imports(folder: Path, tmp_path: Path) -> None:
     def do(*words: str) -> str:
         return subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True).stdout

@@ -1,6 +1,7 @@
 """A folder that was shipped builds and runs as it is, and nothing that was changed there is lost."""
 
 import os
+import re
 import subprocess
 from dataclasses import replace
 from pathlib import Path
@@ -204,6 +205,14 @@ def test_every_source_that_is_shipped_says_its_licence(source: str) -> None:
 
 def test_every_target_has_sources_that_are_looked_through() -> None:
     assert {source for target in targets.TARGETS.values() for source in target.sources} == {*SOURCES_OF_TARGETS}
+
+
+def test_the_page_keeps_all_of_its_scripts_for_when_there_is_no_network() -> None:
+    place = Path(targets.__file__).parent / "web_demo"
+    kept = set(re.findall(r'^  "(.+)",$', (place / "sw.js").read_text("utf-8"), re.MULTILINE))
+    own = {path.name for path in place.iterdir() if path.suffix in (".js", ".css")} - {"sw.js"}
+    three = {f"three/{name}" for name in targets.FILES if name.endswith(".js")}
+    assert kept == own | three | {"./", "head.glb", "../ear.js", "../ear.wasm", "../preset.ear"}
 
 
 def test_a_shipped_folder_holds_the_licence_whole(built: Path) -> None:

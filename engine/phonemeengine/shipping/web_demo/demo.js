@@ -7,6 +7,7 @@ import { Spectrum } from "./spectrum.js";
 const MOST_ROWS = 1000;
 const TABLE = "arkit";
 const LONGEST_START = 5000; // milliseconds
+const MOUTH_TAKES = 0.12; // seconds until a mouth has moved: a file is played by as much later than it is recognised
 
 const element = (id) => document.getElementById(id);
 const seconds = (frames) => (frames / 100).toFixed(2);
@@ -26,9 +27,9 @@ class Listening {
       const opened = await open(context); // now, since what comes earlier is not heard
       const { source, audible } = opened;
       stop = opened.stop;
-      const analyser = new AnalyserNode(context, { fftSize: 1024, smoothingTimeConstant: 0 });
+      const analyser = new AnalyserNode(context, { fftSize: 2048, smoothingTimeConstant: 0 });
       source.connect(analyser).connect(node);
-      if (audible) source.connect(context.destination);
+      if (audible) source.connect(new DelayNode(context, { delayTime: MOUTH_TAKES })).connect(context.destination);
       await started(context);
       return new Listening(context, new Spectrum(element("spectrum"), analyser), stop);
     } catch (error) {
@@ -43,6 +44,9 @@ class Listening {
     this.spectrum = spectrum;
     this.stop = stop;
     this.mouth = model.tables.includes(TABLE) ? model.mouth(TABLE) : null;
+    const ear = model.ear(context.sampleRate);
+    element("latency").textContent = `latency ${Math.round(1000 * ear.latency)} ms`;
+    ear.close();
   }
 
   end() {
@@ -98,6 +102,7 @@ function end() {
   listening = null;
   fresh = [];
   element("stop").disabled = true;
+  element("latency").textContent = "";
   if (model) element("state").textContent = `Preset ${model.name}`;
 }
 
@@ -117,9 +122,9 @@ function draw(milliseconds) {
     tell(frames.at(-1));
   }
   if (listening?.mouth) {
-    frames.forEach((frame) => listening.mouth.hear(frame.time, frame));
-    listening.time = frames.at(-1)?.time ?? listening.time ?? 0;
-    const values = listening.mouth.weights(listening.time);
+    const now = milliseconds / 1000; // the mouth moves on between frames, too
+    frames.forEach((frame) => listening.mouth.hear(now, frame));
+    const values = listening.mouth.weights(now);
     weights = new Map(listening.mouth.movestates.map((name, k) => [name, values[k]]));
   }
   head?.draw(weights, milliseconds / 1000);
@@ -192,5 +197,6 @@ element("glb").onchange = async ({ target }) => {
   if (file && head) await showHead(await file.arrayBuffer(), file.name);
   target.value = "";
 };
+navigator.serviceWorker?.register("sw.js").catch(() => {}); // without one the page needs the network, no more
 requestAnimationFrame(draw);
 load();

@@ -32,11 +32,32 @@ export class Head {
     scene.traverse((node) => {
       if (node.morphTargetDictionary) this.#faces.push(node);
     });
-    const box = new THREE.Box3().setFromObject(scene);
-    const middle = box.getCenter(new THREE.Vector3());
-    const size = box.getSize(new THREE.Vector3());
-    this.#camera.position.set(middle.x, middle.y, box.max.z + (Math.max(size.x, size.y) * 0.55) / Math.tan(0.245));
+    const { middle, height } = this.#framed(scene);
+    const front = new THREE.Box3().setFromObject(scene).max.z;
+    this.#camera.position.set(middle.x, middle.y, front + (height * 0.5) / Math.tan(THREE.MathUtils.degToRad(14)));
     this.#camera.lookAt(middle);
+  }
+
+  /* What is seen: the face, which is four times as high as what jawOpen moves; or all, where it moves nothing. */
+  #framed(scene) {
+    scene.updateMatrixWorld(true);
+    const box = new THREE.Box3();
+    const [point, way] = [new THREE.Vector3(), new THREE.Vector3()];
+    for (const face of this.#faces) {
+      const target = face.geometry.morphAttributes.position?.[face.morphTargetDictionary.jawOpen];
+      const { position } = face.geometry.attributes;
+      const ways = Array.from({ length: target?.count ?? 0 }, (_, k) => way.fromBufferAttribute(target, k).length());
+      const much = 0.3 * ways.reduce((most, one) => Math.max(most, one), 0); // the neck moves a little, too
+      for (let k = 0; k < ways.length; k++) {
+        if (ways[k] <= much) continue;
+        box.expandByPoint(face.localToWorld(point.fromBufferAttribute(position, k)));
+      }
+    }
+    const jaw = !box.isEmpty();
+    const shown = jaw ? box : box.setFromObject(scene);
+    const [middle, size] = [shown.getCenter(point), shown.getSize(way)];
+    if (jaw) middle.y += size.y; // the eyes, too
+    return { middle, height: jaw ? 4 * size.y : 1.1 * Math.max(size.x, size.y) };
   }
 
   /** The names of what it can move. */
