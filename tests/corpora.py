@@ -31,7 +31,7 @@ def speech(f0: float = 120.0, seed: int = 0) -> Sound:
     return np.concatenate(parts)
 
 
-def heard_by(preset: Preset, sound: Sound) -> np.ndarray:
+def recognised_by(preset: Preset, sound: Sound) -> np.ndarray:
     return np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
 
 
@@ -47,7 +47,7 @@ def write_corpus(
         corpus, speaker = name.split("/", 1)
         sound = speech(100.0 + 30 * k, k)
         soundfile.write(folder / f"u{k}.wav", sound, SAMPLE_RATE, subtype="FLOAT")
-        labels = labels_of(change(heard_by(preset, sound)), len(sound) / SAMPLE_RATE)
+        labels = labels_of(change(recognised_by(preset, sound)), len(sound) / SAMPLE_RATE)
         write_labels(labels, folder / f"u{k}.csv")
         rows.append((corpus, speaker, f"u{k}.wav", f"u{k}.csv"))
     write_manifest(folder, rows)

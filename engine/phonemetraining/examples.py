@@ -67,10 +67,10 @@ def load_soft_labels(path: Path) -> dict[str, NDArray[np.float16]]:
     except (OSError, ValueError, EOFError) as error:
         reason = reason_of(error) if isinstance(error, OSError) else "it is damaged"
         raise CorpusError(
-            f"{path.name}: the soft labels cannot be read ({reason}); let the teacher hear again"
+            f"{path.name}: the soft labels cannot be read ({reason}); have the teacher recognise again"
         ) from error
     if any(a.ndim != 2 or a.shape[1] != N_HEARD or a.dtype != np.float16 for a in found.values()):
-        raise CorpusError(f"{path.name}: these are no soft labels of this version; let the teacher hear again")
+        raise CorpusError(f"{path.name}: these are no soft labels of this version; have the teacher recognise again")
     return found
 
 

@@ -211,7 +211,7 @@ def batch_bar(n_files: int) -> Iterator[Callable[[BatchProgress], bool]]:
 def _words_of(progress: BatchProgress) -> str:
     over = progress.n_done + progress.n_failed
     parts = [f"{over}/{progress.n_files} files"]
-    if progress.heard:
+    if progress.analysed:
         parts.append(f"{progress.speed:.0f} x real time")
     if progress.n_failed:
         parts.append(f"{progress.n_failed} failed")

@@ -361,6 +361,7 @@ SENTENCES = (
     tr_noop("{name}: the file is truncated after the audio, which is complete"),
     tr_noop("{name}: the header gives no duration; the file contains {there} s"),
     tr_noop("{name}: the file is truncated; its header announces {announced} s, but it contains {there} s"),
+    tr_noop("nothing that is loaded is clearly labelled {phonemes}; load recordings that have it"),
     tr_noop("{name} reads 0, since the mel filter bank is off; switch Mel on."),
     tr_noop("{name} reads 0, since it begins at {low} Hz and the spectrum ends at {end} Hz; quantise less."),
     tr_noop("{name} reads 0, since no band lies within {low} to {high} Hz; widen its range."),

@@ -103,23 +103,23 @@ class TimeRow:
     intensities: list[tuple[float, float]]
 
 
-def time_rows(heard: Sequence[Predictions]) -> Iterator[TimeRow]:
+def time_rows(answers: Sequence[Predictions]) -> Iterator[TimeRow]:
     """Cut one recording, as each preset recognised it, into rows as far as it is drawn."""
-    n_frames, per_row = len(heard[0].phonemes), round(ROW_SECONDS / FRAME_PERIOD)
+    n_frames, per_row = len(answers[0].phonemes), round(ROW_SECONDS / FRAME_PERIOD)
     for first in range(0, min(n_frames, MOST_ROWS * per_row), per_row):
         last = min(n_frames, first + per_row)
-        yield _time_row(heard, slice(first, last))
+        yield _time_row(answers, slice(first, last))
 
 
-def _time_row(heard: Sequence[Predictions], frames: slice) -> TimeRow:
-    labels, intensities = heard[0].labels.phonemes[frames], heard[0].intensities[frames].tolist()
+def _time_row(answers: Sequence[Predictions], frames: slice) -> TimeRow:
+    labels, intensities = answers[0].labels.phonemes[frames], answers[0].intensities[frames].tolist()
     known = labels != Phoneme.UNIDENTIFIED
     return TimeRow(
         start=frames.start * FRAME_PERIOD,
         end=frames.stop * FRAME_PERIOD,
         labels=_segments(labels),
-        answers=[_segments(answers.phonemes[frames]) for answers in heard],
-        mistakes=[_spans(known & ~answers.right[frames]) for answers in heard],
+        answers=[_segments(own.phonemes[frames]) for own in answers],
+        mistakes=[_spans(known & ~own.right[frames]) for own in answers],
         intensities=[((k + 0.5) * FRAME_PERIOD, value) for k, value in enumerate(intensities)],
     )
 
@@ -210,19 +210,19 @@ class DrawnExample:
     """A recording that is drawn: why, what each preset answered in it, and how right that is."""
 
     why: str
-    heard: Sequence[Predictions]
+    answers: Sequence[Predictions]
     groups: Groups
 
     @property
     def seconds(self) -> float:
         """How long the recording is."""
-        return len(self.heard[0].phonemes) * FRAME_PERIOD
+        return len(self.answers[0].phonemes) * FRAME_PERIOD
 
 
 def _examples(report: Report) -> Iterator[DrawnExample]:
     for k, why in _chosen(report).items():
-        heard = [preset.scores.predictions[k] for preset in report.presets]
-        yield DrawnExample(why, heard, [group_scores_of([predictions]) for predictions in heard])
+        answers = [preset.scores.predictions[k] for preset in report.presets]
+        yield DrawnExample(why, answers, [group_scores_of([predictions]) for predictions in answers])
 
 
 def _chosen(report: Report) -> dict[int, str]:
@@ -240,8 +240,8 @@ def _chosen(report: Report) -> dict[int, str]:
             found.setdefault(ranked[k], f"{name} recognised{by}")
     if report.comparison is not None:
         places = {a.utterance.path: k for k, a in answers.items()}
-        heard = [d for d in report.comparison.differences if d.utterance.path in places]
-        ahead = sorted(heard, key=lambda d: d.n_other - d.n_one)
+        differing = [d for d in report.comparison.differences if d.utterance.path in places]
+        ahead = sorted(differing, key=lambda d: d.n_other - d.n_one)
         for letter, d in (("A", ahead[0]), ("B", ahead[-1])):
             found.setdefault(places[d.utterance.path], f"{letter} the furthest ahead")
     return found

@@ -55,7 +55,7 @@ class BatchProgress:
     n_files, n_bytes : all that was asked for, but what was done before.
     n_done, n_skipped, n_failed : files that were made, were made before, and could not be.
     done_bytes : of the sounds that were worked through; of those at hand, the part that was.
-    heard : seconds of sound in files that were made.
+    analysed : seconds of sound in files that were made.
     elapsed : seconds since the beginning.
     at_hand : files that are worked on now, as far as that is known.
     """
@@ -66,14 +66,14 @@ class BatchProgress:
     n_skipped: int = 0
     n_failed: int = 0
     done_bytes: float = 0.0
-    heard: float = 0.0
+    analysed: float = 0.0
     elapsed: float = 0.0
     at_hand: tuple[Job, ...] = ()
 
     @property
     def speed(self) -> float:
         """How many times as fast as the sound lasts."""
-        return self.heard / max(self.elapsed, 1e-9)
+        return self.analysed / max(self.elapsed, 1e-9)
 
     @property
     def share(self) -> float:
@@ -271,7 +271,7 @@ class _Batch:
         progress.n_skipped += outcome.state is JobState.SKIPPED
         progress.n_failed += outcome.state is JobState.FAILED
         if outcome.state is JobState.DONE:
-            progress.heard += outcome.made.duration
+            progress.analysed += outcome.made.duration
         if outcome.words:
             _log.warning("%s", outcome.words)
         self.on_outcome(outcome)

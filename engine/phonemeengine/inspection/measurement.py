@@ -141,15 +141,15 @@ def measure_stretch(
     pitch = columns.pop("f0", np.zeros(frames.last - frames.first, np.float32))
     voiced = pitch > 0
     with open_sound() as reader:
-        heard = _hear(reader, frames, (start, end), ceiling, progress)
+        measured = _measured(reader, frames, (start, end), ceiling, progress)
     values = {"f0": pitch[voiced]}
-    values |= {f"F{k + 1}": heard.formants[voiced, k] for k in range(N_FORMANTS)}
+    values |= {f"F{k + 1}": measured.formants[voiced, k] for k in range(N_FORMANTS)}
     values |= columns
     statistics = {name: _statistics_of(v) for name, v in values.items() if np.isfinite(v).any()}
     codes, counts = np.unique(tracks.phonemes[place], return_counts=True)
     shares = {Phoneme(int(code)): float(n) / len(voiced) for code, n in zip(codes, counts, strict=True)}
     first, last = max(0.0, start), min(end, tracks.n_frames * FRAME_PERIOD)
-    return StretchMeasurement(first, last, _decibels(heard.rms), _decibels(heard.peak), statistics, shares)
+    return StretchMeasurement(first, last, _decibels(measured.rms), _decibels(measured.peak), statistics, shares)
 
 
 def save_stretch(
@@ -242,7 +242,7 @@ class _HeardStretch(NamedTuple):
     formants: Float32Array
 
 
-def _hear(
+def _measured(
     reader: SoundReader, frames: FrameRange, times: tuple[float, float], ceiling: float, progress: Progress
 ) -> _HeardStretch:
     """Go through a selection, some seconds at a time."""

@@ -251,14 +251,14 @@ def _using(preset: Preset, kind: ModelKind, warnings: list[str]) -> Preset:
         )
     if kind is ModelKind.WHISPER and not has_runtime():
         raise ModelError(f"the speech encoder is not installed; {WITHOUT_ENCODER}")
-    heard = replace(preset, model_kind=kind, file_model=ModelKind.REAL_TIME, warnings=tuple(warnings))
+    chosen = replace(preset, model_kind=kind, file_model=ModelKind.REAL_TIME, warnings=tuple(warnings))
     if kind is ModelKind.ENCODER:
-        return _in_real_time(heard)
+        return _in_real_time(chosen)
     if kind is ModelKind.WHISPER:
-        if heard.config.model is not None and heard.config.model.viseme_set != STANDARD_VISEMES:
+        if chosen.config.model is not None and chosen.config.model.viseme_set != STANDARD_VISEMES:
             raise ModelError(
                 f"the model of the preset {preset.name[:60]!r} has visemes of its own, which the speech encoder does "
                 "not know; files are recognised without it"
             )
-        recogniser_for(heard)
-    return heard
+        recogniser_for(chosen)
+    return chosen

@@ -21,7 +21,7 @@ WEAKENED = 0.35
 """How much less the likeliness of a class beforehand counts: frequent ones are named too often by both together."""
 N_VISEMES = len(Viseme)
 
-Hear = Callable[[Float32Array], Float32Array]
+Evidence = Callable[[Float32Array], Float32Array]
 """Takes samples, gives how likely each phoneme and viseme is, shape (n_frames or some more, 26)."""
 
 
@@ -33,16 +33,16 @@ class EncodedRecogniser(ScoredRecogniser):
     Parameters
     ----------
     network : names phonemes and visemes, with no sensitivities.
-    hear : the probabilities by the encoder and its head; called with excerpts of a few seconds to half a minute.
+    evidence : the probabilities by the encoder and its head; called with excerpts of a few seconds to half a minute.
     priors : shares of the phonemes and visemes in what both were trained on, shape (26,).
     sensitivity : log-odds that are added in the end.
     """
 
     def __init__(
-        self, network: LearnedRecogniser, hear: Hear, priors: Float32Array, sensitivity: Sensitivity
+        self, network: LearnedRecogniser, evidence: Evidence, priors: Float32Array, sensitivity: Sensitivity
     ) -> None:
         self.look_ahead = STRETCH + OVERLAP
-        self._network, self._hear, self._sensitivity = network, hear, sensitivity
+        self._network, self._evidence, self._sensitivity = network, evidence, sensitivity
         self._penalties = np.float32(WEAKENED) * np.log(priors)
         self._samples = np.zeros(0, np.float32)
         self._n_before = 0  # frames of the samples that are answered already
@@ -85,14 +85,14 @@ class EncodedRecogniser(ScoredRecogniser):
         # The overlap before and after gives the frames at both edges their context; its answers are thrown away here,
         # since the neighbouring excerpt knows better.
         end = (self._n_before + n + OVERLAP) * HOP
-        heard = self._hear(self._samples[:end])[self._n_before :]
-        heard = heard[np.minimum(np.arange(n), len(heard) - 1)]  # the last of an odd number has none of its own
+        encoded = self._evidence(self._samples[:end])[self._n_before :]
+        encoded = encoded[np.minimum(np.arange(n), len(encoded) - 1)]  # the last of an odd number has none of its own
         shares, fine = (np.concatenate(part) for part in zip(*self._shares, strict=True))
         self._shares = [(shares[n:], fine[n:])]
         kept = max(0, self._n_before + n - OVERLAP)
         self._samples, self._n_before = self._samples[kept * HOP :], self._n_before + n - kept
         n_phonemes = len(SCORES)
-        found = agreed(heard[:, :n_phonemes], shares[:n], ENCODER_SHARE, self._penalties[:n_phonemes])
+        found = agreed(encoded[:, :n_phonemes], shares[:n], ENCODER_SHARE, self._penalties[:n_phonemes])
         return self._sensitivity.apply(found), agreed(
-            heard[:, n_phonemes:], fine[:n], ENCODER_SHARE, self._penalties[n_phonemes:]
+            encoded[:, n_phonemes:], fine[:n], ENCODER_SHARE, self._penalties[n_phonemes:]
         )

@@ -137,14 +137,14 @@ class LearnedRecogniser(ScoredRecogniser):
         """
         if not len(windows):
             return NOTHING
-        found = self._without_early(self._network.forward(self._heard(windows)))
+        found = self._without_early(self._network.forward(self._log_mels_of(windows)))
         if not len(found):
             return NOTHING
         shares, *others = (self._probabilities_of(found, head) for head in self._heads)
         weights = self._mixer.weigh(shares)
         return mixed(shares, weights), mixed(others[0], weights) if others else None
 
-    def _heard(self, windows: Float32Array) -> Float32Array:
+    def _log_mels_of(self, windows: Float32Array) -> Float32Array:
         return log_mels(windows, self._warps).reshape(-1, len(self._warps), N_BANDS)
 
     def _without_early(self, found: Float32Array) -> Float32Array:
@@ -178,8 +178,8 @@ class LearnedRecogniser(ScoredRecogniser):
         # All sounds are laid one after the other for what has no memory, log mels and heads; only layers and mixers
         # keep them apart.
         ends = np.cumsum([len(block) for block in windows])[:-1]
-        heard = np.split(self._heard(np.concatenate(windows)), ends)
-        found = np.split(forward_together(networks, heard), ends)
+        inputs = np.split(self._log_mels_of(np.concatenate(windows)), ends)
+        found = np.split(forward_together(networks, inputs), ends)
         wanted = [recogniser._without_early(block) for recogniser, block in zip(recognisers, found, strict=True)]
         ends = np.cumsum([len(block) for block in wanted])
         if not ends[-1]:

@@ -162,7 +162,7 @@ class CalibrationModel(QObject):
         if take is not None:
             self.play(self.takes.path_of(take), take.start, take.end, around=0.0)
 
-    def hear(self, *, new: bool) -> None:
+    def play_sentence(self, *, new: bool) -> None:
         """Play the sentence of the guide as recognised by the preset that it found, or by the old one."""
         outcome, spoken = self.guide.outcome, self.guide.spoken
         if outcome is not None and spoken is not None:

@@ -60,16 +60,16 @@ class PhonemeWriter(QObject):
         )
         self._work.submit(
             lambda progress: _write(open_sound, preset, target, progress),
-            lambda heard: self._tell(name, target, heard),
+            lambda chosen: self._tell(name, target, chosen),
         )
 
-    def _tell(self, name: str, target: Path, heard: Preset) -> None:
+    def _tell(self, name: str, target: Path, chosen: Preset) -> None:
         self.info.emit(
             tr("Phonemes of {name} saved as {target}. Model: {model}.").format(
-                name=name, target=target, model=tr_engine(model_in_words(heard))
+                name=name, target=target, model=tr_engine(model_in_words(chosen))
             )
         )
-        for warning in heard.warnings:
+        for warning in chosen.warnings:
             self.error.emit(f"{name}: {warning}")
 
     def close(self) -> None:

@@ -354,11 +354,11 @@ class PresetModel(QObject):
 
     def set_file_model(self, kind: ModelKind) -> None:
         """Analyse files with another model; one that cannot be had is reported, and nothing changes."""
-        heard = for_files(self.preset, kind)
-        if heard.model_kind is kind:
+        chosen = for_files(self.preset, kind)
+        if chosen.model_kind is kind:
             self.edit(replace(self.preset, file_model=kind), tr("change file model"))
         else:
-            self.rejected.emit(heard.warnings[-1])
+            self.rejected.emit(chosen.warnings[-1])
 
     def set_live_model(self, kind: ModelKind) -> None:
         """Have live sound recognised with another model; one that cannot be had is said, and nothing changes."""

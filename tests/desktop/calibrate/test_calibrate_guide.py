@@ -243,7 +243,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     assert alone in view.advice.text()
     heard: list[object] = []
     session.heard.connect(heard.extend)
-    for button, hears in ((view.hear_old, before), (view.hear_new, better)):
+    for button, hears in ((view.play_old, before), (view.play_new, better)):
         click(button)
         assert session.path == guide.spoken.path
         assert session.source.playing

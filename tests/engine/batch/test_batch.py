@@ -211,7 +211,7 @@ def test_progress_counts_files_and_sound(tmp_path: Path) -> None:
 
     run_batch(jobs_in(tmp_path, "a", "b", "fails"), CopyWork(), BatchOptions(1, tmp_path / "out"), on_progress=show)
     assert (seen[0].n_files, seen[0].share) == (3, 0.0)
-    assert (seen[-1].n_done, seen[-1].n_failed, seen[-1].heard, seen[-1].share) == (2, 1, 2 * SECONDS, 1.0)
+    assert (seen[-1].n_done, seen[-1].n_failed, seen[-1].analysed, seen[-1].share) == (2, 1, 2 * SECONDS, 1.0)
     shares = [progress.share for progress in seen]
     assert shares == sorted(shares)
     assert seen[-1].speed == pytest.approx(2 * SECONDS / seen[-1].elapsed)

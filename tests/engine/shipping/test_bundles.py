@@ -16,7 +16,7 @@ import pytest
 from phonemeengine import Preset, load_preset, ship
 from tests.bundlers import APP, ESBUILD, MORE_PACKAGES, PACKAGES, WORDS, bundled, project, tool
 from tests.engine.shipping.test_demo_page import Quiet, chromium, microphone
-from tests.engine.shipping.test_same_results import heard_by_engine, speech
+from tests.engine.shipping.test_same_results import recognised_by_engine, speech
 from tests.web_ears import node
 
 RATE, SOUND = 44_100, speech()[: 2 * 44_100]
@@ -38,7 +38,7 @@ def package(preset: Preset, tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def check_heard(told: dict[str, Any], preset: Preset) -> None:
     found = told["phonemes"]
-    expected = heard_by_engine(preset, SOUND).phonemes[: len(found)]
+    expected = recognised_by_engine(preset, SOUND).phonemes[: len(found)]
     assert len(found) >= 188
     assert (expected == found).mean() >= SAME
     assert told["widest"] > 0.1

@@ -17,7 +17,7 @@ from phonemeengine.shipping.targets import format_ear
 from phonemeengine.shipping.unity_package import package_files
 from tests.compiled_ears import SOURCES, Frames
 from tests.compiled_ears import compiled as compiled_library
-from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech
+from tests.engine.shipping.test_same_results import check_same, recognised_by_engine, speech
 from tests.web_ears import ROW, frames_of
 
 pytestmark = pytest.mark.csharp
@@ -64,7 +64,7 @@ def test_it_hears_and_moves_as_the_engine_does(folder: Path, tmp_path: Path) -> 
     done = listen(folder, tmp_path, preset)
     assert done.returncode == 0, done.stderr.decode()
     numbers = np.frombuffer(done.stdout, np.float64)
-    analysis = heard_by_engine(load_preset("learned"), SOUND)
+    analysis = recognised_by_engine(load_preset("learned"), SOUND)
     n = ROW * len(analysis)
     frames = frames_of(numbers[:n])
     check_same(frames, analysis)

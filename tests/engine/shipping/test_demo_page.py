@@ -17,7 +17,7 @@ import pytest
 import soundfile
 
 from phonemeengine import Phoneme, load_preset, ship
-from tests.engine.shipping.test_same_results import heard_by_engine, speech
+from tests.engine.shipping.test_same_results import recognised_by_engine, speech
 from tests.sounds import Sound, silence
 
 pytestmark = pytest.mark.browser
@@ -107,7 +107,7 @@ def likeness(found: np.ndarray, sound: Sound) -> float:
     """Give the share of frames that are those of Python, at the moment at which the sound began, whichever it was."""
     shares = []
     for late in range(0, 441, 44):  # ms of a frame: nobody knows when the browser's microphone began
-        expected = heard_by_engine(
+        expected = recognised_by_engine(
             load_preset("learned"), np.concatenate((np.zeros(late, np.float32), sound))
         ).phonemes
         shares += [

@@ -10,7 +10,7 @@ from phonemeengine import load_preset, load_table
 from phonemeengine.mouth.blending import blended_weights, viseme_rows
 from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import FRAME, SOURCES, CEar, CModel, EarLibrary
-from tests.engine.shipping.test_same_results import heard_by_engine, speech
+from tests.engine.shipping.test_same_results import recognised_by_engine, speech
 from tests.sounds import tone
 
 BAD_ARGUMENT = 9
@@ -25,7 +25,7 @@ def model(library: EarLibrary) -> CModel:
 @pytest.mark.parametrize("name", ["learned", "templates", "thesis"])
 def test_weights_by_probabilities_are_those_of_the_engine(library: EarLibrary, name: str) -> None:
     preset, sound = load_preset(name), speech()[: 4 * 44_100]
-    opened, analysis = CModel(library, format_ear(preset, TABLES)), heard_by_engine(preset, sound)
+    opened, analysis = CModel(library, format_ear(preset, TABLES)), recognised_by_engine(preset, sound)
     frames = CEar(opened).hear(sound)
     for number, table in enumerate(map(load_table, TABLES)):
         expected = blended_weights(table, analysis)

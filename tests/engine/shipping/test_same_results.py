@@ -55,7 +55,7 @@ def sound_of(path: Path) -> Sound:
         return np.concatenate([np.zeros(0, np.float32), *reader.blocks(SAMPLE_RATE)])
 
 
-def heard_by_engine(preset: Preset, sound: Sound) -> Analysis:
+def recognised_by_engine(preset: Preset, sound: Sound) -> Analysis:
     analyser = Analyser(with_small_network(preset))
     return concatenate_analyses([analyser.push(sound), analyser.finish()])
 
@@ -87,7 +87,7 @@ def says_several(analysis: Analysis, n: int) -> bool:
 @pytest.mark.parametrize("name", ["learned", "extended", "templates", "thesis", "thesis-calm", "thesis-anti-aliased"])
 def test_a_factory_preset_hears_the_same_in_c(each_compiler: str, name: str) -> None:
     preset = load_preset(name)
-    analysis = heard_by_engine(preset, speech())
+    analysis = recognised_by_engine(preset, speech())
     assert says_several(analysis, 9)
     check_same(heard_in_c(ear_library(each_compiler), preset, speech()), analysis)
 
@@ -102,7 +102,7 @@ def test_the_frames_are_the_same_however_the_sound_is_cut(library: EarLibrary, c
 @pytest.mark.parametrize("n_samples", [0, 1, HOP, HOP + 1, 1000, 2500])
 def test_a_short_sound_has_as_many_frames_as_in_the_engine(library: EarLibrary, n_samples: int) -> None:
     preset, sound = load_preset("learned"), tone(300, 1.0)[:n_samples]
-    check_same(heard_in_c(library, preset, sound), heard_by_engine(preset, sound)) if n_samples else None
+    check_same(heard_in_c(library, preset, sound), recognised_by_engine(preset, sound)) if n_samples else None
     assert len(heard_in_c(library, preset, sound)) == -(-n_samples // HOP)
 
 
@@ -123,11 +123,11 @@ def test_a_preset_that_was_adapted_and_calmed_hears_the_same(library: EarLibrary
         successors=dict.fromkeys(Phoneme, Phoneme.O),
         confidences={ModelKind.REAL_TIME: ConfidenceCurve((0.2, 0.5, 0.9), (0.1, 0.4, 0.95))},
     )
-    analysis = heard_by_engine(preset, speech())
+    analysis = recognised_by_engine(preset, speech())
     assert says_several(analysis, 9)
     check_same(heard_in_c(library, preset, speech()), analysis)
     uncalmed = replace(preset, settings=replace(settings, statistics=False), confidences={})
-    check_same(heard_in_c(library, uncalmed, speech()), heard_by_engine(uncalmed, speech()))
+    check_same(heard_in_c(library, uncalmed, speech()), recognised_by_engine(uncalmed, speech()))
 
 
 @pytest.mark.parametrize(
@@ -142,7 +142,7 @@ def test_a_network_of_any_size_hears_the_same(
     library: EarLibrary, widths: tuple[int, ...], dilations: tuple[int, ...], warps: tuple[float, ...], visemes: bool
 ) -> None:
     preset = replace(load_preset("learned"), model=random_model(widths, dilations, warps, visemes))
-    check_same(heard_in_c(library, preset, speech()), heard_by_engine(preset, speech()))
+    check_same(heard_in_c(library, preset, speech()), recognised_by_engine(preset, speech()))
 
 
 def random_model(
@@ -176,7 +176,7 @@ def test_visemes_of_a_models_own_are_named_and_shown_the_same(library: EarLibrar
     columns = [Viseme.SIL, Viseme.FF, Viseme.NN, Viseme.AA, Viseme.IH]
     heads = tuple(OutputHead(head.weights[:, columns], head.bias[columns]) for head in model.viseme_heads)
     preset = replace(load_preset("learned"), model=replace(model, viseme_heads=heads, viseme_set=own))
-    analysis = heard_by_engine(preset, speech())
+    analysis = recognised_by_engine(preset, speech())
     assert len({*analysis.visemes.tolist()}) > 3
     check_same(heard_in_c(library, preset, speech()), analysis)
     content, table = format_ear(preset, ("oculus",)), load_table("oculus")
@@ -253,7 +253,7 @@ def test_filters_variables_and_rules_of_ones_own_measure_the_same(
         "energy_n",
     ]
     base = Preset(settings=settings, variables=variables)
-    measured = heard_by_engine(base, speech()).features
+    measured = recognised_by_engine(base, speech()).features
     shares = np.linspace(0.15, 0.85, len(names))
     limits = {name: float(np.quantile(measured[name], share)) for name, share in zip(names, shares, strict=True)}
     rules = tuple(
@@ -264,6 +264,6 @@ def test_filters_variables_and_rules_of_ones_own_measure_the_same(
         for k, pair in enumerate(zip(names, names[3:] + names[:3], strict=True))
     )
     preset = replace(base, recogniser="rules", rules=rules)
-    analysis = heard_by_engine(preset, speech())
+    analysis = recognised_by_engine(preset, speech())
     assert says_several(analysis, 6)
     check_same(heard_in_c(library, preset, speech()), analysis)

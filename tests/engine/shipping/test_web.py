@@ -13,7 +13,7 @@ from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table
 from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.mouth.blending import blended_weights
 from phonemeengine.shipping import targets
-from tests.engine.shipping.test_same_results import check_same, heard_by_engine, says_several, speech
+from tests.engine.shipping.test_same_results import check_same, recognised_by_engine, says_several, speech
 from tests.sounds import silence, vowel
 from tests.web_ears import frames_of, in_node
 
@@ -31,14 +31,14 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def test_the_module_hears_what_the_engine_hears(folder: Path) -> None:
-    analysis = heard_by_engine(load_preset("learned"), speech())
+    analysis = recognised_by_engine(load_preset("learned"), speech())
     assert says_several(analysis, 9)
     check_same(frames_of(in_node(folder, "hear", speech())[0]), analysis)
 
 
 def test_weights_by_probabilities_are_those_of_the_engine(folder: Path) -> None:
     sound = speech()[: 3 * 44_100]
-    expected = blended_weights(load_table("arkit"), heard_by_engine(load_preset("learned"), sound))
+    expected = blended_weights(load_table("arkit"), recognised_by_engine(load_preset("learned"), sound))
     found = in_node(folder, "blend", sound)[0].reshape(expected.shape)
     assert np.abs(found - expected).max() < 1e-3
     assert expected.max() > 0.2
@@ -47,7 +47,7 @@ def test_weights_by_probabilities_are_those_of_the_engine(folder: Path) -> None:
 def test_rules_hear_the_same_as_well(tmp_path: Path) -> None:
     preset = load_preset("extended")
     ship(preset, tmp_path, "web-module")
-    check_same(frames_of(in_node(tmp_path, "hear", speech())[0]), heard_by_engine(preset, speech()))
+    check_same(frames_of(in_node(tmp_path, "hear", speech())[0]), recognised_by_engine(preset, speech()))
 
 
 def test_in_the_thread_of_the_sound_it_hears_the_same_and_allocates_nothing(folder: Path) -> None:

@@ -236,8 +236,8 @@ def _sides_of(
     sides = {source: (_some(sample.of(source, [one])), _some(sample.of(source, others))) for source in sample.spectra}
     for side, names in zip(next(iter(sides.values())), ([one], others), strict=True):
         if not len(side):
-            wanted = " or ".join(p.label for p in names)
-            raise CorpusError(f"no frame of the recordings is certainly {wanted}; load some that have it")
+            phonemes = ", ".join(p.label for p in names)
+            raise CorpusError(f"nothing that is loaded is clearly labelled {phonemes}; load recordings that have it")
     filtered, normalised = sides[Spectrum.FILTERED][0], sides[Spectrum.NORMALISED][0]
     if np.array_equal(filtered, normalised):
         del sides[Spectrum.FILTERED]

@@ -18,7 +18,7 @@ from phonemeengine.settings import HOP, SAMPLE_RATE
 
 LOOP = 12 * SAMPLE_RATE
 """Samples after which a noise begins again, without a seam."""
-LOWEST_HEARD = 20.0
+LOWEST_AUDIBLE = 20.0
 """Pink noise, whose power would grow without end towards 0 Hz, begins here, Hz."""
 SEAM = SAMPLE_RATE // 2
 """Samples over which the end of music goes over into its beginning."""
@@ -150,7 +150,7 @@ def _loop(kind: NoiseKind, seed: int) -> Float32Array:
     spectrum[0] = 0.0
     if kind is NoiseKind.PINK:
         frequencies = np.fft.rfftfreq(LOOP, 1 / SAMPLE_RATE)
-        spectrum[frequencies < LOWEST_HEARD] = 0.0
+        spectrum[frequencies < LOWEST_AUDIBLE] = 0.0
         spectrum[1:] /= np.sqrt(frequencies[1:])
     return _of_level_one(np.fft.irfft(spectrum, LOOP))
 

@@ -6,7 +6,7 @@ to the folder). A label file of the corpus format has the columns start_s, end_s
 
 import os
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import islice
 from pathlib import Path
@@ -17,6 +17,7 @@ from phonemeengine.arrays import BoolArray, UInt8Array
 from phonemeengine.audio.files import SoundReader, is_sound, once_each
 from phonemeengine.calibration.takes.take_list import LIST
 from phonemeengine.errors import AudioError, CorpusError
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.files import LABEL_SUFFIXES, names_in, read_labels, read_raw_labels
 from phonemeengine.labels.label import CORE, Label, RawLabel
 from phonemeengine.labels.phoneme_map import PhonemeMap, labels_named
@@ -121,12 +122,13 @@ def read_corpus(
     channel: Channel = Channel.MIX,
     on_skipped: OnSkipped | None = None,
     unlabelled: bool = False,
+    progress: Progress = no_progress,
 ) -> tuple[LabelledUtterance, ...]:
     """Read the manifest and all label files of a folder; of the sounds only their lengths.
 
     `channel` is what will be analysed of sounds that have several. `on_skipped` is called for each sound that cannot
     be read, which is then left out; None refuses it. Rows that name no label file are left out too, unless
-    `unlabelled` asks for them: a teacher may know what is said there.
+    `unlabelled` asks for them: a teacher may know what is said there. `progress` is told how much is read.
 
     Raises
     ------
@@ -135,7 +137,7 @@ def read_corpus(
     AudioError : a sound is missing or cannot be read.
     """
     rows = rows_of(read_text(folder / MANIFEST), MANIFEST_COLUMNS, MANIFEST)
-    pairs = (
+    pairs = [
         _Pair(
             folder / row["wav"],
             folder / row["labels"] if row["labels"] else None,
@@ -147,8 +149,9 @@ def read_corpus(
         )
         for _, row in rows
         if row["labels"] or unlabelled
-    )
-    return _utterances_of(pairs, mapping or PhonemeMap(), folder.name or str(folder), on_skipped=on_skipped)
+    ]
+    source = folder.name or str(folder)
+    return _utterances_of(pairs, mapping or PhonemeMap(), source, None, on_skipped, progress)
 
 
 def read_recordings(
@@ -159,6 +162,7 @@ def read_recordings(
     tier: str | None = None,
     channel: Channel = Channel.MIX,
     on_skipped: OnSkipped | None = None,
+    progress: Progress = no_progress,
 ) -> tuple[LabelledUtterance, ...]:
     """Read labelled recordings wherever they are.
 
@@ -172,16 +176,18 @@ def read_recordings(
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
     channel : what will be analysed of sounds that have several.
     on_skipped : told of each sound that cannot be read, which is then left out; None refuses it.
+    progress : told how much is read.
 
     Raises
     ------
+    Cancelled : the answer of `progress` is not to go on.
     UnknownPhonemeError : names in the label files stand for no phoneme; it holds those of all files.
     CorpusError : a label file says something impossible, or there is none.
     AudioError : a sound is missing or cannot be read.
     """
     source, mapping = Path(source), mapping or PhonemeMap()
     if (source / MANIFEST).is_file():
-        return read_corpus(source, mapping, channel=channel, on_skipped=on_skipped)
+        return read_corpus(source, mapping, channel=channel, on_skipped=on_skipped, progress=progress)
     pairs = list(_pairs_beside(source, speaker, channel))
     if not pairs:
         fault = "there is no label file beside this sound" if source.is_file() else "no labelled sound was found here"
@@ -189,7 +195,7 @@ def read_recordings(
             f"{printable_name(source)}: {fault}; "
             "put a .TextGrid, .csv or .txt file of the same name beside each sound"
         )
-    return _utterances_of(pairs, mapping, printable_name(source), tier, on_skipped)
+    return _utterances_of(pairs, mapping, printable_name(source), tier, on_skipped, progress)
 
 
 def is_labelled(source: Path) -> bool:
@@ -216,15 +222,17 @@ def frame_labels_of(labels: tuple[Label, ...]) -> FrameLabels:
 
 
 def _utterances_of(
-    pairs: Iterable[_Pair],
+    pairs: Sequence[_Pair],
     mapping: PhonemeMap,
     source: str,
-    tier: str | None = None,
-    on_skipped: OnSkipped | None = None,
+    tier: str | None,
+    on_skipped: OnSkipped | None,
+    progress: Progress,
 ) -> tuple[LabelledUtterance, ...]:
     """Read all label files before any name is given a meaning, so that all unknown ones are reported at once."""
     read = []
-    for pair in pairs:
+    for k, pair in enumerate(pairs):
+        report_progress(progress, k / len(pairs))
         try:
             read.append((pair, *_marks_of(pair, mapping, tier)))
         except AudioError as error:

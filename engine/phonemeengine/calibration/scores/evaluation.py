@@ -220,15 +220,15 @@ def _answers(
     nothing = np.zeros(0, np.uint8)
     found = [(nothing, np.zeros(0, np.float32), nothing, np.zeros(0, np.float32))]
 
-    def heard() -> Iterator[Analysis]:
+    def recorded() -> Iterator[Analysis]:
         for analysis in analyses:
             visemes = STANDARD_VISEMES.codes_of(analysis.visemes, analysis.viseme_set)
             found.append((analysis.phonemes, analysis.intensities, visemes, analysis.confidences))
             yield analysis
 
-    aligned = align_analyses(heard(), words, duration) if words else None
+    aligned = align_analyses(recorded(), words, duration) if words else None
     if aligned is None:
-        deque(heard(), maxlen=0)
+        deque(recorded(), maxlen=0)
     phonemes, intensities, visemes, sure = (np.concatenate(part)[:n_in_sound] for part in zip(*found, strict=True))
     if aligned is None:
         return phonemes, intensities, visemes, sure

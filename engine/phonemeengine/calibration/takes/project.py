@@ -11,7 +11,7 @@ from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.storage import TakeFolder, write_copy
 from phonemeengine.calibration.takes.take import Take
 from phonemeengine.errors import TakeError
-from phonemeengine.execution import Closing
+from phonemeengine.execution import Closing, Progress, no_progress, report_progress
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE
 
@@ -28,6 +28,7 @@ class TakeProject(Closing):
     Parameters
     ----------
     folder : of the project; made where there is none.
+    progress : told how much of its takes is read.
 
     Attributes
     ----------
@@ -38,11 +39,12 @@ class TakeProject(Closing):
     ------
     TakeError : it cannot be made, is open elsewhere, is another kind of corpus, or a newer program wrote it.
     CorpusError : its files cannot be read or written.
+    Cancelled : the answer of `progress` is not to go on.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, progress: Progress = no_progress) -> None:
         self.folder = folder
-        self._disk = TakeFolder(folder)
+        self._disk = TakeFolder(folder, progress)
         self.notes = self._disk.notes
         self._done: list[Edit] = []
         self._undone: list[Edit] = []
@@ -247,14 +249,24 @@ def read_mono(path: Path) -> Float32Array:
         return mono_of(reader.read(reader.n_samples), reader.channel)
 
 
-def take_reports(project: TakeProject) -> dict[int, TakeReport]:
-    """Check all takes, the silence first: it tells the room's level."""
-    takes, reports = project.takes, dict[int, TakeReport]()
-    silences = tuple(take for take in takes if take.phoneme is Phoneme.SILENCE)
-    for take in silences:
-        reports[take.number] = take_report(project, take, room_level(silences, reports))
-    noise = room_level(silences, reports)
-    return reports | {t.number: take_report(project, t, noise) for t in takes if t.number not in reports}
+def take_reports(project: TakeProject, progress: Progress = no_progress) -> dict[int, TakeReport]:
+    """Check all takes, the silence first: it tells the room's level.
+
+    Raises
+    ------
+    AudioError : a sound cannot be read.
+    Cancelled : the answer of `progress` is not to go on.
+    """
+    silences = tuple(take for take in project.takes if take.phoneme is Phoneme.SILENCE)
+    others = tuple(take for take in project.takes if take.phoneme is not Phoneme.SILENCE)
+    reports: dict[int, TakeReport] = {}
+    noise = 0.0
+    for k, take in enumerate((*silences, *others)):
+        report_progress(progress, k / (len(silences) + len(others)))
+        reports[take.number] = take_report(project, take, noise)
+        if take.phoneme is Phoneme.SILENCE and not take.excluded:
+            noise = room_level((take,), reports)
+    return reports
 
 
 def take_report(project: TakeProject, take: Take, noise: float) -> TakeReport:

@@ -25,6 +25,7 @@ from phonemeengine.calibration.takes.take_list import (
     write_take_list,
 )
 from phonemeengine.errors import CorpusError, TakeError
+from phonemeengine.execution import Progress, no_progress, report_progress
 from phonemeengine.labels.files import read_labels, write_labels
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
@@ -87,12 +88,12 @@ def _copy_of(folder: Path, take: Take, suffix: str) -> Path:
 
 def _is_ours(path: Path, take: Take) -> bool:
     try:
-        return _heard(read_labels(path)) == _heard(take.to_labels())
+        return _rows_of(read_labels(path)) == _rows_of(take.to_labels())
     except CorpusError:
         return False
 
 
-def _heard(labels: Iterable[Label]) -> list[tuple[str, str, Phoneme]]:
+def _rows_of(labels: Iterable[Label]) -> list[tuple[str, str, Phoneme]]:
     """Return what a copy can say of labels."""
     rows = [(f"{label.start:.6f}", f"{label.end:.6f}", label.phoneme) for label in labels]
     return [row for row in rows if row[0] != row[1]]
@@ -108,6 +109,7 @@ class TakeFolder:
     Parameters
     ----------
     folder : made where there is none.
+    progress : told how much is read.
 
     Attributes
     ----------
@@ -119,9 +121,10 @@ class TakeFolder:
     ------
     TakeError : it cannot be made, is open elsewhere, is another kind of corpus, or a newer program wrote it.
     CorpusError : its files cannot be read or written.
+    Cancelled : the answer of `progress` is not to go on; nothing was changed but label files that were wrong.
     """
 
-    def __init__(self, folder: Path) -> None:
+    def __init__(self, folder: Path, progress: Progress = no_progress) -> None:
         self._folder = folder
         self._lock = _locked(folder)
         try:
@@ -129,7 +132,7 @@ class TakeFolder:
             self.takes = {take.number: take for take in found.takes}
             self.missing = found.missing
             self.notes = found.notes
-            self._catch_up()
+            self._catch_up(progress)
         except BaseException:
             self.close()
             raise
@@ -227,10 +230,11 @@ class TakeFolder:
             with suppress(OSError):
                 self._lock.release()
 
-    def _catch_up(self) -> None:
+    def _catch_up(self, progress: Progress) -> None:
         """Write what follows from the list, where a crash or another program left something else there."""
         present = self._present(self.takes)
-        for take in present:
+        for k, take in enumerate(present):
+            report_progress(progress, k / len(present))
             write_take_labels(self._folder, take)
         if self.takes:
             write_manifest(self._folder, present)

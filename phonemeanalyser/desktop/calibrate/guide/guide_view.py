@@ -148,7 +148,7 @@ class GuideView(QWidget):
             tr("Calibrate with nine single sounds instead of a sentence"),
             lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
         )
-        self.hear_old, self.hear_new = (
+        self.play_old, self.play_new = (
             spoken_button(words, tip, partial(self._hear, new=new))
             for words, tip, new in (
                 (
@@ -203,10 +203,10 @@ class GuideView(QWidget):
                 f"QToolButton {{ color: {self._theme.on_colour}; background: {self._theme.accent}; border: 0;"
                 " border-radius: 4px; padding: 2px 12px; font-weight: bold }"
             )
-        for button in (self.sounds, self.hear_old, self.hear_new):
+        for button in (self.sounds, self.play_old, self.play_new):
             button.setCheckable(True)
         self.language.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        heads = column((self.head, 1), row(*tab_buttons(self.hear_old, self.hear_new, height=28)))
+        heads = column((self.head, 1), row(*tab_buttons(self.play_old, self.play_new, height=28)))
         learned = (self.refuse, self.save, self.accept)
         buttons = tab_buttons(
             self.sounds, self.back, self.again, self.skip, self.cancel, *learned, self.start, height=28
@@ -243,9 +243,9 @@ class GuideView(QWidget):
 
     def _hear(self, *, new: bool) -> None:
         """Play the sentence; the button of what is playing stays down."""
-        self._calibration.hear(new=new)
-        self.hear_old.setChecked(not new)
-        self.hear_new.setChecked(new)
+        self._calibration.play_sentence(new=new)
+        self.play_old.setChecked(not new)
+        self.play_new.setChecked(new)
 
     def _accept(self) -> None:
         self._calibration.guide.accept()
@@ -289,9 +289,9 @@ class GuideView(QWidget):
         self.save.setVisible(gains)
         self.figures.setVisible(done and guide.outcome is not None)
         self.ring.setVisible(not self.figures.isVisibleTo(self))
-        for seen in (self.head, self.hear_old, self.hear_new):
+        for seen in (self.head, self.play_old, self.play_new):
             seen.setVisible(gains and guide.spoken is not None)
-        for button in (self.hear_old, self.hear_new):
+        for button in (self.play_old, self.play_new):
             button.setChecked(False)
         if done and guide.outcome is not None:
             self._show_figures(guide.outcome)

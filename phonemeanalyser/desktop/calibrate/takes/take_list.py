@@ -1,9 +1,10 @@
 """The list of takes: what was said, by whom, how long, how loud, and how good."""
 
 from collections.abc import Callable
+from itertools import groupby
 from typing import Any
 
-from PySide6.QtCore import QItemSelectionModel, QSize, Qt, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QKeyEvent
 from PySide6.QtWidgets import QAbstractItemView, QTableWidget, QTableWidgetItem
 
@@ -14,6 +15,7 @@ from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import style_list
 from phonemeanalyser.desktop.widgets.key_filters import give_letters_to_page
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
+from phonemeengine.calibration.takes.quality import TakeReport
 from phonemeengine.calibration.takes.take import Take
 
 HEADINGS = (tr_noop("Phoneme"), tr_noop("Speaker"), "s", "dBFS", tr_noop("Check"))
@@ -46,6 +48,7 @@ class TakeListView(QTableWidget):
         self._takes = takes
         self._theme = theme
         self._filling = False
+        self._shown: list[tuple[Take, TakeReport | None]] = []
         self._style()
         give_letters_to_page(self)
         let_copy(self)
@@ -108,12 +111,14 @@ class TakeListView(QTableWidget):
         self.setAccessibleName(tr("Takes"))
 
     def _fill(self) -> None:
-        takes, chosen, all_chosen = self._takes.now.takes, self.chosen, self.all_chosen
+        now, chosen, all_chosen = self._takes.now, self.chosen, self.all_chosen
+        before, self._shown = self._shown, [(take, now.reports.get(take.number)) for take in now.takes]
         self._filling = True
-        self.setRowCount(len(takes))
-        for row, take in enumerate(takes):
-            for column, item in enumerate(self._items_of(take)):
-                self.setItem(row, column, item)
+        self.setRowCount(len(self._shown))
+        for row, shown in enumerate(self._shown):
+            if before[row : row + 1] != [shown]:  # of thousands of takes, few change at a time
+                for column, item in enumerate(self._items_of(*shown)):
+                    self.setItem(row, column, item)
         if chosen is not None and self._takes.take(chosen) is not None:
             self.select_take(chosen)
         elif self.currentRow() >= 0:
@@ -122,8 +127,7 @@ class TakeListView(QTableWidget):
         self._filling = False
         self._choose()
 
-    def _items_of(self, take: Take) -> list[QTableWidgetItem]:
-        report = self._takes.now.reports.get(take.number)
+    def _items_of(self, take: Take, report: TakeReport | None) -> list[QTableWidgetItem]:
         faults = report.faults if report else {}
         fault = next((tr(str(fault)) for fault in faults), tr("good"))
         left_out = report is not None and report.too_little  # which is why it is, unless the user says otherwise
@@ -150,10 +154,12 @@ class TakeListView(QTableWidget):
 
     def _choose_too(self, numbers: set[int]) -> None:
         """Choose takes besides the one that was chosen last."""
-        rows = QItemSelectionModel.SelectionFlag.Select | QItemSelectionModel.SelectionFlag.Rows
-        for row in range(self.rowCount()):
-            if self._number_at(row) in numbers:
-                self.selectionModel().select(self.model().index(row, 0), rows)
+        chosen, at = QItemSelection(), self.model().index
+        rows = [row for row, (take, _report) in enumerate(self._shown) if take.number in numbers]
+        for _, run in groupby(enumerate(rows), lambda numbered: numbered[1] - numbered[0]):
+            together = [row for _, row in run]
+            chosen.select(at(together[0], 0), at(together[-1], self.columnCount() - 1))
+        self.selectionModel().select(chosen, QItemSelectionModel.SelectionFlag.Select)
 
     def _choose(self, *_cells: Any) -> None:
         if not self._filling and self.chosen != self._takes.selected:

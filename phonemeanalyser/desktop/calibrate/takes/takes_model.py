@@ -18,6 +18,7 @@ from phonemeengine.calibration.takes.project import TakeProject, read_mono, room
 from phonemeengine.calibration.takes.quality import TakeReport, check_take
 from phonemeengine.calibration.takes.take import TAKES, Take
 from phonemeengine.errors import TakeError
+from phonemeengine.execution import Progress, subrange
 from phonemeengine.live.recorder import to_mono_44k
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import SAMPLE_RATE, Channel
@@ -90,6 +91,7 @@ class TakesModel(QObject):
     sound_read : the sound of the selected take is there.
     info : a sentence for the user about something that went well.
     error : a sentence for the user; an empty one after a good take.
+    opening_changed : a folder is being opened, is opened farther, or no longer.
     idle : all that was asked of the disk is done.
     """
 
@@ -101,6 +103,7 @@ class TakesModel(QObject):
     sound_read = Signal()
     info = Signal(str)
     error = Signal(str)
+    opening_changed = Signal()
     idle = Signal()
 
     def __init__(self, default_folder: Callable[[], Path]) -> None:
@@ -115,6 +118,9 @@ class TakesModel(QObject):
         self._reports: dict[int, TakeReport] = {}
         self._disk = TaskQueue(self.error.emit)
         self._disk.idle.connect(self.idle)
+        self._to_open: Path | None = None
+        self._told_opening: int | None = None
+        self._disk.changed.connect(self._follow_disk)
 
     # -- what there is ------------------------------------------------------------------------------------
 
@@ -127,6 +133,11 @@ class TakesModel(QObject):
     def busy(self) -> bool:
         """Whether the disk is being asked."""
         return self._disk.busy
+
+    @property
+    def opening(self) -> float | None:
+        """How much of a folder that is being opened is read and checked, 0..1; None where none is."""
+        return None if self._to_open is None else self._disk.progress
 
     def take(self, number: int) -> Take | None:
         """Return a take by its number; None where there is none."""
@@ -153,11 +164,23 @@ class TakesModel(QObject):
     def open(self, folder: Path) -> None:
         """Open a project, made where there is none; the one before is closed when that went well."""
 
-        if self.folder is None or folder.resolve() != self.folder.resolve():
-            self._disk.submit(lambda _progress: self._opened_in_work(folder), self._show)
+        def act(progress: Progress) -> Snapshot:
+            try:
+                return self._opened_in_work(folder, lambda share: progress(share) and self._to_open == folder)
+            finally:
+                if self._to_open == folder:
+                    self._to_open = None
+
+        self._to_open = folder
+        self._disk.submit(act, self._show)
+
+    def cancel_opening(self) -> None:
+        """Leave the folder that is being opened; the project before stays, and whatever else was asked is done."""
+        self._to_open = None
 
     def close(self) -> None:
         """Wait until everything is on the disk, and let the project go."""
+        self.cancel_opening()
         self._disk.finish()
         if self._project is not None:
             self._project.close()
@@ -316,9 +339,9 @@ class TakesModel(QObject):
         Several changes are one step of undo where there are words for their number.
         """
 
-        def work() -> tuple[Take | None, Snapshot]:
+        def work(progress: Progress) -> tuple[Take | None, Snapshot]:
             if self._project is None:
-                self._opened_in_work(self._default_folder())
+                self._opened_in_work(self._default_folder(), progress)
             project = self._project
             assert project is not None
             return act(project), self._snapshot_of(project)
@@ -335,15 +358,28 @@ class TakesModel(QObject):
             if found[0] is not None:
                 then(found[0])
 
-        self._disk.submit(lambda _progress: work(), hand_over)
+        self._disk.submit(work, hand_over)
 
-    def _opened_in_work(self, folder: Path) -> Snapshot:
-        project, before = TakeProject(folder), self._project
-        self._reports = take_reports(project)
+    def _opened_in_work(self, folder: Path, progress: Progress) -> Snapshot:
+        if self._project is not None and folder.resolve() == self._project.folder.resolve():
+            return self._snapshot_of(self._project)
+        project, before = TakeProject(folder, subrange(progress, 0.0, 0.2)), self._project
+        try:
+            self._reports = take_reports(project, subrange(progress, 0.2, 1.0))
+        except BaseException:
+            project.close()  # or nobody could open it any more
+            raise
         self._project = project
         if before is not None:
             before.close()
         return self._snapshot_of(project)
+
+    def _follow_disk(self) -> None:
+        """Tell how far a folder is opened, where that is another than was told."""
+        told = None if self.opening is None else int(100 * self.opening)
+        if told != self._told_opening:
+            self._told_opening = told
+            self.opening_changed.emit()
 
     def _show_emptied(self, found: tuple[int, Snapshot]) -> None:
         self._show(found[1])

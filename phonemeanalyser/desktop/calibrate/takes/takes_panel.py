@@ -165,6 +165,7 @@ class TakesPanel(QWidget):
         self.open = spoken_button(
             tr("Folder"), tr("Choose the takes folder, write label files, or remove deleted takes")
         )
+        self.stop = spoken_button("✕", tr("Stop opening this folder; the takes of the last one stay"))
         self.add = spoken_button(tr("Load"), tr("Load labelled recordings: TextGrid, Audacity labels or CSV"))
         self.clear = spoken_button("✕", tr("Unload all labelled recordings; their files are kept"))
         self.speaker = named(
@@ -232,7 +233,7 @@ class TakesPanel(QWidget):
 
     def _lay_out(self) -> None:
         lines = (
-            row(label(tr("<b>Takes</b>")), (self.project, 1), self.open, spacing=5),
+            row(label(tr("<b>Takes</b>")), (self.project, 1), self.stop, self.open, spacing=5),
             row(label(tr("Speaker")), self.speaker, spacing=5),
             row(self.guide, self.room, spacing=5),
             self.record,
@@ -246,6 +247,7 @@ class TakesPanel(QWidget):
 
     def _connect(self) -> None:
         takes = self._calibration.takes
+        self.stop.clicked.connect(lambda _checked=False: takes.cancel_opening())
         self.clear.clicked.connect(self._calibration.recordings.clear)
         self.guide.clicked.connect(self.guide_asked)
         self.room.clicked.connect(lambda _checked=False: self._calibration.measure_room())
@@ -264,9 +266,11 @@ class TakesPanel(QWidget):
         self.phoneme.activated.connect(self._relabel)
         self.wave.trimmed.connect(self._trim)
         takes.opened.connect(self._show_project)
+        takes.opening_changed.connect(self._show_project)
         takes.changed.connect(self._show_take)
         takes.sound_read.connect(self._show_take)
         self._calibration.recordings.changed.connect(self._show_recordings)
+        self._calibration.recordings.progressed.connect(self._show_recordings)
 
     def _name_speaker(self, name: str) -> None:
         self._calibration.takes.speaker = name
@@ -288,25 +292,33 @@ class TakesPanel(QWidget):
             self._calibration.takes.trim(self.list.chosen, start, end)
 
     def _show_project(self) -> None:
-        folder = self._calibration.takes.folder
-        self.project.setText(_short(folder) if folder else tr("Created with the first take"))
+        folder, opening = self._calibration.takes.folder, self._calibration.takes.opening
+        self.stop.setVisible(opening is not None)
+        if opening is not None:
+            self.project.setText(tr("Opening… {percent:.0f} %").format(percent=100 * opening))
+        else:
+            self.project.setText(_short(folder) if folder else tr("Created with the first take"))
         self.project.setToolTip(str(folder) if folder else tr("Folder in which takes are saved"))
 
     def _show_recordings(self) -> None:
         recordings = self._calibration.recordings
         n, speakers = len(recordings.utterances), recordings.n_speakers
         text = (
-            (tr("{n} from {speakers} speakers") if speakers > 1 else tr("{n} from 1 speaker")).format(
-                n=n, speakers=speakers
+            tr("Loading… {percent:.0f} %").format(percent=100 * recordings.progress)
+            if recordings.busy
+            else (
+                (tr("{n} from {speakers} speakers") if speakers > 1 else tr("{n} from 1 speaker")).format(
+                    n=n, speakers=speakers
+                )
+                if n
+                else tr("None loaded")
             )
-            if n
-            else tr("None loaded")
         )
         self.recordings.setText(text)
         self.recordings.setToolTip(
             "\n".join(map(str, recordings.sources)) or tr("Labelled recordings used in addition to the takes")
         )
-        self.clear.setEnabled(n > 0)
+        self.clear.setEnabled(n > 0 or recordings.busy)
 
     def _show_room(self) -> None:
         self.room.setText(tr("Keep quiet…") if self._calibration.room.listening else tr("Measure noise"))

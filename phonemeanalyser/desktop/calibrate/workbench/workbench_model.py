@@ -23,7 +23,7 @@ from phonemeengine.calibration.workbench.distributions import (
 )
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
 from phonemeengine.errors import AudioError, EngineError, UnknownPhonemeError
-from phonemeengine.execution import Progress
+from phonemeengine.execution import Progress, subrange
 from phonemeengine.features.variables import DEFICITS, Variable
 from phonemeengine.labels.phoneme_map import PhonemeMap
 from phonemeengine.phonemes import Phoneme
@@ -270,12 +270,14 @@ class RecordingsModel(QObject):
     Signals
     -------
     changed : the recordings are others.
+    progressed : more, or all, of what is loaded is read.
     unknown : names in the label files stand for no phoneme: how often each occurs, and what was to be read.
     info : a sentence for the user about something that went well.
     error : a sentence for the user.
     """
 
     changed = Signal()
+    progressed = Signal()
     unknown = Signal(dict, list)
     info = Signal(str)
     error = Signal(str)
@@ -286,11 +288,17 @@ class RecordingsModel(QObject):
         self.sources: list[Path] = []
         self.mapping = PhonemeMap()
         self._reading = TaskQueue(self.error.emit)
+        self._reading.changed.connect(self.progressed)
 
     @property
     def busy(self) -> bool:
         """Whether label files are being read."""
         return self._reading.busy
+
+    @property
+    def progress(self) -> float:
+        """How much of what is being read is read, 0..1."""
+        return self._reading.progress
 
     @property
     def n_speakers(self) -> int:
@@ -301,7 +309,9 @@ class RecordingsModel(QObject):
         """Read folders or sounds with their labels beside those that are there."""
         wanted = [path for path in sources if path not in self.sources]
         mapping = self.mapping
-        self._reading.submit(lambda _progress: _read(wanted, mapping), lambda found: self._take_up(wanted, found))
+        self._reading.submit(
+            lambda progress: _read(wanted, mapping, progress), lambda found: self._take_up(wanted, found)
+        )
 
     def map(self, phonemes: dict[str, Phoneme], sources: Sequence[Path]) -> None:
         """Learn what names stand for, and read again what they stood in."""
@@ -309,8 +319,10 @@ class RecordingsModel(QObject):
         self.load(sources)
 
     def clear(self) -> None:
-        """Forget all recordings; their files stay."""
-        self._reading.cancel()
+        """Forget all recordings; their files stay. While others are being read, forget only those."""
+        if self.busy:
+            self._reading.cancel()
+            return
         self.utterances, self.sources = (), []
         self.changed.emit()
 
@@ -350,14 +362,15 @@ class RecordingsModel(QObject):
             )
 
 
-def _read(sources: Sequence[Path], mapping: PhonemeMap) -> Read | dict[str, int]:
+def _read(sources: Sequence[Path], mapping: PhonemeMap, progress: Progress) -> Read | dict[str, int]:
     """Read recordings; where names are unknown, give those of all of them."""
     utterances: list[LabelledUtterance] = []
     refusals: list[AudioError] = []
     unknown: dict[str, int] = {}
-    for source in sources:
+    for k, source in enumerate(sources):
+        part = subrange(progress, k / len(sources), (k + 1) / len(sources))
         try:
-            utterances += read_recordings(source, mapping, on_skipped=refusals.append)
+            utterances += read_recordings(source, mapping, on_skipped=refusals.append, progress=part)
         except UnknownPhonemeError as error:
             unknown = dict(Counter(unknown) + Counter(error.counts))
     return unknown or (tuple(utterances), [str(refusal) for refusal in refusals])
