@@ -336,8 +336,8 @@ class Scrolled(QScrollArea):
 
     @property
     def needed_width(self) -> int:
-        """The least width at which nothing is scrolled sideways, pixels."""
-        return self._view.minimumSizeHint().width()
+        """The least width at which nothing is scrolled sideways, pixels, with the bar that scrolls downwards."""
+        return self._view.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
 
 
 _SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider)

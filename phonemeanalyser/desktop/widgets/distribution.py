@@ -373,8 +373,9 @@ def short(value: float) -> str:
 
 
 def shortest(value: float) -> str:
-    """Write a number with two digits that count, in as little room as there is."""
-    return short(value) if abs(value) >= 100 else f"{value:.2g}".replace("e-0", "e-")
+    """Write a number with two digits that count, one below a thousandth, in as little room as there is."""
+    small = 0 < abs(value) < 0.001
+    return short(value) if abs(value) >= 100 else f"{value:{'.0e' if small else '.2g'}}".replace("e-0", "e-")
 
 
 def _ticks(distribution: Distribution) -> list[float]:

@@ -1,5 +1,6 @@
 """A plot with a heading, axes with units, and a cursor that reads out what lies under it."""
 
+import math
 from collections.abc import Callable
 from itertools import pairwise
 from typing import Any
@@ -82,8 +83,9 @@ def polyline_of(x: Float64Array, y: Float64Array) -> QPolygonF:
     return line
 
 
-DIGIT = 10
-"""Pixels between the numbers of a horizontal axis for each digit that they have."""
+DIGIT, LINE = 10, 16
+"""Pixels between the numbers of a horizontal axis for each digit that they have, and between those of an upright one.
+"""
 
 
 class LiveAxis(pg.AxisItem):
@@ -110,17 +112,28 @@ class LiveAxis(pg.AxisItem):
     def resizeEvent(self, event: Any = None) -> None:
         """Leave the name of an upright axis out where it would be cut."""
         super().resizeEvent(event)
+        self._leave_out_cut_name()
+
+    def setLabel(self, *name: Any, **style: Any) -> None:
+        """Take another name."""
+        super().setLabel(*name, **style)
+        self._leave_out_cut_name()
+
+    def _leave_out_cut_name(self) -> None:
         if self.orientation == "left" and self.label is not None:
             self.label.setVisible(self.label.boundingRect().width() <= self.size().height())
 
     def tickSpacing(self, low: float, high: float, size: float) -> list[tuple[float, float]]:
-        """Return the spacings of the ticks; the numbers below a narrow plot are twice as far apart as usual."""
+        """Return the spacings of the ticks; numbers of a small plot are so far apart that they do not overlap."""
         levels: list[tuple[float, float]] = super().tickSpacing(low, high, size)
-        if self.orientation == "bottom" and levels:
-            (spacing, offset), *others = levels
-            if spacing / (high - low) * size < DIGIT * len(f"{max(abs(low), abs(high)):.0f}"):
-                levels = [(2 * spacing, offset), *others]
-        return levels
+        if not levels:
+            return levels
+        (spacing, offset), *others = levels
+        if self.orientation == "left":
+            others = [level for level in others if level[0] / (high - low) * size >= LINE]
+        least = LINE if self.orientation == "left" else DIGIT * len(f"{max(abs(low), abs(high)):.0f}")
+        lacking = least * (high - low) / (spacing * max(size, 1.0))
+        return [(spacing * 2 ** max(0, math.ceil(math.log2(lacking))), offset), *others]
 
     def setGrid(self, grid: float | bool) -> None:
         """Show a grid, or none."""

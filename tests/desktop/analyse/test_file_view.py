@@ -208,6 +208,10 @@ def test_words_and_phones_lie_on_the_same_time(desktop, qtbot):
         return "Words: hallo" in view.reading()
 
     qtbot.waitUntil(is_read)
+    desktop.talking.text.words.put(
+        KnownWords(Utterance((Word("", (Syllable(phones),)),), desktop.session.source.duration))
+    )
+    assert view._layout.spoken_rows() == []  # a file of phones names no words, and none are made up
     tier = Tier("words", (RawLabel(0.5, 1.5, "hallo", ""),))
     desktop.session.labels.put(LabelState((tier,), (0,), 0))
     assert [lane.name for _, lane in view._layout.spoken_rows()] == ["Phones"]

@@ -128,7 +128,7 @@ def read_corpus(
 
     `channel` is what will be analysed of sounds that have several. `on_skipped` is called for each sound that cannot
     be read, which is then left out; None refuses it. Rows that name no label file are left out too, unless
-    `unlabelled` asks for them: a teacher may know what is said there. `progress` is told how much is read.
+    `unlabelled` asks for them: a teacher may know what is said there. `progress` receives the share that is read.
 
     Raises
     ------
@@ -176,7 +176,7 @@ def read_recordings(
     tier : of TextGrids; the first one whose names are phonemes, where it is None.
     channel : what will be analysed of sounds that have several.
     on_skipped : told of each sound that cannot be read, which is then left out; None refuses it.
-    progress : told how much is read.
+    progress : called with the share that is read, 0..1.
 
     Raises
     ------

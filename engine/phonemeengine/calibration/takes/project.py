@@ -28,7 +28,7 @@ class TakeProject(Closing):
     Parameters
     ----------
     folder : of the project; made where there is none.
-    progress : told how much of its takes is read.
+    progress : called with the share of its takes that is read, 0..1.
 
     Attributes
     ----------

@@ -109,7 +109,7 @@ class TakeFolder:
     Parameters
     ----------
     folder : made where there is none.
-    progress : told how much is read.
+    progress : called with the share that is read, 0..1.
 
     Attributes
     ----------

@@ -367,7 +367,7 @@ class TakesModel(QObject):
         try:
             self._reports = take_reports(project, subrange(progress, 0.2, 1.0))
         except BaseException:
-            project.close()  # or nobody could open it any more
+            project.close()  # which removes its lock
             raise
         self._project = project
         if before is not None:

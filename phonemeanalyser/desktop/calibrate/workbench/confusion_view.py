@@ -43,7 +43,7 @@ class ConfusionView(QWidget):
         self.counts: Int64Array | None = None
         self.difference: Int64Array | None = None
         self.cell: tuple[int, int] | None = None
-        self.setMinimumSize(LEFT + 11 * 32, TOP + 10 * 17)
+        self.setMinimumSize(LEFT + 11 * 25, TOP + 10 * 17)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(tr("Confusion matrix"))

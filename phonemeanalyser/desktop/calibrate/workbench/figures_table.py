@@ -155,7 +155,7 @@ class SegmentList(QTableWidget):
         self.setHorizontalHeaderLabels([tr("Recording"), tr("Start (s)"), "ms", words])
         self.setAccessibleName(name)
         self.setToolTip(tr("Click a segment to play it, or select one and press Return"))
-        style_list(self, 20, (0, 60, 44, 90))
+        style_list(self, 20, (0, 68, 44, 90))
         self.setColumnHidden(3, not words)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setMinimumHeight(60)

@@ -92,7 +92,7 @@ class WorkbenchView(QWidget):
         ):
             self.tabs.addTab(widget, name)
         self.tabs.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        self.tabs.setMinimumWidth(TABS_WIDTH)
+        self.tabs.setMinimumWidth(max(TABS_WIDTH, self.tabs.tabBar().sizeHint().width() + 8))
         self.columns.addWidget(self.confusion)
         self.columns.addWidget(self.tabs)
         self.columns.setSizes([540, 400])

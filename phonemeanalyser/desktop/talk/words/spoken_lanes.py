@@ -41,11 +41,16 @@ SHADE = 130
 
 
 def spoken_lanes(texts: TextModel) -> list[Lane]:
-    """Return the lanes of what is said in the current sound, none of which can be moved; none where it is unknown."""
+    """Return the lanes of what is said in the current sound, none of which can be moved; none where it is unknown.
+
+    Where a file of phones names no words, there are no lanes of words and syllables, which would be guesses.
+    """
     if texts.utterance is None:
         return []
     units = in_a_row(texts.drivers.performance.units)
     lanes = lanes_of(texts.utterance, texts.drivers.letters, movable=False)
+    if not any(word.text for word in texts.utterance.words):
+        del lanes[:2]
     return [lane for lane in (*lanes, *([lane_of_units(units)] if units else [])) if len(lane.starts)]
 
 
