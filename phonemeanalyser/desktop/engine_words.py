@@ -361,6 +361,9 @@ SENTENCES = (
     tr_noop("{name}: the file is truncated after the audio, which is complete"),
     tr_noop("{name}: the header gives no duration; the file contains {there} s"),
     tr_noop("{name}: the file is truncated; its header announces {announced} s, but it contains {there} s"),
+    tr_noop("a fit needs labels of at least two sounds, and the recordings have only {only}; load some with others"),
+    tr_noop("a rule for {label} asks for the variable {variable}, which is not measured; add it, or change the rule"),
+    tr_noop("the sensitivity for {label} must lie within ±{most_log_odds}, got {value}"),
     tr_noop("nothing that is loaded is clearly labelled {phonemes}; load recordings that have it"),
     tr_noop("{name} reads 0, since the mel filter bank is off; switch Mel on."),
     tr_noop("{name} reads 0, since it begins at {low} Hz and the spectrum ends at {end} Hz; quantise less."),
@@ -404,7 +407,7 @@ def _in_language(text: str, _language: str) -> str:
     for sentence in (*SENTENCES, *ERRORS):
         filled = _pattern(sentence).fullmatch(text)
         if filled is not None:
-            put_in = _of_errors if sentence in ERRORS else tr_engine
+            put_in = tr_engine if sentence in SENTENCES else _of_errors
             return tr(sentence).format(**{place: put_in(words) for place, words in filled.groupdict().items()})
     bare = text[:1].lower() + text[1:].removesuffix(".")  # as it is where it stands alone
     if bare != text and (told := tr_engine(bare)) != bare:

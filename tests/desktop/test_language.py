@@ -316,6 +316,8 @@ def test_phonemes_are_called_as_people_write_them_and_files_keep_their_labels(sp
     vowels = ["m", "p", "i", "a", "e", "u", "o"]
     assert [sound_name(p) for p in Phoneme] == ["silence", "unidentified", "s", "sh", *vowels]
     assert [tr_engine(label) for label in ("sz, sch…", "sch 2", "sz_s1")] == ["s, sh…", "sh 2", "sz_s1"]
+    refused = "a fit needs labels of at least two sounds, and the recordings have only {}; load some with others"
+    assert tr_engine(refused.format("sz")) == refused.format("s")
     assert tr_engine("Limit for m_s1; 2 conditions: < sz, sch…; > a") == "Limit for m_s1; 2 conditions: < s, sh…; > a"
     spoken("de")
     assert [sound_name(p) for p in Phoneme] == ["Stille", "unbekannt", "s", "sch", *vowels]

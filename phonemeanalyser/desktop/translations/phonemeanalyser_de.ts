@@ -409,7 +409,7 @@
             <translation>eine Datei mit Posen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/fits/fitting.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>a fit needs labels of at least two sounds, and the recordings have only {only}; load some with others</source>
             <translation>Zum Anpassen braucht es Beschriftungen von mindestens zwei Lauten, die Aufnahmen haben nur {only}; welche mit anderen laden</translation>
         </message>
@@ -659,7 +659,7 @@
             <translation>Eine Priorität liegt in 0..1, gefunden {priority}; korrigieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/presets/preset.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>a rule for {label} asks for the variable {variable}, which is not measured; add it, or change the rule</source>
             <translation>Eine Regel für {label} verwendet die Variable {variable}, die nicht gemessen wird; hinzufügen oder Regel ändern</translation>
         </message>
@@ -5005,6 +5005,11 @@
             <translation>Laden eines Skripts</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
+            <source>Loading… {percent:.0f} %</source>
+            <translation>Laden… {percent:.0f} %</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />
             <source>log scale</source>
             <translation>log. Skala</translation>
@@ -5840,11 +5845,6 @@
             <translation>Keine Datei ist offen, deren Beschriftung verglichen werden könnte.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/fits/suggestions.py" />
-            <source>no frame of the recordings is certainly {wanted}; load some that have it</source>
-            <translation>Kein Frame der Aufnahmen ist sicher {wanted}; welche laden, die es enthalten</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_model.py" />
             <source>No frequency range separates these two phonemes. Record more takes of them, or choose another pair.</source>
             <translation>Kein Frequenzbereich trennt diese beiden Phoneme. Mehr Takes von ihnen aufnehmen oder ein anderes Paar wählen.</translation>
@@ -6118,6 +6118,11 @@
             <location filename="../../../engine/phonemeengine/labels/textgrid.py" />
             <source>nothing more</source>
             <translation>nichts weiter</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>nothing that is loaded is clearly labelled {phonemes}; load recordings that have it</source>
+            <translation>Nichts Geladenes ist eindeutig als {phonemes} beschriftet; Aufnahmen laden, die es enthalten</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/score.py" />
@@ -6408,6 +6413,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_model.py" />
             <source>Opening…</source>
             <translation>Wird geöffnet …</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
+            <source>Opening… {percent:.0f} %</source>
+            <translation>Öffnen… {percent:.0f} %</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
@@ -8610,6 +8620,11 @@
             <translation>Mitteln abbrechen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
+            <source>Stop opening this folder; the takes of the last one stay</source>
+            <translation>Öffnen des Ordners abbrechen; die Takes des vorigen bleiben</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
             <source>Stop recording (R)</source>
             <translation>Aufnahme beenden (R)</translation>
@@ -9555,7 +9570,7 @@
             <translation>Sender sendet nicht mehr</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/recognition/scores.py" />
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>the sensitivity for {label} must lie within ±{most_log_odds}, got {value}</source>
             <translation>Die Empfindlichkeit für {label} muss in ±{most_log_odds} liegen, gefunden {value}</translation>
         </message>
