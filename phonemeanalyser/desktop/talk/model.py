@@ -95,8 +95,7 @@ class TalkModel(QObject):
         self.face, self.osc = FaceModel(), OscModel(self._now)
         self.text = text or TextModel(session)
         self.expression = ExpressionModel()
-        self.watched = False
-        self.random = True
+        self.watched, self.random = False, True
         self.attack_factor = self.release_factor = 1.0
         self.picture_rate = 30
         self.mode = Mode.INTERACT
@@ -289,6 +288,7 @@ class TalkModel(QObject):
                 said = self._known_to(performer)
                 frames = [frame for end, block in new for frame in timed_frames(block, end, said)]
                 performer.hear(frames, now, live=self.session.source.live)
+            self.expression.feel(new, self._performers)
 
     def _known_to(self, performer: Performer) -> Transcript | None:
         """Return what is said, where that is known: to the second head as the other preset recognises it."""

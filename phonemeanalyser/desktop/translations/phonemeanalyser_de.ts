@@ -1624,6 +1624,11 @@
             <translation>Grenz-Triphon</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>Brows follow the voice</source>
+            <translation>Brauen folgen der Stimme</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Bulgarian</source>
             <translation>Bulgarisch</translation>
@@ -3690,6 +3695,11 @@
             <translation>Kopf</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>Head follows the voice</source>
+            <translation>Kopf folgt der Stimme</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/curves_file.py" />
             <source>head has {columns} values and curves {n_frames}; export the curves again</source>
             <translation>head hat {columns} Werte, curves {n_frames}; Kurven neu exportieren</translation>
@@ -3858,6 +3868,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>How closely the mouth follows the speech; distant faces need less detail</source>
             <translation>Wie genau der Mund der Sprache folgt; ferne Gesichter brauchen weniger Details</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>How far this follows the voice: lively, loud and high speech lifts, relaxed speech lowers, each compared with the speaker’s usual way</source>
+            <translation>Wie weit dies der Stimme folgt: Lebhaftes, lautes und hohes Sprechen hebt, entspanntes senkt, jeweils verglichen mit der üblichen Sprechweise</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -4733,6 +4748,11 @@
             <location filename="../../../phonemeanalyser/desktop/manual.py" />
             <source>Licences of all components</source>
             <translation>Lizenzen aller Bestandteile</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>Lids follow the voice</source>
+            <translation>Lider folgen der Stimme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -8338,6 +8358,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>smile</source>
             <translation>Lächeln</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>Smile follows the voice</source>
+            <translation>Lächeln folgt der Stimme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />

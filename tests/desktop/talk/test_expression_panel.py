@@ -3,6 +3,7 @@
 import socket
 from pathlib import Path
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication
@@ -18,6 +19,7 @@ from phonemeengine.mouth.exports.livelink import lines_of
 from tests.desktop.stage import Stage
 from tests.engine.performance.faces import ramp
 from tests.fakes.osc_receiver import Receiver
+from tests.sounds import vowel
 
 SMILE, BROW = "mouthSmileLeft", "browOuterUpLeft"
 
@@ -212,3 +214,17 @@ def test_bars_show_what_an_expression_moves_though_no_shape_of_the_table_does(
     assert ("eyeWide", ("eyeWideLeft", "eyeWideRight")) in bars.rows
     stage.talking.set_speed(2.0, 2.0)
     assert ("eyeWide", ("eyeWideLeft", "eyeWideRight")) in bars.rows
+
+
+def test_the_face_follows_the_voice_as_far_as_its_sliders_say(
+    stage: Stage, panel: ExpressionPanel, tmp_path: Path
+) -> None:
+    usual, lively = vowel((700, 1200), 1.0, 110, 0.1), vowel((700, 1200), 0.6, 190, 0.5)
+    stage.open(tmp_path, np.concatenate([usual, lively]))
+    panel.following["brows"].setValue(100)
+    seen: list[float] = []
+    stage.play(1.6, lambda: seen.append(shown(stage, BROW)))
+    assert max(seen) > 2 > seen[10]
+    assert stage.talking.expression.exported is not None
+    panel.neutral.click()
+    assert panel.following["brows"].value() == 0

@@ -1,6 +1,7 @@
 """What the face expresses beside its speech: as sliders ask for it, a recording has it, or other programs send it."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import asdict, dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -8,10 +9,14 @@ from PySide6.QtCore import QObject, Signal
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.talk.expression.osc_connection import OscConnection
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.analyser import Analysis
 from phonemeengine.arrays import Float32Array
+from phonemeengine.features.feeling import FeelingEstimator
 from phonemeengine.mouth.expression.composer import Expression
+from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
 from phonemeengine.mouth.osc import OscAddress, OscExpression
+from phonemeengine.mouth.performer import Performer
 from phonemeengine.performance.livelink import read_expression
 
 USUAL_ADDRESS = "127.0.0.1:39540"
@@ -85,6 +90,7 @@ class ExpressionModel(QObject):
     ----------
     shares : how far each is asked for, by name, 0..1.
     priority : of speech on its own channels, 0..1.
+    feeling : how far brows, lids, smile and head follow the feeling in the voice, 0..1 each, by name.
     path : the recording in use; None for none.
     input : what other programs send.
     """
@@ -96,9 +102,11 @@ class ExpressionModel(QObject):
         super().__init__()
         self.shares: dict[str, float] = dict.fromkeys(expression_presets(), 0.0)
         self.priority = USUAL_PRIORITY
+        self.feeling: dict[str, float] = asdict(FeelingAmounts(0.0, 0.0, 0.0, 0.0))
         self.path: Path | None = None
         self.input = ExpressionInput()
         self._recorded: StreamInStep | None = None
+        self._voice = FeelingEstimator()
         self._work = TaskQueue(self.error.emit)
         self.input.changed.connect(self.changed)
         self.input.error.connect(self.error)
@@ -117,14 +125,21 @@ class ExpressionModel(QObject):
         asked = {name: share for name, share in self.shares.items() if share}
         held = held_expression(asked) if asked else None
         streams = tuple(stream for stream in (held, *more) if stream is not None)
-        if not streams:
+        feeling = FeelingAmounts(**self.feeling)
+        if not (streams or feeling):
             return None
-        return Expression(streams, None if self.priority == USUAL_PRIORITY else self.priority)
+        return Expression(streams, None if self.priority == USUAL_PRIORITY else self.priority, feeling=feeling)
 
     def set_share(self, name: str, share: float) -> None:
         """Ask for an expression, 0..1."""
         if name in self.shares and self.shares[name] != min(max(share, 0.0), 1.0):
             self.shares[name] = min(max(share, 0.0), 1.0)
+            self.changed.emit()
+
+    def set_feeling(self, part: str, amount: float) -> None:
+        """Have a part of the face follow the feeling in the voice so far, 0..1."""
+        if self.feeling[part] != min(max(amount, 0.0), 1.0):
+            self.feeling = self.feeling | {part: min(max(amount, 0.0), 1.0)}
             self.changed.emit()
 
     def set_priority(self, priority: float) -> None:
@@ -142,6 +157,14 @@ class ExpressionModel(QObject):
                 lambda _progress: read_expression(path), lambda stream: self._take(path, StreamInStep(stream))
             )
 
+    def feel(self, sound: Sequence[tuple[float, Analysis]], performers: Iterable[Performer]) -> None:
+        """Tell faces how the voice sounds in the next blocks, each with when it ends, as far as one follows that."""
+        if any(self.feeling.values()):
+            felt = [(end, self._voice.follow(block.frames.windows)) for end, block in sound]
+            for performer in performers:
+                for end, feelings in felt:
+                    performer.feel(feelings, end)
+
     def follow(self, start: float) -> None:
         """Take note when the current sound began, on the clock of whoever shows the face, seconds."""
         if self._recorded is not None:
@@ -149,8 +172,9 @@ class ExpressionModel(QObject):
 
     def clear(self) -> None:
         """Set all sliders back."""
-        if any(self.shares.values()):
+        if any((*self.shares.values(), *self.feeling.values())):
             self.shares = dict.fromkeys(self.shares, 0.0)
+            self.feeling = dict.fromkeys(self.feeling, 0.0)
             self.changed.emit()
 
     def close(self) -> None:

@@ -28,6 +28,13 @@ RECORDING = tr_noop(
     "Load a face that Live Link Face captured (CSV), and show it along with the speech, in sync with the audio"
 )
 PERCENT_WIDTH = 40
+FOLLOWING = {
+    "brows": tr_noop("Brows follow the voice"),
+    "lids": tr_noop("Lids follow the voice"),
+    "smile": tr_noop("Smile follows the voice"),
+    "head": tr_noop("Head follows the voice"),
+}
+"""What follows the feeling in the voice, and what its slider is called."""
 METER_HEIGHT = 10
 
 
@@ -41,6 +48,7 @@ class ExpressionPanel(QWidget):
     Attributes
     ----------
     sliders : by the name of the expression.
+    following : sliders of what follows the feeling in the voice, by the part of the face.
     priority : the slider of speech's priority.
     meter : shows how far speech holds expressions back, %.
     """
@@ -58,6 +66,12 @@ class ExpressionPanel(QWidget):
         self._percents = {name: label(width=PERCENT_WIDTH) for name in self._model.shares}
         for name, percent in self._percents.items():
             percent.setToolTip(self.sliders[name].toolTip())
+        tip = tr(
+            "How far this follows the voice: lively, loud and high speech lifts, relaxed speech lowers, each "
+            "compared with the speaker’s usual way"
+        )
+        self.following = {part: slider_of_percent(tr(words), tip) for part, words in FOLLOWING.items()}
+        self._amounts = {part: label(width=PERCENT_WIDTH) for part in FOLLOWING}
         self.priority = slider_of_percent(
             tr("Speech priority"),
             tr(
@@ -114,6 +128,10 @@ class ExpressionPanel(QWidget):
             shares,
             [(label(tr(name).capitalize()), self.sliders[name], self._percents[name]) for name in self.sliders],
         )
+        following = grid(across=5, down=3)
+        fill_rows(
+            following, [(label(tr(words)), self.following[p], self._amounts[p]) for p, words in FOLLOWING.items()]
+        )
         others = grid(across=8, down=4)
         others.addWidget(self.file, 0, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
         for place, widget in enumerate((self.switch, self.address, self.state)):
@@ -124,6 +142,7 @@ class ExpressionPanel(QWidget):
         column(
             row((heading(tr("Expression")), 1), self.neutral),
             shares,
+            following,
             row(priority, (self.priority, 1), reduced, (self.meter, 1), spacing=8),
             others,
             on=self,
@@ -133,6 +152,8 @@ class ExpressionPanel(QWidget):
     def _connect(self) -> None:
         for name, slider in self.sliders.items():
             slider.valueChanged.connect(lambda value, name=name: self._model.set_share(name, value / 100))
+        for part, slider in self.following.items():
+            slider.valueChanged.connect(lambda value, part=part: self._model.set_feeling(part, value / 100))
         self.priority.valueChanged.connect(lambda value: self._model.set_priority(value / 100))
         self.neutral.clicked.connect(lambda _checked: self._model.clear())
         self.file.clicked.connect(lambda _checked: self._choose_file())
@@ -156,9 +177,13 @@ class ExpressionPanel(QWidget):
             with silent(self.sliders[name]):
                 self.sliders[name].setValue(round(100 * share))
             self._percents[name].setText(f"{100 * share:.0f} %")
+        for part, amount in self._model.feeling.items():
+            with silent(self.following[part]):
+                self.following[part].setValue(round(100 * amount))
+            self._amounts[part].setText(f"{100 * amount:.0f} %")
         with silent(self.priority):
             self.priority.setValue(round(100 * self._model.priority))
-        self.neutral.setEnabled(any(self._model.shares.values()))
+        self.neutral.setEnabled(any((*self._model.shares.values(), *self._model.feeling.values())))
         path, heard = self._model.path, self._model.input
         if path is None:
             named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load face capture…"))
