@@ -265,6 +265,7 @@ def test_after_typing_a_number_the_keys_are_shortcuts_again(desktop, qtbot):
     assert window.filters.fields["time_smooth"].text() == "0.000"
 
 
+@pytest.mark.usefixtures("own_desktop")  # before other pages are made
 def test_every_control_of_the_window_says_what_it_does(desktop, qtbot):
     window = shown(desktop, qtbot)
     kinds = (QAbstractButton, QComboBox, QAbstractSpinBox, QAbstractSlider, ThresholdSlider)
