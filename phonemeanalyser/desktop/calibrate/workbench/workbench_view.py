@@ -162,12 +162,15 @@ class WorkbenchView(QWidget):
             self._show_distribution()
         if measuring.busy:
             self.figures.setText(tr("Measuring… {percent:.0f} %").format(percent=100 * measuring.progress))
+            if self._calibration.workbench.confusion is None:
+                self.about.setText("")
 
     def _show_figures(self) -> None:
         confusion = self._calibration.workbench.confusion
         if confusion is None:
+            loaded = self._calibration.workbench.utterances
             self.figures.setText("")
-            self.about.setText(tr("No takes or recordings loaded"))
+            self.about.setText("" if loaded else tr("No takes or recordings loaded"))
             return
         agreement, n_classes = confusion.agreement, len(confusion.agreement.classes)
         of_labels = agreement.label_changes_per_s
