@@ -73,6 +73,7 @@ class WordEdits(QObject):
         self._read_by, self.find = read_by, find
         self.chosen: tuple[LabelUnit, int] | None = None
         self._named: tuple[TimeSpan, tuple[LabelUnit, int] | None] = (TimeSpan(0.0, 0.0), None)
+        self._looked_at: tuple[Utterance | None, list[Word]] = None, []
         self._work = TaskQueue(self.error.emit)
         words.changed.connect(self._check_chosen)
 
@@ -85,7 +86,10 @@ class WordEdits(QObject):
     def poor(self) -> list[Word]:
         """The words that should be looked at, in order of time."""
         utterance = self._words.utterance if self.possible else None
-        return [] if utterance is None else [word for word in utterance.words if fits_badly(word)]
+        if self._looked_at[0] is not utterance:  # asked at each key that is pressed in the text
+            poor = [] if utterance is None else [word for word in utterance.words if fits_badly(word)]
+            self._looked_at = utterance, poor
+        return self._looked_at[1]
 
     def play(self, start: float, end: float) -> None:
         """Play a segment of the current sound, in seconds; it stands at the segment's beginning afterwards."""

@@ -1,5 +1,6 @@
 """The text that is said, and its language; and what is remembered of both for each sound."""
 
+from functools import lru_cache
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -118,6 +119,7 @@ def said_in(utterance: Utterance) -> str:
     return " ".join(word.text for word in utterance.words if word.text)
 
 
+@lru_cache(4)  # asked several times at each key that is pressed
 def same_words(one: str, other: str) -> bool:
     """Return whether two texts have the same words, whatever their marks and capitals."""
     first, second = ([w for word in text.casefold().split() if (w := word.strip(MARKS))] for text in (one, other))
