@@ -280,6 +280,19 @@ def _unity_libraries() -> Files:
     return package_files(shared_libraries(), DESCRIPTION)
 
 
+def _godot_add_on() -> Files:
+    """Return the libraries, and what makes an add-on of the folder."""
+    about = {
+        "name": "Phoneme Ear",
+        "description": DESCRIPTION,
+        "author": "PhonemeAnalyser",
+        "version": phonemeengine.__version__,
+        "script": "plugin.gd",
+    }
+    lines = ("[plugin]", *(f'{key}="{words}"' for key, words in about.items()))
+    return {"plugin.cfg": ("\n".join(lines) + "\n").encode(), **shared_libraries()}
+
+
 def _json(document: object) -> bytes:
     return json.dumps(document, indent=2).encode() + b"\n"
 
@@ -304,7 +317,7 @@ TARGETS: Mapping[str, ShipTarget] = {
         describe=(metas,),
     ),
     "godot": ShipTarget(
-        "add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (shared_libraries,)
+        "add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (_godot_add_on,)
     ),
 }
 """What can be shipped for, by name."""

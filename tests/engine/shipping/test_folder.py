@@ -188,10 +188,18 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
     named = [path for path in files if path.suffix == ".cs" or path.name in ("preset.bytes", "preset.ear")]
     assert len(named) >= 5
     assert all(path.name in readme for path in named)
+    if target == "godot":
+        about = (tmp_path / target / "plugin.cfg").read_text(encoding="utf-8")
+        keys = re.findall(r'^(\w+)="[^"]+"$', about, re.MULTILINE)
+        assert keys == ["name", "description", "author", "version", "script"]
+        assert 'script="plugin.gd"' in about
+        exported = (tmp_path / target / "export_plugin.gd").read_text(encoding="utf-8")
+        libraries = {path.name for path in files if path.suffix in (".so", ".dll", ".dylib")}
+        assert {*re.findall(r'"(\w+\.(?:so|dll|dylib))"', exported)} == libraries
 
 
 SOURCES_OF_TARGETS = ("c", "csharp", "godot", "unity", "web", "web_demo")
-SIGNED = {".c", ".h", ".cs", ".js", ".jsx", ".ts", ".css", ".html", ""}
+SIGNED = {".c", ".h", ".cs", ".js", ".jsx", ".gd", ".ts", ".css", ".html", ""}
 """Endings of files that can say their licence; a Makefile has none."""
 
 

@@ -20,9 +20,11 @@ namespace PhonemeEar
                 return IntPtr.Zero;
             var system = OS.GetName();
             var file = system == "Windows" ? "ear.dll" : system == "macOS" ? "libear.dylib" : "libear.so";
-            var beside = Path.Combine(Path.GetDirectoryName(OS.GetExecutablePath()), file);
-            var found = File.Exists(beside) ? beside : ProjectSettings.GlobalizePath($"{Folder}/{file}");
-            return NativeLibrary.TryLoad(found, out var library) ? library : IntPtr.Zero;
+            var program = Path.GetDirectoryName(OS.GetExecutablePath());
+            foreach (var place in new[] { program, Path.Combine(program, "..", "Frameworks"), ProjectSettings.GlobalizePath(Folder) })
+                if (File.Exists(Path.Combine(place, file)) && NativeLibrary.TryLoad(Path.Combine(place, file), out var library))
+                    return library;
+            return IntPtr.Zero;
         }
     }
 }
