@@ -14,6 +14,7 @@ import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from phonemeengine.shipping.targets import PREBUILT, prebuild
 from tools.blender.build import build
 from tools.bundle.making import make_bundle
 
@@ -31,7 +32,9 @@ def main(argv: Sequence[str] | None = None) -> int:
     os.environ["SOURCE_DATE_EPOCH"] = _answer("git", "log", "-1", "--format=%ct")
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
-    differing = [name for make in (package, web_module, add_on) for name in made_twice(make, out)]
+    PREBUILT.mkdir(exist_ok=True)  # git ignores it, and wheel and bundle hold it
+    differing = made_twice(prebuild, PREBUILT)
+    differing += [name for make in (package, web_module, add_on) for name in made_twice(make, out)]
     shutil.copy2(make_bundle(out.parent / "bundle")[1], out)
     write_checksums(out)
     print((out / "SHA256SUMS").read_text(), end="")

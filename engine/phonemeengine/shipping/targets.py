@@ -109,10 +109,47 @@ def shared_libraries() -> dict[str, bytes]:
 
     Raises
     ------
+    ExportError : they did not come with the program, and there is no zig, or it fails.
+    """
+    return {name: prebuilt(name) or _compile_library(name) for name in _SYSTEMS}
+
+
+def _compile_library(name: str) -> bytes:
+    slices = [compile_ear((*_SHARED, *flags), name) for flags in _SYSTEMS[name]]
+    return slices[0] if len(slices) == 1 else _universal(slices)
+
+
+PREBUILT = Path(__file__).resolve().with_name("prebuilt")
+"""What a wheel and a bundle bring compiled; a checkout has it after a release, and compiles with zig otherwise."""
+
+
+def prebuilt(name: str, folder: Path = PREBUILT) -> bytes | None:
+    """Return a part that came compiled; None where there is none, or sources or options have changed since."""
+    made_of, part = folder / "SOURCES", folder / f"{name}.bin"  # a name that packers do not take for a library
+    if not (part.is_file() and made_of.is_file() and made_of.read_text(encoding="ascii") == _sources()):
+        return None
+    return part.read_bytes()
+
+
+def prebuild(folder: Path) -> None:
+    """Compile all parts anew into a folder.
+
+    Raises
+    ------
     ExportError : there is no zig, or it fails.
     """
-    made = {name: [compile_ear((*_SHARED, *flags), name) for flags in tried] for name, tried in _SYSTEMS.items()}
-    return {name: slices[0] if len(slices) == 1 else _universal(slices) for name, slices in made.items()}
+    parts = {name: _compile_library(name) for name in _SYSTEMS} | {_MODULE: compile_ear(_WASM, _MODULE)}
+    for name, content in parts.items():
+        (folder / f"{name}.bin").write_bytes(content)
+    (folder / "SOURCES").write_text(_sources(), encoding="ascii")
+
+
+def _sources() -> str:
+    """Return a checksum of all that compiled parts are made of."""
+    digest = hashlib.sha256(repr((_SHARED, _SYSTEMS, _WASM)).encode())
+    for path in (_EAR, *sorted(_EAR.parent.glob("*.h"))):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()
 
 
 def compile_ear(flags: tuple[str, ...], name: str) -> bytes:
@@ -166,6 +203,7 @@ def _zig() -> list[str]:
 
 
 _HERE = Path(__file__).resolve().parent
+_MODULE = "ear.wasm"
 _WASM = (
     "--target=wasm32-wasi",
     "-mexec-model=reactor",
@@ -247,7 +285,7 @@ def _web_module() -> Files:
         "sideEffects": False,
         "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear-wasm.js", "ear-preset.js", "examples", "LICENSE"],
     }
-    wasm = compile_ear(_WASM, "ear.wasm")
+    wasm = prebuilt(_MODULE) or compile_ear(_WASM, _MODULE)
     return {
         "ear.js": _with_worklet(),
         "ear.wasm": wasm,
