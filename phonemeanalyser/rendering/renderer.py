@@ -44,7 +44,7 @@ LINES = ((0.10, 0.12, 0.16), (0.90, 0.92, 0.96))
 """Wires on a bright and on a dark background."""
 LIFT = 0.01
 """How far above the skin its shadow is looked up, as a share of the radius of all: skin casts none on itself."""
-EXPOSURES = (1.0, 0.52)
+EXPOSURES = (1.0, 0.62)
 """How much light is seen: on the heads of the program, and on faces of a file, which may be white."""
 BLENDING = moderngl.SRC_ALPHA, moderngl.ONE_MINUS_SRC_ALPHA, moderngl.ONE, moderngl.ONE_MINUS_SRC_ALPHA
 """What is blended, with how much of what is behind it: colours, and how opaque the picture is."""
