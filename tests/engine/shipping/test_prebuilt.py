@@ -9,7 +9,7 @@ import pytest
 from phonemeengine import load_preset
 from phonemeengine.shipping.targets import format_ear, prebuilt
 from tests.compiled_ears import FRAME, SOURCES, compiled
-from tests.engine.shipping.test_same_results import check_same, heard_by_engine, speech
+from tests.engine.shipping.test_same_results import check_same, recognised_by_engine, speech
 
 PROGRAM = Path(__file__).parents[2] / "ear_hear.c"
 
@@ -36,4 +36,4 @@ SOUND = speech()[: 4 * 44_100]
 def test_arm_hears_what_the_engine_hears_in_qemu(tmp_path: Path) -> None:
     flags = ("-O2", "--target=aarch64-linux-musl")
     program = compiled("ear_hear", [PROGRAM, SOURCES / "ear.c"], *flags, by="zig")
-    check_same(heard(["qemu-aarch64-static", program], tmp_path), heard_by_engine(load_preset("learned"), SOUND))
+    check_same(heard(["qemu-aarch64-static", program], tmp_path), recognised_by_engine(load_preset("learned"), SOUND))
