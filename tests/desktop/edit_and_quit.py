@@ -90,6 +90,8 @@ class User(QTimer):
             os.kill(os.getpid(), getattr(signal, self._way))
         elif self._way == "menu":
             window().menus.actions["Quit"].trigger()
+        elif self._way == "frame":
+            window().close()
         elif self._way == "busy":
             for _ in range(N_BUSY):
                 threading.Thread(target=transform_for_ever, daemon=True).start()

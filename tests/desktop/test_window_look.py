@@ -38,7 +38,6 @@ def lightness(image: np.ndarray) -> float:
 # -- themes -------------------------------------------------------------------------------------------
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
     followed(desktop, qtbot)
     images = {}
@@ -52,7 +51,6 @@ def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
     assert np.mean(images["light"] != images["dark"]) > 0.7
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     window = followed(desktop, qtbot, seconds=2.0)
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
@@ -72,7 +70,6 @@ def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
     assert not desktop.window.isWindowModified()
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
     followed(desktop, qtbot, seconds=1.0)
     desktop.session.curves.add([desktop.session.averages.save(tmp_path / "voice.csv")])
@@ -81,7 +78,6 @@ def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
     assert [label.text for _, label in desktop.window.analysis.averaged.legend.items] == ["voice Δ 0.0 dB"]
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
     window = shown(desktop, qtbot)
     desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
@@ -94,7 +90,6 @@ def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
     assert desktop.window.analysis.phoneme.meters
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_a_theme_that_is_left_leaves_no_window_and_no_timer_behind(desktop, qtbot):
     shown(desktop, qtbot)
     for name in ("dark", "light", "dark"):
@@ -103,7 +98,6 @@ def test_a_theme_that_is_left_leaves_no_window_and_no_timer_behind(desktop, qtbo
     assert [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)] == [desktop.window]
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbot):
     shown(desktop, qtbot, None)
     for name in ("dark", "light", "system"):
@@ -254,7 +248,6 @@ def start_again(desktop, qapp, settings):
         other.close()
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window = shown(desktop, qtbot)
     window.resize(1500, 900)
@@ -313,7 +306,6 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
         assert dock.isVisible()
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_the_preset_in_use_comes_back(desktop, qtbot, start_again, tmp_path):
     window = shown(desktop, qtbot, None)
     desktop.preset.save(tmp_path / "mine.toml")
@@ -324,7 +316,6 @@ def test_the_preset_in_use_comes_back(desktop, qtbot, start_again, tmp_path):
     assert not again.window.isWindowModified()
 
 
-@pytest.mark.usefixtures("own_desktop")
 @pytest.mark.parametrize("in_use", ["A", "B"])
 def test_a_and_b_come_back_and_the_one_in_use_is_in_use(desktop, qtbot, start_again, tmp_path, in_use):
     shown(desktop, qtbot, None)
@@ -340,7 +331,6 @@ def test_a_and_b_come_back_and_the_one_in_use_is_in_use(desktop, qtbot, start_ag
     assert not again.window.isWindowModified()
 
 
-@pytest.mark.usefixtures("own_desktop")
 @pytest.mark.parametrize("gone", ["a", "b", "ab"])
 def test_a_preset_whose_file_is_gone_is_said_once_in_one_sentence(desktop, qtbot, start_again, tmp_path, gone):
     shown(desktop, qtbot, None)

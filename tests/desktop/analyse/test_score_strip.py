@@ -241,7 +241,6 @@ def test_labels_of_another_sound_and_words_are_refused_in_one_sentence(desktop, 
     assert strip.why_not.text() == "other.flac has no labels."
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_the_scope_and_whether_it_is_shown_outlive_the_window(desktop, window, strip):
     strip.scope.setCurrentIndex(strip.scope.findData(Scope.LOADED.value))
     strip.shown.setChecked(False)

@@ -23,8 +23,6 @@ from tests.fakes.plug_ins import Shelf, environment_with
 from tests.tables import rows_of
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
-pytestmark = pytest.mark.usefixtures("own_desktop")  # a plug-in that is in use ends with its test
-
 FAILS_LATER = """
 class Own(Plain):
     def recognise(self, windows, features):

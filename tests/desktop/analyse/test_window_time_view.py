@@ -34,6 +34,8 @@ from tests.desktop.hands import (
 )
 from tests.sounds import tone
 
+pytestmark = pytest.mark.usefixtures("lender")
+
 GREY = "grey"
 
 

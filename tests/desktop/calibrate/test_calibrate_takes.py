@@ -64,7 +64,6 @@ def test_keys_and_buttons_show_the_pages_and_each_has_its_docks(open_booth: Open
     assert not window.calibration.isVisible()
 
 
-@pytest.mark.usefixtures("open_own_booth")
 def test_the_page_survives_another_theme_with_its_takes(calibrator: Calibrator):
     calibrator.keep(Phoneme.A)
     calibrator.booth.desktop.set_theme("dark")
@@ -464,7 +463,6 @@ def test_return_plays_what_counts_of_a_take_and_stops_there(calibrator: Calibrat
 # -- the project --------------------------------------------------------------------------------------
 
 
-@pytest.mark.usefixtures("open_own_booth")
 def test_project_and_speaker_are_there_again_at_the_next_start(calibrator: Calibrator, qapp, tmp_path):
     calibrator.model.takes.open(tmp_path / "my voice")
     calibrator.settle()

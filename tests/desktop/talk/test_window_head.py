@@ -88,7 +88,7 @@ def test_docks_belong_to_the_first_page_and_come_back(window, desktop):
     assert {d.objectName() for d in window.findChildren(QDockWidget) if d.isVisible()} == before
 
 
-@pytest.mark.usefixtures("no_opengl", "own_desktop")
+@pytest.mark.usefixtures("no_opengl")
 def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot, tmp_path):
     window = shown(desktop, qtbot, wav(tmp_path, AN_A))
     press(window, Qt.Key.Key_3, CONTROL)
@@ -98,7 +98,6 @@ def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot
     qtbot.waitUntil(lambda: desktop.session.history.n > 20)
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
     window.talk.head.setFocus()
     press(window, Qt.Key.Key_Right)
@@ -400,7 +399,6 @@ def test_the_head_says_what_the_microphone_hears(open_booth, mic, graphics):
     booth.until(lambda: jaw(booth.desktop) < 1, mic)
 
 
-@pytest.mark.usefixtures("own_desktop")
 def test_the_window_keeps_its_width_whichever_page_is_shown(window, desktop, qtbot):
     width = window.width()
     desktop.set_theme("dark")

@@ -35,8 +35,6 @@ from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoi
 from tests.desktop.test_window_sizes import SMALLEST, fits
 from tests.engine.performance.test_track import recorded
 
-pytestmark = pytest.mark.usefixtures("own_desktop")  # with a voice and an aligner of its own
-
 DURATION = len(AN_A) / 44100
 SAID = Utterance((word("so", 0.2, 0.6, 0.1), word("oh", 0.6, 1.1, 3.0)), DURATION, "en-us")
 CONTROL = Qt.KeyboardModifier.ControlModifier
