@@ -10,8 +10,7 @@ from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, without_real_time_model
 
 EXAMPLES = (
-    "phonemeanalyser ship learned -o mouth",
-    "phonemeanalyser ship learned -o program --embed",
+    "phonemeanalyser ship learned -o mouth --embed",
     "phonemeanalyser ship extended -o sources --table arkit --table vrm",
     "phonemeanalyser ship learned -o page --target web",
 )

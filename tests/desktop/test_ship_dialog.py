@@ -49,7 +49,7 @@ def choose(dialog, name: str) -> None:
 
 def test_a_preset_of_the_list_is_shipped_as_the_command_line_does(dialog, window, qtbot, tmp_path):
     choose(dialog, "Templates")
-    assert "10 files written to" in start(dialog, window, qtbot)
+    assert "12 files written to" in start(dialog, window, qtbot)
     assert main(["ship", "templates", "-o", str(tmp_path / "typed")]) == 0
     assert contents(tmp_path / "window") == contents(tmp_path / "typed")
     assert window.banner.action.text() == "Open Folder"
@@ -81,7 +81,7 @@ def test_what_goes_wrong_is_a_banner_and_changed_files_stay_unless_they_are_give
     again = next(d for d in window.findChildren(ShipDialog) if d.isVisible())
     assert again.folder.text() == str(tmp_path / "window")
     again.overwrite.setChecked(True)
-    assert "10 files written to" in start(again, window, qtbot)
+    assert "12 files written to" in start(again, window, qtbot)
 
 
 def test_without_a_folder_nothing_can_be_shipped(dialog):

@@ -46,6 +46,8 @@ CASES: dict[str, Words] = {
         "seed": ["3"],
         "no-blinks": ["true"],
         "expression": ["smile=0.5", "anger=0.2"],
+        "feeling": ["brows=0.5,smile=1"],
+        "text-feeling": ["0.6"],
         "priority": ["0.7,0.2"],
         "text-driver": ["rules"],
         **SPOKEN,

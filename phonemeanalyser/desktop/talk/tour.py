@@ -131,7 +131,7 @@ class Tour(QFrame):
         self.onward.setFocus()
 
     def _fit(self) -> None:
-        """Lie below what is framed, or above or over it where there is no room."""
+        """Lie below what is framed; without room there, above it or in front of it."""
         if self.isHidden():
             return
         control = self.stops[self.stop].control

@@ -16,7 +16,7 @@ from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
-from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE, TextPanel
+from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeanalyser.desktop.talk.words.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.window import MainWindow
@@ -31,14 +31,23 @@ from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, settle, shown, type_number, wav
 from tests.desktop.stage import AN_A
+from tests.desktop.talk.text_page import (
+    CONTROL,
+    aligned,
+    choose,
+    lane_named,
+    middle_of,
+    panel,
+    place,
+    spoken,
+    write,
+)
 from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
 from tests.desktop.test_window_sizes import SMALLEST, fits
 from tests.engine.performance.test_track import recorded
 
 DURATION = len(AN_A) / 44100
 SAID = Utterance((word("so", 0.2, 0.6, 0.1), word("oh", 0.6, 1.1, 3.0)), DURATION, "en-us")
-CONTROL = Qt.KeyboardModifier.ControlModifier
-SHIFT = Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
@@ -61,43 +70,6 @@ def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, voice: FakeVoice, ali
     window.show_page(2)
     qtbot.waitUntil(lambda: window.talk.text.language.count() == len(LANGUAGES) + 1)
     return window
-
-
-def panel(window: MainWindow) -> TextPanel:
-    return window.talk.text
-
-
-def choose(window: MainWindow, language: str) -> None:
-    box = panel(window).language
-    box.setFocus()
-    box.field.selectAll()
-    QTest.keyClicks(box.field, language)
-    QTest.keyClick(box.field, Qt.Key.Key_Return)
-
-
-def write(window: MainWindow, text: str) -> None:
-    field = panel(window).field
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, text)
-
-
-def aligned(window: MainWindow, qtbot: QtBot) -> None:
-    write(window, "so oh")
-    choose(window, "English")
-    panel(window).field.setFocus()
-    press(window, Qt.Key.Key_Return, CONTROL | SHIFT)
-    qtbot.waitUntil(lambda: spoken(window))
-
-
-def spoken(window: MainWindow) -> bool:
-    """Say whether the time line shows words."""
-    return bool(len(window.talk.lanes.line.lanes[0].starts))
-
-
-def place(window: MainWindow, lane: int, seconds: float) -> QPoint:
-    line = window.talk.lanes.line
-    return QPoint(round(line.x_of(seconds)), round(line.rows()[lane][0].center().y()))
 
 
 def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(window, voice, qtbot):
@@ -389,17 +361,6 @@ def performed(window: MainWindow, desktop: Desktop, table: Path, qtbot: QtBot) -
     desktop.talking.text.drivers.performance.open(table)
     aligned(window, qtbot)
     qtbot.waitUntil(lambda: bool(desktop.talking.text.drivers.performance.units))
-
-
-def lane_named(window: MainWindow, name: str) -> int:
-    return [lane.name for lane in window.talk.lanes.line.lanes].index(name)
-
-
-def middle_of(window: MainWindow, lane: int, span: int) -> QPoint:
-    timeline = window.talk.lanes.line
-    spans = timeline.lanes[lane]
-    x = timeline.x_of(float(spans.starts[span] + spans.ends[span]) / 2)
-    return QPoint(round(x), round(timeline.rows()[lane][0].top()) + 8)
 
 
 @popping_up

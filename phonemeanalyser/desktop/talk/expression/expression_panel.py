@@ -72,6 +72,8 @@ class ExpressionPanel(QWidget):
         )
         self.following = {part: slider_of_percent(tr(words), tip) for part, words in FOLLOWING.items()}
         self._amounts = {part: label(width=PERCENT_WIDTH) for part in FOLLOWING}
+        for percent in self._amounts.values():
+            percent.setToolTip(tip)
         self.priority = slider_of_percent(
             tr("Speech priority"),
             tr(
