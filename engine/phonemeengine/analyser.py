@@ -365,9 +365,7 @@ def push_together(pushes: Sequence[tuple[Analyser, Float32Array]]) -> list[Analy
 
 def concatenate_analyses(analyses: Sequence[Analysis]) -> Analysis:
     """Return consecutive blocks as one; there must be at least one."""
-    blocks = [
-        a for a in analyses if len(a)
-    ] or analyses  # an empty one may lack the scores of visemes
+    blocks = [a for a in analyses if len(a)] or analyses  # an empty one may lack the scores of visemes
     of_visemes = [a.viseme_scores for a in blocks if a.viseme_scores is not None]
     return Analysis(
         analyses[0].start,
