@@ -32,6 +32,7 @@ def test_letters_typed_into_a_list_that_was_closed_search_in_it_and_record_nothi
     window, session = shown(desktop, qtbot), desktop.session
     window.show_page(2)
     box = window.talk.choices.findChild(QComboBox)
+    box.blockSignals(True)  # what is chosen has no meaning here
     box.clear()
     box.addItems(["Choose", "Georgian", "German"])
     box.setFocus()
