@@ -69,7 +69,7 @@ class _Habit:
     def __init__(self) -> None:
         self.now = self.usual = 0.0
 
-    def hear(self, value: float, seconds: float) -> None:
+    def add(self, value: float, seconds: float) -> None:
         """Take the next value, `seconds` of voice after the first."""
         self.now += (value - self.now) * _share(SHORT, seconds)
         self.usual += (value - self.usual) * _share(LONG, seconds)
@@ -125,14 +125,14 @@ class FeelingEstimator:
         seconds = self._voiced
         self._fresh += (1 - self._fresh) * FRAME_PERIOD / 0.2
         for habit, value in ((self._level, level), (self._pitch, pitch), (self._tilt, tilt)):
-            habit.hear(value, seconds)
-        self._swing.hear(abs(pitch - self._pitch.now), seconds)
+            habit.add(value, seconds)
+        self._swing.add(abs(pitch - self._pitch.now), seconds)
         if not seconds:
             self._fast = self._slow = level
         self._fast += (level - self._fast) * FRAME_PERIOD / 0.03
         self._slow += (level - self._slow) * FRAME_PERIOD / 0.25
         rises = self._fast > self._slow + BEAT
-        self._beats.hear(float(rises and not self._risen), seconds)
+        self._beats.add(float(rises and not self._risen), seconds)
         self._risen = rises or (self._risen and self._fast > self._slow)
         self._voiced += FRAME_PERIOD
         self._steps = (

@@ -264,7 +264,7 @@ class Performer:
             if felt is None:
                 return
             for k, row in enumerate(feelings.tolist()):
-                felt.hear(start + k * FRAME_PERIOD, Feeling(*row))
+                felt.add(start + k * FRAME_PERIOD, Feeling(*row))
 
     def expect_speech(self, speech: Iterable[tuple[float, float]]) -> None:
         """Take the intervals of speech to come, start and end of each in order, so that expressions give way."""

@@ -95,7 +95,7 @@ class FeltFace:
             for part, channel, share in entries:
                 shape[columns_of(channel)] += np.float32(share * getattr(amounts, part))
 
-    def hear(self, time: float, feeling: Feeling) -> None:
+    def add(self, time: float, feeling: Feeling) -> None:
         """Take the feeling from a time on, seconds."""
         self._coming.append((time, feeling))
 

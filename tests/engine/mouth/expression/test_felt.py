@@ -15,7 +15,7 @@ SORRY = Feeling(-1.0, 0.0, -1.0, 0.0)
 
 def settled(amounts: FeelingAmounts, feeling: Feeling) -> dict[str, float]:
     face = FeltFace(amounts)
-    face.hear(0.0, feeling)
+    face.add(0.0, feeling)
     return dict(zip(ARKIT, face.weights(10.0).tolist(), strict=True))
 
 
@@ -31,7 +31,7 @@ def test_brows_lids_and_smile_follow_as_far_as_is_asked_for():
 
 def test_a_head_moves_more_and_is_raised_with_activation():
     face = FeltFace(FeelingAmounts.of("head=0.5"))
-    face.hear(0.0, GLAD)
+    face.add(0.0, GLAD)
     assert face.turned(HeadPose(1.0, 0.0, -1.0), 10.0) == pytest.approx((1.4, 2.0, -1.4))
 
 
