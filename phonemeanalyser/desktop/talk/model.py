@@ -363,8 +363,8 @@ class TalkModel(QObject):
     def _connect(self) -> None:
         session = self.session
         session.heard.connect(self._take_blocks)
-        session.opened.connect(self._close_mouth)
-        session.opened.connect(self.text.follow_sound)
+        for follow in (self._close_mouth, self.text.follow_sound, self.expression.forget_voice):
+            session.opened.connect(follow)
         session.sought.connect(self._seek)
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)

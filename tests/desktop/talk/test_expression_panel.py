@@ -15,8 +15,10 @@ from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.theme import LIGHT
+from phonemeengine.analyser import Analyser
 from phonemeengine.mouth.exports.livelink import lines_of
-from tests.desktop.stage import Stage
+from phonemeengine.presets.files import THESIS_PRESET, load_preset
+from tests.desktop.stage import AN_A, Stage
 from tests.engine.performance.faces import ramp
 from tests.fakes.osc_receiver import Receiver
 from tests.sounds import vowel
@@ -228,3 +230,29 @@ def test_the_face_follows_the_voice_as_far_as_its_sliders_say(
     assert stage.talking.expression.exported is not None
     panel.neutral.click()
     assert panel.following["brows"].value() == 0
+
+
+class Collector:
+    """Keeps what a face is told of the feeling in a voice."""
+
+    def __init__(self) -> None:
+        self.spreads: list[float] = []
+
+    def feel(self, feelings: np.ndarray, _end: float) -> None:
+        self.spreads += feelings[:, 1].tolist()
+
+
+def test_the_habits_of_a_voice_are_learned_anew_with_each_sound(stage: Stage, tmp_path: Path) -> None:
+    expression = stage.talking.expression
+    expression.set_feeling("smile", 1.0)
+    said = Analyser(load_preset(THESIS_PRESET)).push(AN_A)
+    spreads = []
+    for _ in range(2):
+        told = Collector()
+        expression.feel([(1.0, said)], [told])
+        spreads.append(told.spreads)
+    stage.open(tmp_path)
+    again = Collector()
+    expression.feel([(1.0, said)], [again])
+    assert spreads[1][-1] < spreads[0][-1]
+    assert again.spreads == spreads[0]

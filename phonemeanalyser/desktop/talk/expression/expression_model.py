@@ -157,6 +157,10 @@ class ExpressionModel(QObject):
                 lambda _progress: read_expression(path), lambda stream: self._take(path, StreamInStep(stream))
             )
 
+    def forget_voice(self) -> None:
+        """Learn the habits of another speaker: another sound is open."""
+        self._voice = FeelingEstimator()
+
     def feel(self, sound: Sequence[tuple[float, Analysis]], performers: Iterable[Performer]) -> None:
         """Tell faces how the voice sounds in the next blocks, each with when it ends, as far as one follows that."""
         if any(self.feeling.values()):
