@@ -31,9 +31,10 @@ GUIDE = [
     (tr_noop("Use new preset"), tr_noop("Return")),
     (tr_noop("End guided calibration"), tr_noop("Esc")),
 ]
-N_COLUMNS = 3
-HIGHEST = 640
-"""Pixels; what does not fit into a small window is scrolled."""
+N_COLUMNS = (3, 2)
+"""Of the list, and of one that would be wider than the screen."""
+HIGHEST, EDGES = 640, 60
+"""Pixels; what does not fit into a small window is scrolled. Those that frame, margins and scroll bar take."""
 
 
 class ShortcutsDialog(QDialog):
@@ -53,7 +54,11 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("Calibrate page"), CALIBRATE))
         blocks.append(_block(tr("Guided calibration"), GUIDE))
         blocks.append(_block(tr("Head, while it has the focus"), HEAD))
-        self.list = QLabel(_side_by_side([block for block in blocks if block]))
+        room = self.screen().availableSize().width() - EDGES
+        for n_columns in N_COLUMNS:
+            self.list = QLabel(_side_by_side([block for block in blocks if block], n_columns))
+            if self.list.sizeHint().width() <= room:
+                break
         scope = label(
             tr(
                 "Menu shortcuts that are single letters, Delete, F2 or use Shift work on the Analyse page only. "
@@ -76,9 +81,9 @@ def _block(title: str, keys: list[tuple[str, str]]) -> list[str]:
     return [f"<tr><td colspan=2><br><b>{title}</b></td></tr>", *rows] if rows else []
 
 
-def _side_by_side(blocks: list[list[str]]) -> str:
+def _side_by_side(blocks: list[list[str]], n_columns: int) -> str:
     """Lay blocks of rows out in columns, the highest of which is as low as it can be."""
-    ways = [(0, *cuts, len(blocks)) for cuts in combinations(range(1, len(blocks)), N_COLUMNS - 1)]
+    ways = [(0, *cuts, len(blocks)) for cuts in combinations(range(1, len(blocks)), n_columns - 1)]
     parts = [[blocks[start:end] for start, end in pairwise(cuts)] for cuts in ways]
     best = min(parts, key=lambda part: max(sum(map(len, column)) + len(column) for column in part))
     columns = [[row for block in part for row in block] for part in best]

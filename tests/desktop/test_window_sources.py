@@ -56,10 +56,12 @@ def test_every_control_has_a_tip_and_a_name_and_is_reached_with_tab(booth: Booth
 
 def test_f1_lists_the_keys_of_microphone_and_recording(booth: Booth):
     press(booth.window, Qt.Key.Key_F1)
-    text = booth.window.findChild(ShortcutsDialog).list.text()
+    dialog = booth.window.findChild(ShortcutsDialog)
+    assert dialog.width() <= dialog.screen().availableSize().width()
+    text = dialog.list.text()
     for name, key in {"Record": "R", "Rescan Audio Devices": "F5", "Measure Latency with Clicks": "Ctrl+M"}.items():
         assert f"<td>{name}&nbsp;&nbsp;&nbsp;</td><td>{key}</td>" in text
-    booth.window.findChild(ShortcutsDialog).close()
+    dialog.close()
 
 
 def test_the_invitation_fits_the_source(booth: Booth):
