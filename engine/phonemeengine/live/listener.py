@@ -127,13 +127,13 @@ class MicrophoneAnalyser:
     def analyse(self, block: Float32Array) -> Analysis:
         """Analyse samples of the microphone, shape (n, n_channels)."""
         began = time.monotonic()
-        self._n_heard += len(block)
         if block.shape[1] > 1:
             self._products = FADING ** len(block) * self._products + block.T @ block
         analysis = self.analyser.push(block)
         self._look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD  # asked here: it may be made now
         spent = time.monotonic() - began
         self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent
+        self._n_heard += len(block)  # last, so that who waits for some seconds of sound finds the latency known
         return analysis
 
     def time_of(self, frame: int) -> float:

@@ -1,5 +1,6 @@
 """A folder of many takes: opening it shows how far it is, and can be cancelled."""
 
+from pathlib import Path
 from threading import Event
 
 import numpy as np
@@ -8,6 +9,16 @@ from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeengine.calibration.takes.project import TakeProject
 from phonemeengine.phonemes import Phoneme
 from tests.desktop.calibrate.calibrating import Calibrator, said
+
+
+class SlowFolder(type(Path())):
+    """A folder on a disk that answers when a test says so."""
+
+    answers = Event()
+
+    def mkdir(self, *words, **options):
+        self.answers.wait(10)
+        super().mkdir(*words, **options)
 
 
 def filled(folder, n):
@@ -46,9 +57,10 @@ def test_opening_is_cancelled_and_whatever_else_was_asked_is_done(qtbot, tmp_pat
 def test_the_panel_shows_how_far_it_is_beside_a_button_that_cancels(open_booth, mic, tmp_path):
     calibrator = Calibrator(open_booth(mic), mic)
     panel, takes, many = calibrator.page.takes, calibrator.model.takes, filled(tmp_path / "many", 1)
-    takes.open(many)
+    takes.open(SlowFolder(many))
     assert panel.project.text().endswith("0 %")
     assert panel.stop.isVisible()
+    SlowFolder.answers.set()
     calibrator.settle()
     assert panel.project.text().endswith("many")
     assert not panel.stop.isVisible()
