@@ -5,6 +5,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.session.feeling_track import FeelingTrack
 from phonemeanalyser.desktop.session.formant_track import FormantTrack
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.sonagram_tiles import SonagramTiles
@@ -31,7 +32,7 @@ class SeenSound(QObject):
     view : what is seen and selected.
     whole : what is recognised in it.
     second : what the one of A and B that is not in use recognises.
-    sonagram, formants, waveform : what is drawn of it.
+    sonagram, formants, waveform, feelings : what is drawn of it.
     sonagram_is_filtered : whether the sonagram is drawn as it is after the filters that are on.
     """
 
@@ -45,8 +46,9 @@ class SeenSound(QObject):
         self.view, self.whole = TimeView(), WholeFile()
         self.sonagram, self.formants, self.waveform = SonagramTiles(), FormantTrack(), WaveformTrack()
         self.second = SecondPreset(preset, self.whole)
+        self.feelings = FeelingTrack()
         self._preset = preset
-        self._tracks = self.sonagram, self.formants, self.waveform
+        self._tracks = self.sonagram, self.formants, self.waveform, self.feelings
         for model in (self.whole, self.second.whole, *self._tracks):
             model.error.connect(self.error)
         self.view.moved.connect(self._look)

@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.curves import CurveTable
+from phonemeanalyser.desktop.session.feeling_track import LiveFeelings
 from phonemeanalyser.desktop.session.label_tiers import LabelTiers
 from phonemeanalyser.desktop.session.live_sonagram import LiveSonagram
 from phonemeanalyser.desktop.session.microphone import Microphone
@@ -48,9 +49,9 @@ class Session(QObject):
     playback : how sound is played.
     microphone : listens and records.
     results : what was recognised in what was played; `history` and `averages` are of it.
-    seen : the sound that is seen on its own time; `view`, `whole`, `second`, `sonagram`, `formants` and `waveform`
-        are of it.
-    live : sonagram and formants of what was played lately.
+    seen : the sound that is seen on its own time; `view`, `whole`, `second`, `sonagram`, `formants`, `waveform` and
+        `feelings` are of it.
+    live, live_feelings : sonagram and formants of what was played lately, and how the voice sounds in it.
     curves : averaged spectra of any sounds, side by side.
     labels : of the current file.
     score : how right what is recognised is beside labels.
@@ -85,6 +86,7 @@ class Session(QObject):
         self.history, self.averages = self.results.history, self.results.averages
         self.view, self.whole, self.second = self.seen.view, self.seen.whole, self.seen.second
         self.sonagram, self.formants, self.waveform = self.seen.sonagram, self.seen.formants, self.seen.waveform
+        self.feelings = self.seen.feelings
         self.source = Source(preset.in_force)
         self.file: SoundReader | None = None
         self.wanted_channel = Channel.MIX
@@ -98,8 +100,10 @@ class Session(QObject):
             part.error.connect(self.error)
         self.seen.error.connect(self._tell_once)
         self.live = LiveSonagram(self.history, self.sonagram)
-        self.results.cleared.connect(self.live.forget)
-        self.results.rewritten.connect(self.live.forget)
+        self.live_feelings = LiveFeelings(self.history)
+        for live in (self.live, self.live_feelings):
+            self.results.cleared.connect(live.forget)
+            self.results.rewritten.connect(live.forget)
         self.results.cleared.connect(self.cleared)
         self.results.rewritten.connect(self.rewritten)
 

@@ -854,6 +854,11 @@
             <translation>Genauigkeitsbericht nach den Beschriftungen neben der Datei</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
+            <source>Activation</source>
+            <translation>Aktivierung</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/waveform_view.py" />
             <source>Adapt the display gain to the loudness; moving the slider switches this off</source>
             <translation>Anzeigeverstärkung an die Lautstärke anpassen; Bewegen des Reglers schaltet das ab</translation>
@@ -2335,8 +2340,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
-            <source>Curves drawn over the sonagram, and lanes below it: formants, pitch, level, words</source>
-            <translation>Kurven über dem Sonagramm und Spuren darunter: Formanten, Grundfrequenz, Pegel, Wörter</translation>
+            <source>Curves drawn over the sonagram, and lanes below it: formants, pitch, level, feeling, words</source>
+            <translation>Kurven über dem Sonagramm und Spuren darunter: Formanten, Tonhöhe, Pegel, Gefühl, Wörter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -3140,6 +3145,11 @@
             <translation>Furcht</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
+            <source>Feeling in the voice (lane below: activation, pleasantness, standard errors)</source>
+            <translation>Gefühl in der Stimme (Spur darunter: Aktivierung, Angenehmheit, Standardfehler)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>female</source>
             <translation>weiblich</translation>
@@ -3903,6 +3913,11 @@
             <location filename="../../../phonemeanalyser/desktop/widgets/figures.py" />
             <source>How often the recognised phoneme changes; more often than the labels do is flicker</source>
             <translation>Wie oft das erkannte Phonem wechselt; häufiger als die Beschriftung ist Flackern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
+            <source>How the voice sounds beside this speaker's own usual way, −1 to 1: activation (level, pitch, range, rate, tilt of the spectrum) and, far less certain, pleasantness. The band is the standard error; where it fills the lane, nothing is known: before the first voiced second, in pauses, in a whisper. It names no emotion and doesn't know what anyone feels: anger and joy both raise activation.</source>
+            <translation>Wie die Stimme neben der gewohnten Weise dieses Sprechers klingt, −1 bis 1: Aktivierung (Pegel, Tonhöhe, Umfang, Tempo, Neigung des Spektrums) und, weit weniger sicher, Angenehmheit. Das Band ist der Standardfehler; wo es die Spur füllt, ist nichts bekannt: vor der ersten stimmhaften Sekunde, in Pausen, beim Flüstern. Sie benennt kein Gefühl und weiß nicht, was jemand fühlt: Ärger und Freude erhöhen beide die Aktivierung.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
@@ -6808,6 +6823,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Playback volume {volume:.0f} dB</source>
             <translation>Wiedergabelautstärke {volume:.0f} dB</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
+            <source>Pleasantness</source>
+            <translation>Angenehmheit</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />

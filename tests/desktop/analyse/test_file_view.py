@@ -159,7 +159,7 @@ def test_home_and_end_go_to_the_ends(desktop, panel):
     assert desktop.session.view.seen.start == 0
 
 
-@pytest.mark.parametrize("name", ["formants", "pitch", "level"])
+@pytest.mark.parametrize("name", ["formants", "pitch", "level", "feeling"])
 def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(desktop, panel, qtbot, name):
     view, sonagram = panel.view, panel.view._layout.rows()[0]
     loud = int(desktop.session.whole.tracks.intensities.argmax())
@@ -171,7 +171,7 @@ def test_what_is_drawn_over_the_sonagram_is_seen_read_out_and_switched_off(deskt
     before, words = view.grab(sonagram.toRect()).toImage(), view.reading()
     assert "Hz" in words
     desktop.window.analysis.sonagram.overlays[name].trigger()
-    told = {"formants": "F1 ", "pitch": "f0 ", "level": "level "}[name]
+    told = {"formants": "F1 ", "pitch": "f0 ", "level": "level ", "feeling": "Activation "}[name]
     qtbot.waitUntil(lambda: told in view.reading())
     assert told not in words
     assert view.grab(sonagram.toRect()).toImage() != before

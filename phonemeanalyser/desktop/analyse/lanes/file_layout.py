@@ -7,6 +7,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import FEELING_HEIGHT
 from phonemeanalyser.desktop.analyse.lanes.sonagram import side_width
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.session import Session
@@ -70,6 +71,7 @@ class FileLayout:
         """Return where sonagram, lane, waveform and courses lie, from above."""
         lanes = (len(self.tiers_shown()) + len(self.spoken_shown())) * (LABEL_HEIGHT + 1)
         lanes += LANE_HEIGHT + 1 if self._session.second.is_there else 0
+        lanes += FEELING_HEIGHT + 1 if self.shows_feeling else 0
         room = max(0, self._widget.height() - LANE_HEIGHT - lanes - TIME_HEIGHT - 3 * GAP)
         share = min(COURSE_SHARE + (self.n_courses - 1) * FURTHER_SHARE, MOST_COURSE_SHARE)
         wave, course = WAVE_SHARE * room, share * room
@@ -79,6 +81,17 @@ class FileLayout:
             rows.append(QRectF(LEFT, top, self.width, height))
             top += height + GAP + (lanes if k == LANE else 0)
         return rows[0], rows[1], rows[2], rows[3]
+
+    @property
+    def shows_feeling(self) -> bool:
+        """Whether the feeling in the voice has a lane."""
+        return "feeling" in self._session.sonagram.overlays
+
+    def feeling_row(self) -> QRectF | None:
+        """Return where the feeling in the voice lies, under all other lanes; None where it is not shown."""
+        wave = self.rows()[2]
+        place = QRectF(LEFT, wave.top() - GAP - FEELING_HEIGHT, self.width, FEELING_HEIGHT)
+        return place if self.shows_feeling else None
 
     def second_row(self) -> QRectF | None:
         """Return where the lane of preset B lies; None without one."""

@@ -6,6 +6,7 @@ from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import paint_feeling_scale, paint_feelings
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.sonagram import Overlaid, SonagramPainter
 from phonemeanalyser.desktop.language import tr
@@ -92,6 +93,10 @@ class FilePainter:
         for row, lane in (*self._layout.label_lanes(), *self._layout.spoken_rows()):
             paint_name(painter, row, lane.name, self._theme)
             paint_lane(painter, row, lane, self._layout.axis, self._theme)
+        if (feeling := self._layout.feeling_row()) is not None:
+            known = self._session.feelings.feelings_in(self._view.seen)
+            paint_feelings(painter, feeling, self._layout.axis, known, self._theme)
+            paint_feeling_scale(painter, feeling, self._theme)
 
     def _paint_sonagram(self, painter: QPainter, row: QRectF) -> None:
         tiles = self._session.sonagram.tiles_for(self._view.seen, self._layout.width)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from phonemeanalyser.desktop.analyse.lanes.course_lanes import CourseLanes, HeldLine
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import feeling_tip, feeling_words
 from phonemeanalyser.desktop.analyse.lanes.file_layout import LANE, LEFT, FileLayout
 from phonemeanalyser.desktop.analyse.lanes.file_painter import FilePainter
 from phonemeanalyser.desktop.engine_words import sound_name
@@ -90,6 +91,7 @@ class FileView(QWidget):
             session.second,
             session.sonagram,
             session.formants,
+            session.feelings,
             session.waveform,
             session.labels,
         )
@@ -160,6 +162,8 @@ class FileView(QWidget):
         if known is not None and 0 <= frame - known.first < len(known.frequencies):
             found = known.frequencies[frame - known.first, :3].tolist()
             parts += [f"F{k} {value:.0f}" for k, value in enumerate(found, 1) if not math.isnan(value)]
+        if "feeling" in shows and (felt := self._session.feelings.feelings_in(self._view.seen).at(frame)) is not None:
+            parts += feeling_words(felt)
         return parts
 
     # -- the user's hand ----------------------------------------------------------------------------------
@@ -298,7 +302,10 @@ class FileView(QWidget):
         return super().event(event)
 
     def _tip_at(self, event: QHelpEvent) -> str:
-        """Return why a label is hatched; empty where none is."""
+        """Return why a label is hatched, or what the feeling in the voice is; empty where neither lies there."""
+        feeling = self._layout.feeling_row()
+        if feeling is not None and feeling.contains(QPointF(event.pos())):
+            return feeling_tip()
         time = self._layout.time_at(event.pos().x())
         for row, lane in self._layout.label_lanes():
             if row.contains(QPointF(event.pos())) and lane.tips and (k := lane.span_at(time)) is not None:

@@ -11,11 +11,18 @@ from PySide6.QtCore import QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 from PySide6.QtWidgets import QGridLayout, QWidget
 
+from phonemeanalyser.desktop.analyse.lanes.feeling_lane import (
+    FEELING_HEIGHT,
+    feeling_tip,
+    feeling_words,
+    paint_feelings,
+)
 from phonemeanalyser.desktop.analyse.lanes.sonagram import SIDE, Overlaid, SonagramPainter, side_width
 from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
+from phonemeanalyser.desktop.session.feeling_track import LiveFeelings
 from phonemeanalyser.desktop.session.history import CAPACITY, NOWHERE, History
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.sonagram_tiles import Tile
@@ -111,6 +118,25 @@ class PhonemeLane(pg.GraphicsObject):
         paint_lane(painter, row, lane, axis, self._theme)
 
 
+class FeelingItem(pg.GraphicsObject):
+    """The feeling in the voice, as far as the sonagram is drawn."""
+
+    def __init__(self, feelings: LiveFeelings, sonagram: SonagramItem, theme: Theme) -> None:
+        super().__init__()
+        self._feelings, self._sonagram, self._theme = feelings, sonagram, theme
+        self.setToolTip(feeling_tip())
+
+    def boundingRect(self) -> QRectF:
+        """One minute by one."""
+        return QRectF(-SPAN, 0, SPAN, 1)
+
+    def paint(self, painter: QPainter, _option: Any, _widget: Any = None) -> None:
+        """Paint what is known of what is in view."""
+        row, axis = row_of(self, painter, self._sonagram.n_drawn)
+        painter.resetTransform()
+        paint_feelings(painter, row, axis, self._feelings.feelings_in(TimeSpan(axis.start, axis.end)), self._theme)
+
+
 def row_of(item: pg.GraphicsObject, painter: QPainter, n_drawn: int) -> tuple[QRectF, TimeAxis]:
     """Return where an item is painted, pixels, and where times since Clear lie there; `n_drawn` columns end at 0."""
     view = item.viewRect()
@@ -151,7 +177,7 @@ SECONDS_SHOWN = 6.0
 
 
 class ScrollView(QWidget):
-    """Three plots over the same seconds before now; 0 is what is playing.
+    """Plots over the same seconds before now, the feeling in the voice if it is wanted; 0 is what is playing.
 
     Attributes
     ----------
@@ -167,6 +193,7 @@ class ScrollView(QWidget):
         self._graphics.setAccessibleName(tr("Live signal over time"))
         self.sonagram = SonagramItem(session, theme)
         self._lane = PhonemeLane(self._history, self.sonagram, theme)
+        self._feeling = FeelingItem(session.live_feelings, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: dict[str, pg.InfiniteLine] = {}
         self._course_range = (0.0, 0.0)
@@ -191,6 +218,7 @@ class ScrollView(QWidget):
         """Draw what is new."""
         self.sonagram.refresh()
         self._lane.update()
+        self._feeling.update()
         self._draw_course()
         self._refresh_read_out()
         self._hint.setVisible(self._history.n == 0)
@@ -201,6 +229,10 @@ class ScrollView(QWidget):
 
     def _show_look(self) -> None:
         """Draw all anew, as is chosen now."""
+        height = FEELING_HEIGHT if "feeling" in self._session.sonagram.overlays else 0
+        self._plots[-1].setVisible(height > 0)
+        self._plots[-1].setFixedHeight(height)
+        self._rows.setRowMinimumHeight(1, LANE_HEIGHT + height + COURSE_HEIGHT)
         self.sonagram.update()
         self._plots[0].getAxis("left").update()
         self._colour_bar.setFixedWidth(side_width(self._session.sonagram))
@@ -210,13 +242,15 @@ class ScrollView(QWidget):
         layout = self._graphics.ci
         layout.setContentsMargins(0, 0, 6, 0)
         layout.setSpacing(0)
-        axes = [live_axes() for _ in range(3)]
+        places = (0, 1, 3, 2)  # the feeling lies above the course
+        axes = [live_axes() for _ in places]
         axes[0]["left"] = MarksAxis(self.sonagram.painter, self._theme)
         self._plots = [
-            layout.addPlot(row=row, col=0, enableMenu=False, axisItems=axes[row]) for row in range(len(axes))
+            layout.addPlot(row=row, col=0, enableMenu=False, axisItems=of)
+            for row, of in zip(places, axes, strict=True)
         ]
-        labels = ("", "", tr("Variable"))
-        for plot, item, name in zip(self._plots, (self.sonagram, self._lane, self._course), labels, strict=True):
+        items = (self.sonagram, self._lane, self._course, self._feeling)
+        for plot, item, name in zip(self._plots, items, ("", "", tr("Variable"), ""), strict=True):
             plot.addItem(item)
             plot.hideButtons()
             plot.getAxis("left").setWidth(AXIS_WIDTH)
@@ -229,25 +263,25 @@ class ScrollView(QWidget):
         self._fix_ranges()
 
     def _fix_ranges(self) -> None:
-        sonagram, lane, course = self._plots
-        for plot in (sonagram, lane):
+        sonagram, lane, course, feeling = self._plots
+        for plot in (sonagram, lane, feeling):
             plot.setYRange(0, 1, padding=0)
         lane.setFixedHeight(LANE_HEIGHT)
-        lane.getAxis("left").setStyle(showValues=False, tickLength=0)
+        for plot in (lane, feeling):
+            plot.getAxis("left").setStyle(showValues=False, tickLength=0)
         course.setFixedHeight(COURSE_HEIGHT)
         course.setLabel("bottom", tr("Time before now (s)"))
-        for plot in (sonagram, lane):
+        for plot in (sonagram, lane, feeling):
             plot.hideAxis("bottom")
-        for plot in (lane, course):
+        for plot in (lane, course, feeling):
             plot.setXLink(sonagram)
         sonagram.setXRange(-SECONDS_SHOWN, 0, padding=0)
 
     def _lay_out(self, choices: SonagramChoices) -> None:
-        plots = QGridLayout()
+        plots = self._rows = QGridLayout()
         plots.setSpacing(0)
         plots.addWidget(self._graphics, 0, 0, 2, 1)
         plots.addWidget(self._colour_bar, 0, 1)
-        plots.setRowMinimumHeight(1, LANE_HEIGHT + COURSE_HEIGHT)
         plots.setRowStretch(0, 1)
         header = Wrapping(
             row(label(tr("<b>Sonagram and phonemes</b>")), 1, self.back, spacing=8),
@@ -258,6 +292,7 @@ class ScrollView(QWidget):
 
     def _connect(self) -> None:
         self._session.sonagram.changed.connect(self._show_look)
+        self._show_look()
         self.courses.changed.connect(self._show_courses)
         self._plots[0].vb.sigXRangeChanged.connect(lambda *_range: self._draw_course())  # who pans back sees it too
         scene = self._graphics.scene()
@@ -353,6 +388,10 @@ class ScrollView(QWidget):
             return "   ".join(
                 [text, *self.sonagram.painter.reading(self.sonagram.tiles(axis), now + point.x(), point.y())]
             )
+        if plot is self._plots[-1]:
+            felt = self._session.live_feelings.feelings_in(TimeSpan(column * FRAME_PERIOD, self.sonagram.n_drawn))
+            known = felt.at(column)
+            return text if known is None else "   ".join([text, *feeling_words(known)])
         name = self.courses.chosen
         values = self._history.features(at)
         return f"{text}   {name} {values[name][0]:.4g}" if name in values.names else text

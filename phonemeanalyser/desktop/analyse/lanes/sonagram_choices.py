@@ -18,6 +18,7 @@ OVERLAYS = {
     "formants": tr_noop("Formants (red dots, Burg's method, as in Praat)"),
     "pitch": tr_noop("Pitch (blue line, 0 to 500 Hz from bottom to top)"),
     "level": tr_noop("Level (yellow line, peaks from −80 to 0 dB)"),
+    "feeling": tr_noop("Feeling in the voice (lane below: activation, pleasantness, standard errors)"),
     "words": tr_noop("Words, if known (lanes below: words, syllables or letters, phones, units)"),
 }
 """What may be drawn over the sonagram or below it, by the names of `SonagramTiles`, and how the menu says so."""
@@ -84,7 +85,8 @@ class SonagramChoices(QObject):
         filtered = QToolButton()
         filtered.setDefaultAction(self.filtered)
         over = tool_button(
-            tr("Overlays"), tr("Curves drawn over the sonagram, and lanes below it: formants, pitch, level, words")
+            tr("Overlays"),
+            tr("Curves drawn over the sonagram, and lanes below it: formants, pitch, level, feeling, words"),
         )
         looks = tool_button(tr("Sonagram"), tr("Frequencies, window, levels and colour map of the sonagram"))
         open_at_once(over, self._over)
