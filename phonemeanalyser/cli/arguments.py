@@ -9,11 +9,9 @@ from dataclasses import fields
 from pathlib import Path
 from typing import Any, NoReturn
 
-from phonemeanalyser.rendering import Framing
-from phonemeanalyser.rendering.clip_options import LARGEST_CLIP, SMALLEST_CLIP, USUAL_CLIP_SIZE
 from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
-from phonemeengine.conversion.options import OPTIONS, ConversionOptions, Number
+from phonemeengine.conversion.options import OPTIONS, PICTURED, ConversionOptions, Number
 from phonemeengine.errors import OptionError, meant_by, remedy
 from phonemeengine.mouth.exports.formats import formats_for
 from phonemeengine.settings import OLD_MODEL_KINDS
@@ -204,20 +202,7 @@ def add_clip(parser: argparse.ArgumentParser) -> None:
     """Let the user say what clip is made."""
     out = "video (.mp4), .gif, or a folder for .png"
     parser.add_argument("-o", "--out", type=Path, required=True, metavar="OUT", help=out)
-    add_options(parser, "fps")
-    size = size_in((SMALLEST_CLIP, SMALLEST_CLIP), (LARGEST_CLIP, LARGEST_CLIP))
-    parser.add_argument(
-        "--size", type=size, default=USUAL_CLIP_SIZE, metavar="WxH", help="size in pixels (default: 640x640)"
-    )
-    views = [str(view) for view in Framing]
-    parser.add_argument("--view", choices=views, default="face", help="how much is in the picture (default: face)")
-    parser.add_argument("--transparent", action="store_true", help="nothing behind the heads: .png and .gif")
-    add_theme(parser)
-
-
-def add_theme(parser: argparse.ArgumentParser) -> None:
-    """Let the user choose the colours of a picture."""
-    parser.add_argument("--theme", choices=["light", "dark"], default="light", help="colours (default: light)")
+    add_options(parser, "fps", *PICTURED)
 
 
 def add_examples(kinds: Any, examples: Mapping[str, tuple[str, ...]]) -> None:
@@ -284,19 +269,3 @@ def number_in(low: float, high: float, unit: str) -> Callable[[str], float]:
 def whole_in(low: int, high: float = math.inf, unit: str = "") -> Callable[[str], int]:
     """Return what reads a whole number within limits."""
     return reading(Number(low, high, unit, whole=True))
-
-
-def size_in(least: tuple[int, int], most: tuple[int, int]) -> Callable[[str], tuple[int, int]]:
-    """Return what reads width and height of a picture, within limits, pixels."""
-
-    def read(text: str) -> tuple[int, int]:
-        try:
-            width, height = (int(part) for part in text.lower().split("x"))
-        except ValueError:
-            raise argparse.ArgumentTypeError(f"must be like {least[0]}x{least[1]}, got {text!r}") from None
-        if not (least[0] <= width <= most[0] and least[1] <= height <= most[1]):
-            limits = "..".join(f"{w}x{h}" for w, h in (least, most))
-            raise argparse.ArgumentTypeError(f"must lie in {limits}, got {text!r}")
-        return width, height
-
-    return read

@@ -7,9 +7,9 @@ import argparse
 from pathlib import Path
 
 from phonemeanalyser.cli.arguments import DRIVEN, HEARD, MOVED, SAID, add_batch, add_clip, add_options, given
-from phonemeanalyser.cli.clips import clip_options
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_batch, jobs_of, say_note, share_paths
 from phonemeanalyser.rendering.clip import ClipWork, check_clip
+from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeengine.batch.pool import n_cores
 from phonemeengine.batch.work import Job
 from phonemeengine.storage.replacing import STANDARD_OUTPUT
@@ -40,12 +40,12 @@ def run(options: argparse.Namespace) -> int:
     if options.kind is not None and not is_batch(options.inputs) and not printed:
         options.parser.error("--format goes with several files; for one, end the name of OUT with the format")
     kind = options.kind or CLIPS[0]
-    look = clip_options(options)
-    check_clip(Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out, look)
     asked = given(options)
+    out = Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out
+    check_clip(out, ClipOptions.of(asked))
     preset = file_preset(asked.preset, asked.model)
     jobs = jobs_of(options.inputs, options.out, f".{kind}") if is_batch(options.inputs) else _single(options)
-    work = ClipWork.of(asked, preset, look, f".{kind}", [job.source for job in jobs], say_note)
+    work = ClipWork.of(asked, preset, f".{kind}", [job.source for job in jobs], say_note)
     return finish_jobs(jobs, work, options, n_cores() if is_batch(options.inputs) else 1)
 
 

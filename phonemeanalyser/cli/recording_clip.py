@@ -1,12 +1,17 @@
 """``phonemeanalyser performance show``: a recording as a clip: the face as it was tracked, with its sound."""
 
 import argparse
-from contextlib import ExitStack
+import sys
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from phonemeanalyser.cli.clips import clip_options, frames_bar
+from tqdm import tqdm
+
+from phonemeanalyser.cli.arguments import given
 from phonemeanalyser.cli.jobs import say_note
 from phonemeanalyser.rendering.clip import check_clip, sound_track, write_clip
+from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeanalyser.rendering.video import SoundTrack
 from phonemeengine import (
@@ -23,6 +28,7 @@ from phonemeengine import (
     original_sound,
 )
 from phonemeengine.conversion.spoken_texts import open_sound
+from phonemeengine.execution import Progress
 from phonemeengine.mouth.animation import animation_by
 from phonemeengine.performance.recording import Performance
 from phonemeengine.storage.files import printable
@@ -40,7 +46,7 @@ def write_recording_clip(options: argparse.Namespace) -> None:
     EngineError : the table has no such recording, or the clip cannot be made.
     """
     printed = options.out == STANDARD_OUTPUT
-    look = clip_options(options)
+    look = ClipOptions.of(given(options))
     check_clip(Path("clip.mp4") if printed else options.out, look)
     with PerformanceTable.open(options.table) as table, ExitStack() as stack:
         performance = table.recording_called(options.recording)
@@ -49,7 +55,7 @@ def write_recording_clip(options: argparse.Namespace) -> None:
         caption = f"{performance.name}, as recorded: {table.about.title}"
         sound = _sound_of(table, start, end, options, stack)
         head = subdivided(load_head())
-        with frames_bar(len(animation.weights)) as progress:
+        with _frames_bar(len(animation.weights)) as progress:
             guard = Guard(overwrite=options.overwrite)
             with output_path(options.out, ".mp4") as path:
                 write_clip(path, head, [animation], look, [caption], sound, progress, guard)
@@ -85,3 +91,15 @@ def _sound_of(
         say_note(table.about.name, f"the sound of {printable(options.recording)} is not where it was; there is none")
         return None
     return sound_track(stack.enter_context(open_sound(path, Channel.MIX, say_note)), start, end)
+
+
+@contextmanager
+def _frames_bar(n_frames: int) -> Iterator[Progress]:
+    """Show a bar at terminals."""
+    with tqdm(total=n_frames, unit="frame", disable=None, leave=False, file=sys.stderr) as bar:
+
+        def show(share: float) -> bool:
+            bar.update(round(share * n_frames) - bar.n)
+            return True
+
+        yield show

@@ -6,8 +6,9 @@ import os
 from pathlib import Path
 
 import phonemeanalyser
-from phonemeanalyser.cli.arguments import add_options, add_theme, file_place, number_in, size_in
+from phonemeanalyser.cli.arguments import add_options, file_place, number_in, reading
 from phonemeanalyser.cli.display import load_desktop
+from phonemeengine.conversion.options import PictureSize
 
 EXAMPLES = (
     "phonemeanalyser screenshot speech.wav -o window.png",
@@ -24,16 +25,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--at", type=seconds, metavar="S", help="position, seconds (default: the end)")
     parser.add_argument(
         "--size",
-        type=size_in((640, 480), (7680, 4320)),
+        type=reading(PictureSize((640, 480), (7680, 4320))),
         default=(1280, 800),
         metavar="WxH",
         help="(default: 1280x800)",
     )
-    add_theme(parser)
     parser.add_argument(
         "--language", choices=["en", *translated()], default="en", help="language of the window (default: en)"
     )
-    add_options(parser, "preset", "channel", preset=None)
+    add_options(parser, "theme", "preset", "channel", preset=None)
 
 
 def translated() -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from tqdm import tqdm
 
-from phonemeanalyser.cli.arguments import add_map, add_options, add_theme
+from phonemeanalyser.cli.arguments import add_map, add_options
 from phonemeanalyser.reports.spectra_plot import plot_of
 from phonemeengine import AudioError, load_preset
 from phonemeengine.errors import remedy
@@ -58,7 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--curves", type=Path, metavar="FOLDER", help="write each curve as a file for the window")
     add_map(parser)
     add_options(parser, "preset", "channel", "overwrite")
-    add_theme(parser)
+    add_options(parser, "theme")
 
 
 def run(options: argparse.Namespace) -> int:

@@ -23,17 +23,16 @@ from phonemeanalyser.desktop.widgets.builders import choice, named
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeanalyser.desktop.widgets.preset_picker import PresetChoice, Sections
-from phonemeanalyser.rendering import Framing
-from phonemeanalyser.rendering.clip_options import LARGEST_CLIP, SMALLEST_CLIP, USUAL_CLIP, ClipOptions
+from phonemeanalyser.rendering.clip_options import USUAL_CLIP, ClipOptions
 from phonemeengine.conversion.driving import USUAL_DRIVER, DriverChoice
-from phonemeengine.conversion.options import OPTIONS
+from phonemeengine.conversion.options import CLIP_EDGES, OPTIONS
 from phonemeengine.conversion.spoken_texts import NO_TEXTS, SpokenTexts
 from phonemeengine.conversion.work import Conversion
 from phonemeengine.mouth.cues import MINIMUM
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.face_driver import FaceDriver
-from phonemeengine.mouth.head import USUAL_HEAD
+from phonemeengine.mouth.head import USUAL_HEAD, Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.presets.files import load_preset
@@ -228,7 +227,7 @@ class ExportChoices(QFormLayout):
         self.view = choice((tr(words), view) for view, words in VIEWS.items())
         self.view.setCurrentIndex(self.view.findData(USUAL_CLIP.framing))
         grounds = ((tr(words), name) for name, (_, words) in GROUNDS.items())
-        self.ground = choice([*grounds, (tr("Transparent (GIF)"), None)])
+        self.ground = choice([*grounds, (tr("Transparent (GIF, PNG)"), None)])
         self.blinks, self.head = QCheckBox(tr("Blinks")), QCheckBox(tr("Head motion"))
         self.keys = QCheckBox(tr("Edited keys"))
         self.keys.setChecked(True)
@@ -309,7 +308,7 @@ def _name_of_table(table: str) -> str:
 def _edge(pixels: int) -> QSpinBox:
     """Make the field of an edge of a picture."""
     field = QSpinBox()
-    field.setRange(SMALLEST_CLIP, LARGEST_CLIP)
+    field.setRange(*CLIP_EDGES)
     field.setSuffix(" px")
     field.setValue(pixels)
     return field

@@ -6,8 +6,8 @@ from functools import cached_property
 
 import numpy as np
 
-from phonemeanalyser.rendering import Framing
 from phonemeengine.arrays import Float32Array, Float64Array
+from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import Mesh
 

@@ -362,7 +362,6 @@ class ClipWork:
         cls,
         options: ConversionOptions,
         preset: Preset,
-        look: ClipOptions,
         ending: str = "",
         sounds: Sequence[Path] = (),
         say: Say = say_nothing,
@@ -385,7 +384,7 @@ class ClipWork:
         faces = FaceFiles(options.mesh, options.movestates)
         face_of(faces)
         texts, driver = SpokenTexts.of(options, sounds, say), DriverChoice.of(options)
-        by_rules = replace(written, mesh=None, rate=None)
+        by_rules, look = replace(written, mesh=None, rate=None), ClipOptions.of(options)
         keys = edited_keys(options.keys, sounds)
         return cls(by_rules, preset, options.channel, texts, driver, faces, look, ending, keys, options.overwrite)
 

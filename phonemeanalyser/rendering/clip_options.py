@@ -2,15 +2,12 @@
 
 from dataclasses import dataclass
 
-from phonemeanalyser.colours import LIGHT, Theme
-from phonemeanalyser.rendering import Framing
+from phonemeanalyser.colours import DARK, LIGHT, Theme
+from phonemeengine.conversion.options import OPTIONS, ConversionOptions
+from phonemeengine.mouth.head import Framing
 
 USUAL_CLIP_RATE = 30.0
 """Frames per second."""
-USUAL_CLIP_SIZE = 640, 640
-"""Pixels."""
-SMALLEST_CLIP, LARGEST_CLIP = 16, 4096
-"""Pixels along an edge."""
 
 
 @dataclass(frozen=True)
@@ -26,11 +23,18 @@ class ClipOptions:
     transparent : whether nothing is behind the heads: in pictures and .gif files alone.
     """
 
-    size: tuple[int, int] = USUAL_CLIP_SIZE
+    size: tuple[int, int] = OPTIONS["size"].default
     rate: float = USUAL_CLIP_RATE
     theme: Theme = LIGHT
-    framing: Framing = Framing.FACE
+    framing: Framing = OPTIONS["view"].default
     transparent: bool = False
+
+    @classmethod
+    def of(cls, asked: ConversionOptions) -> "ClipOptions":
+        """Return the look that options ask for."""
+        rate = USUAL_CLIP_RATE if asked.fps is None else asked.fps
+        theme = DARK if asked.theme == DARK.name else LIGHT
+        return cls(asked.size, rate, theme, asked.view, asked.transparent)
 
 
 USUAL_CLIP = ClipOptions()

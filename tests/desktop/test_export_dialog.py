@@ -331,7 +331,7 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     assert dialog.choices.isRowVisible(dialog.choices.width)
     dialog.choices.width.setValue(120)
     dialog.choices.height.setValue(90)
-    for box, words in ((dialog.choices.view, "Mouth"), (dialog.choices.ground, "Transparent (GIF)")):
+    for box, words in ((dialog.choices.view, "Mouth"), (dialog.choices.ground, "Transparent (GIF, PNG)")):
         box.setCurrentText(words)
     dialog.choices.rate.setValue(1)
     dialog.choices.head.setChecked(False)
@@ -351,6 +351,10 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     dialog.question.reject()
     assert not dialog.queue.busy
     assert (folder / "one.gif").read_bytes() == before
+    choose(dialog, "clip-png")
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.start, LEFT)
+    assert (folder / "one-pictures" / "000000.png").is_file()
     choose(dialog, "clip-mp4")
     QTest.mouseClick(dialog.start, LEFT)
     assert dialog.told.text().startswith("an .mp4 has no transparent ground")

@@ -63,7 +63,7 @@ NO_TIERS = 'File type = "ooTextFile"\nObject class = "TextGrid"\n\n0\n1\n<exists
 """A TextGrid without tiers."""
 GERMAN = read_translations(TRANSLATIONS / "phonemeanalyser_de.ts")
 SAME = {
-    "Transparent (GIF)",
+    "Transparent (GIF, PNG)",
     "Amplitude",
     "Analyse",
     "Attack",

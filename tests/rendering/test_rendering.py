@@ -10,7 +10,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.ndimage import binary_fill_holes
 
-from phonemeanalyser.rendering import Framing, RenderingError
+from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_context
@@ -20,7 +20,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.expression.streams import expression_presets, held_expression
-from phonemeengine.mouth.head import Head, load_head
+from phonemeengine.mouth.head import Framing, Head, load_head
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh

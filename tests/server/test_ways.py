@@ -91,6 +91,10 @@ CASES: dict[str, Words] = {
         "mesh": ["face.obj"],
         "movestates": ["face.3dm"],
         "keys": ["edited.keys.toml"],
+        "size": ["96x64"],
+        "view": ["mouth"],
+        "transparent": ["true"],
+        "theme": ["dark"],
     },
 }
 """Options with their values as they are written, by what is tried."""
@@ -162,7 +166,7 @@ def by_program(asked: ConversionOptions, kind: str, job: Job) -> None:
     if kind in CONVERSIONS:
         work: Work = ConversionWork.of(asked, kind, preset_of(asked), [job.source])
     else:
-        work = ClipWork.of(asked, preset_of(asked), ClipOptions(rate=asked.fps or 30), "", [job.source])
+        work = ClipWork.of(asked, preset_of(asked), "", [job.source])
     with work.opened() as act:
         act(job, say_nothing, no_progress)
 
@@ -186,6 +190,7 @@ def by_window(asked: ConversionOptions, kind: str, job: Job, qtbot: QtBot) -> No
     queue = ExportQueue()
     assert job.target is not None
     with qtbot.waitSignal(queue.finished, timeout=60_000):
-        queue.start({job.source: job.target}, replace(order, keys=keys, overwrite=asked.overwrite))
+        look = ClipOptions.of(asked)
+        queue.start({job.source: job.target}, replace(order, keys=keys, overwrite=asked.overwrite, look=look))
     assert [done.words for done in queue.jobs] == [""]
     queue.close()

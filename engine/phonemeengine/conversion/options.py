@@ -16,6 +16,7 @@ from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
 from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import shipped_tables
@@ -31,6 +32,10 @@ RECORDED = ".csv"
 OTHER_DRIVERS = tuple(driver for driver in FaceDriver if driver is not FaceDriver.AUTO)
 SERVED_DRIVERS = tuple(driver for driver in FaceDriver if driver is not FaceDriver.TABLE)
 """What moves a face where no file of recorded faces can be named."""
+CLIP_EDGES = 16, 4096
+"""The least and the most pixels along an edge of a clip."""
+THEMES = "light", "dark"
+"""The colours of pictures."""
 
 
 # What reads the words of an option; each refuses by the end of a sentence, which begins with the option's name.
@@ -98,6 +103,35 @@ class OneOf:
             if words == word:
                 return word
         raise OptionError(f"there is no {words!r}; {remedy(words, self.known)}")
+
+
+@dataclass(frozen=True)
+class PictureSize:
+    """Reads width and height of a picture, such as 640x480.
+
+    Attributes
+    ----------
+    least, most : width and height at least and at most, pixels.
+    """
+
+    least: tuple[int, int]
+    most: tuple[int, int]
+
+    def __call__(self, words: str) -> tuple[int, int]:
+        """Return width and height, pixels.
+
+        Raises
+        ------
+        OptionError : they are none, or beyond the limits.
+        """
+        try:
+            width, height = (int(part) for part in words.lower().split("x"))
+        except ValueError:
+            raise OptionError(f"must be like {self.least[0]}x{self.least[1]}, got {words!r}") from None
+        if not (self.least[0] <= width <= self.most[0] and self.least[1] <= height <= self.most[1]):
+            limits = "..".join(f"{w}x{h}" for w, h in (self.least, self.most))
+            raise OptionError(f"must lie in {limits}, got {words!r}")
+        return width, height
 
 
 def read_switch(words: str) -> bool:
@@ -312,6 +346,23 @@ class ConversionOptions:
     mesh: Path | None = _file("head: woman or man, or your own face: .glb, .vrm, .gltf, .obj or .x", "M")
     movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")
     keys: Path | None = _file("edited keys of blend shapes, or auto: x.keys.toml beside x.wav")
+    size: tuple[int, int] = _option(
+        "size of the picture in pixels (default: 640x640)",
+        "WxH",
+        PictureSize((CLIP_EDGES[0],) * 2, (CLIP_EDGES[1],) * 2),
+        (640, 640),
+        limits=CLIP_EDGES,
+        elsewhere=False,
+    )
+    view: Framing = _option(
+        f"how much is in the picture (default: {Framing.FACE})",
+        "|".join(Framing),
+        OneOf(Framing),
+        Framing.FACE,
+        elsewhere=False,
+    )
+    transparent: bool = _switch("nothing behind the heads: .png and .gif", elsewhere=False)
+    theme: str = _option("colours (default: light)", "|".join(THEMES), OneOf(THEMES), THEMES[0], elsewhere=False)
     overwrite: bool = _switch("replace existing files, however they were made", elsewhere=False)
 
     def __post_init__(self) -> None:
@@ -382,6 +433,8 @@ class ConversionOptions:
         return Expression(streams, own, others, feeling=self.feeling)
 
 
+PICTURED = ("size", "view", "transparent", "theme")
+"""Options that say how pictures and clips look."""
 WEIGHTED = ("detail", "attack", "release", "steady", "seed")
 """Options that say how the weights of movestates move."""
 FACIAL = (

@@ -41,6 +41,14 @@ class Head(StrEnum):
 USUAL_HEAD = Head.WOMAN
 
 
+class Framing(StrEnum):
+    """How much of a person is in the picture."""
+
+    MOUTH = "mouth"
+    FACE = "face"
+    BUST = "bust"
+
+
 def load_head(head: Head | str | os.PathLike[str] = USUAL_HEAD) -> MorphMesh:
     """Load a head and its movestates, whose names are those of ARKit.
 

@@ -228,12 +228,14 @@ class ReportWork:
 
 
 CLIP_OPTIONS = frozenset({"table", "fps", "anticipation", "mesh", *WEIGHTED, *FACIAL})
-CLIPS = {"clip-mp4", "clip-gif"}
+PICTURES = "clip-png"
+CLIPS = {"clip-mp4", "clip-gif", PICTURES}
 EXPORT_KINDS: dict[str, Conversion] = CONVERSIONS | {
     kind.name: kind
     for kind in (
         Conversion("clip-mp4", tr_noop("video of the head with its sound"), ".mp4", None, CLIP_OPTIONS),
         Conversion("clip-gif", tr_noop("animated GIF of the head"), ".gif", None, CLIP_OPTIONS),
+        Conversion(PICTURES, tr_noop("folder of PNG pictures of the head"), "-pictures", None, CLIP_OPTIONS),
         Conversion(
             "report-html",
             tr_noop("accuracy report by the labels beside the file"),

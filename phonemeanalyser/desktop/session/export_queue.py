@@ -11,7 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrder, with_texts, work_of
+from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, PICTURES, ExportOrder, with_texts, work_of
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.reports.batch_report import write_batch_report
 from phonemeengine.audio.files import SoundReader, sounds_under
@@ -148,7 +148,8 @@ class ExportQueue(QObject):
                 self._put(job, state=ExportState.WORKING)
             return progress(found.share)
 
-        folder = None if order.speech is not None else folder  # a text is no file of which it could be noted
+        if order.speech is not None or order.kind == PICTURES:
+            folder = None  # neither a text nor a folder of pictures is a file of which it could be noted
         options = BatchOptions(folder=folder)
         known = with_texts(order, [job.source for job in jobs])
         if order.texts is None and known.texts is not None:

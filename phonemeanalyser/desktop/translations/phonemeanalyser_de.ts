@@ -3365,6 +3365,11 @@
             <translation>Ordner mit beschrifteten Aufnahmen…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
+            <source>folder of PNG pictures of the head</source>
+            <translation>Ordner mit PNG-Bildern des Kopfes</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
             <source>Folder to Average</source>
             <translation>Ordner mitteln</translation>
@@ -10266,8 +10271,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
-            <source>Transparent (GIF)</source>
-            <translation>Transparent (GIF)</translation>
+            <source>Transparent (GIF, PNG)</source>
+            <translation>Transparent (GIF, PNG)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/window.py" />

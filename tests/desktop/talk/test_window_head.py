@@ -16,9 +16,9 @@ from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import PICTURE_RATES
 from phonemeanalyser.desktop.window import MainWindow
-from phonemeanalyser.rendering import Framing
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
+from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.idle_motion import EYES
 from phonemeengine.mouth.movestate import Mode
 from phonemeengine.mouth.table import TABLES, load_table

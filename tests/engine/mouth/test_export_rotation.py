@@ -14,7 +14,10 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_face
 from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of
+from phonemeengine.mouth.face_mapping import guess_mapping, mapped_table
 from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.table import table_to_toml
+from tests.avatars import HEAD, JAW, avatar
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 
@@ -190,6 +193,27 @@ def test_a_face_on_bones_turns_with_the_bone_of_the_head(tmp_path: Path) -> None
 def test_a_face_on_bones_without_a_head_speaks_and_stays(tmp_path: Path) -> None:
     mesh = face(tmp_path, [{"mesh": 0, "skin": 0}, {"name": "root"}], skins=[{"joints": [1]}])
     assert [c["target"]["path"] for c in exported(mesh).animation["channels"]] == ["weights"]
+
+
+@pytest.mark.parametrize("version", [0, 1])
+def test_bones_of_an_avatar_open_its_jaw_and_turn_its_head_whichever_way_it_faces(
+    version: int, tmp_path: Path
+) -> None:
+    path, table = tmp_path / "avatar.vrm", tmp_path / "own.toml"
+    path.write_bytes(avatar(version, only=("mouthPucker",)))
+    mapping = guess_mapping(["mouthPucker", "bone jawOpen"], "arkit")
+    table.write_text(table_to_toml(mapped_table(mapping, "own")), encoding="utf-8")
+    scene = Scene(
+        b"".join(Exporter("gltf", ExportOptions(rate=RATE, mesh=path, table=str(table))).chunks_of(speech()))
+    )
+    movement = Exporter("livelink-csv", ExportOptions(rate=RATE)).export_of(speech()).animation
+    jaw, opened = scene.track(JAW, "rotation"), movement.weights[:, ARKIT.index("jawOpen")]
+    assert jaw is not None
+    assert opened.max() > 0.3
+    np.testing.assert_allclose(Rotation.from_quat(jaw).as_rotvec(degrees=True)[:, 0], 20 * opened, atol=0.02)
+    facing, frame = Rotation.from_euler("Y", 0 if version else 180, degrees=True), len(opened) // 2
+    turned = facing * poses()[frame]
+    np.testing.assert_allclose(scene.matrix(HEAD, frame)[:3, :3], turned.as_matrix(), atol=1e-5)
 
 
 def test_axes_that_are_not_at_right_angles_stay(tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
 """A face's GLB with an animation: a file, or the program's own head, with movement added.
 
-Its morph weights say the speech and blink, and its nodes turn the head.
+Its morph weights say the speech and blink, its nodes turn the head, and its bones jaw and eyes.
 
 Everything else in the file stays what it is. See section 3.11 of the glTF 2.0 specification.
 """
@@ -12,14 +12,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
 from phonemeengine.mouth.files.gltf_document import Document, chunks_of, document_of
 from phonemeengine.mouth.files.gltf_writing import GENERATOR
-from phonemeengine.mouth.files.vrm import expressions_of
+from phonemeengine.mouth.files.skin import bone_angles
+from phonemeengine.mouth.files.vrm import expressions_of, faces_back
 from phonemeengine.mouth.head import USUAL_HEAD
 
 FLOAT = 5126
@@ -51,26 +52,35 @@ def write(export: Export) -> bytes:
     glb = shipped_glb() if export.mesh is None else read_face(export.mesh)
     faces = _faces_of(glb.document)
     known = {name for _, names in faces for name in names}
-    animation = _of_targets(export.face_animation, glb, faces)
-    movestates = animation.movestates
-    if not known & set(movestates):
-        wanted, face = ", ".join(movestates[:3]), (export.mesh or USUAL_HEAD.path).name
+    face = (export.mesh or USUAL_HEAD.path).name
+    try:
+        document = Document(glb.content(), lambda _name: None)
+        animation = _of_targets(export.face_animation, document, faces)
+        movestates = animation.movestates
+        bones = bone_angles(document, dict(zip(movestates, animation.weights.T, strict=True)))
+        back = faces_back(document)
+    except MeshError as error:
+        raise ExportError(f"{face}: {error}") from error
+    if not (bones or known & set(movestates)):
+        wanted = ", ".join(movestates[:3])
         raise ExportError(
             f"{face}: it has no morph target of the table {export.table.name!r} ({wanted}, ...); choose "
             "a table for its names with --table, or name the targets in your modelling program"
         )
     samplers = _Samplers(glb, animation)
     _move(faces, animation, samplers)
-    _turn([node for node, _ in faces], animation, samplers)
+    meshes = [number for number, node in enumerate(document.list_of("nodes")) if "mesh" in node]
+    _turn([node for node, _ in faces] or meshes, animation, bones, samplers, back=back)
     glb.list_of("animations").append({"name": NAME, **samplers.lists(), "extras": EXTRAS})
     return glb.content()
 
 
-def _of_targets(animation: Animation, glb: Glb, faces: Sequence[tuple[int, Sequence[str]]]) -> Animation:
+def _of_targets(animation: Animation, document: Document, faces: Sequence[tuple[int, Sequence[str]]]) -> Animation:
     """Return an animation of morph targets: an expression of an avatar is those that it moves."""
-    if "extensions" not in glb.document:
+    expressions = expressions_of(document)
+    if not expressions:
         return animation
-    nodes, expressions = glb.document["nodes"], expressions_of(Document(glb.content(), lambda _name: None))
+    nodes = document.list_of("nodes")
     names = {nodes[node]["mesh"]: targets for node, targets in faces}
     own = {name for targets in names.values() for name in targets}
     weights: dict[str, Float32Array] = {}
@@ -112,12 +122,15 @@ def _move(faces: Sequence[tuple[int, Sequence[str]]], animation: Animation, samp
             samplers.add_channel(node, "weights", weights)
 
 
-def _turn(nodes: Sequence[int], animation: Animation, samplers: _Samplers) -> None:
-    if not animation.head.any():
+def _turn(
+    nodes: Sequence[int], animation: Animation, bones: dict[int, Float64Array], samplers: _Samplers, *, back: bool
+) -> None:
+    if not (bones or animation.head.any()):
         return
     from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of  # noqa: PLC0415 - scipy is slow
 
-    for turning in turnings_of(samplers.document, nodes, rotations_of(animation.head)):
+    turns = rotations_of(animation.head) if animation.head.any() else None
+    for turning in turnings_of(samplers.document, nodes, turns, bones, back=back):
         for path, values in turning.tracks().items():
             samplers.add_channel(turning.node, path, values)
 

@@ -5,7 +5,7 @@ group, and any other by itself: about its origin where that lies inside it, else
 """
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -21,6 +21,8 @@ LARGEST = 1e30
 """How far from the origin a node may be."""
 ORTHOGONAL = 1e-3
 """How far axes may be from right angles, as a cosine, and still turn."""
+
+NO_BONES: Mapping[int, Float64Array] = {}
 
 Node = dict[str, Any]
 
@@ -54,14 +56,23 @@ def rotations_of(poses: Float32Array) -> Rotation:
     return Rotation.from_euler("YXZ", poses * np.array((1.0, -1.0, -1.0)), degrees=True)
 
 
-def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Rotation) -> list[Turning]:
-    """Return what turns a head; nothing where none of its nodes can.
+def turnings_of(
+    document: dict[str, Any],
+    faces: Iterable[int],
+    turns: Rotation | None,
+    bones: Mapping[int, Float64Array] = NO_BONES,
+    *,
+    back: bool = False,
+) -> list[Turning]:
+    """Return what turns a head and the bones of its face; nothing where none of its nodes can.
 
     Parameters
     ----------
     document : of the glTF; nodes that turn and state a matrix state its parts from now on.
     faces : numbers of the nodes whose meshes have morph targets.
-    turns : how the head is turned in the scene at each frame.
+    turns : how the head is turned at each frame, as `rotations_of` says; None where it stays.
+    bones : how nodes turn besides, see `bone_angles`.
+    back : whether the face looks along -z.
 
     Raises
     ------
@@ -69,8 +80,13 @@ def turnings_of(document: dict[str, Any], faces: Iterable[int], turns: Rotation)
     """
     try:
         scene = _NodeTree(document)
+        facing = Rotation.from_euler("Y", 180.0 * back, degrees=True)
+        turned = {node: Rotation.from_rotvec(angles, degrees=True) for node, angles in bones.items()}
+        if turns is not None:
+            turned |= dict.fromkeys(scene.nodes_that_turn(faces), turns)
         with np.errstate(over="raise", invalid="raise"):
-            return [turning for node in scene.nodes_that_turn(faces) if (turning := scene.turning_of(node, turns))]
+            found = [scene.turning_of(node, facing * turned[node] * facing.inv()) for node in sorted(turned)]
+        return [turning for turning in found if turning is not None]
     except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
         raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
 

@@ -6,7 +6,7 @@ its offsets are those of linear blend skinning with that bone turned as far as t
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -198,6 +198,25 @@ def face_bones(document: Document) -> dict[str, int]:
                     found.setdefault(bone, place)
     n = len(document.list_of("nodes"))
     return {bone: node for bone, node in found.items() if bone in _KNOWN and 0 <= node < n}
+
+
+def bone_angles(document: Document, weights: Mapping[str, Float32Array]) -> dict[int, Float64Array]:
+    """Return how the bones of jaw and eyes turn while their movestates move.
+
+    Parameters
+    ----------
+    weights : shape (n_frames,), 1 for the whole movement, by the name of the movestate, such as ``bone jawOpen``.
+
+    Returns
+    -------
+    rotation vectors of the face, x to its left, y upwards, in degrees, shape (n_frames, 3), by the bone's node.
+    """
+    bones, angles = face_bones(document), dict[int, Float64Array]()
+    for name, (bone, axis, degrees) in TURNS.items():
+        weight = weights.get(f"{BONE}{name}")
+        if weight is not None and bone in bones:
+            angles.setdefault(bones[bone], np.zeros((len(weight), 3)))[:, axis] += degrees * weight
+    return angles
 
 
 def local_transform(node: Table) -> Float64Array:

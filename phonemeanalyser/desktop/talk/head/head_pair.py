@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import column, named, row, spoken_button, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
-from phonemeanalyser.rendering import Framing
+from phonemeengine.mouth.head import Framing
 
 
 class CaptionedHead(QWidget):

@@ -21,9 +21,9 @@ from phonemeanalyser.desktop.talk.head.head_surface import (
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu, table_of
-from phonemeanalyser.rendering import Framing
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import LIGHT, Light
+from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.morph_mesh import MorphMesh
 
 PER_PIXEL = math.radians(0.4)
