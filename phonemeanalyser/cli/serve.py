@@ -7,15 +7,17 @@ from contextlib import AbstractAsyncContextManager
 from dataclasses import fields
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import add_options, number_in, whole_in
+from phonemeanalyser.cli.arguments import number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_serves
 from phonemeanalyser.cli.listen import ended_by_signals
 from phonemeanalyser.server.access import Access, token_in
 from phonemeanalyser.server.limits import LIMITS, USUAL_HOST, USUAL_PORT, ServerLimits
+from phonemeengine.conversion.options import OPTIONS
+from phonemeengine.presets.files import DEFAULT_PRESET
 
 EXAMPLES = (
     "phonemeanalyser serve",
-    "phonemeanalyser serve --port 9000 --preset my-voice.toml",
+    "phonemeanalyser serve --port 9000 --preset my-voice.toml --table my-face.toml",
     "phonemeanalyser serve --host 0.0.0.0 --token-file token.txt --origin https://example.org",
 )
 
@@ -31,7 +33,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--origin", action="append", default=[], metavar="URL", help=origin)
     proxy = "address of a proxy whose X-Forwarded-For names the client, such as 127.0.0.1; may be repeated"
     parser.add_argument("--trusted-proxy", action="append", default=[], metavar="ADDRESS", help=proxy)
-    add_options(parser, "preset")
+    preset = f"{OPTIONS['preset'].words}; may be repeated: clients may name others than the first one"
+    parser.add_argument("--preset", action="append", type=Path, metavar="PRESET", help=preset)
+    table = "mouth table of your own (.toml) that clients may name; may be repeated"
+    parser.add_argument("--table", action="append", default=[], type=Path, metavar="FILE", help=table)
     for limit in fields(ServerLimits):
         low, high, unit, words = LIMITS[limit.name]
         kind = whole_in(int(low), high, unit) if isinstance(limit.default, int) else number_in(low, high, unit)
@@ -46,7 +51,9 @@ def run(options: argparse.Namespace) -> int:
     token = None if options.token_file is None else token_in(options.token_file)
     limits = ServerLimits(**{limit.name: getattr(options, limit.name) for limit in fields(ServerLimits)})
     access = Access(token, tuple(options.origin), tuple(options.trusted_proxy))
-    settings = service.ServerSettings(options.preset, options.host, options.port, access, limits)
+    settings = service.ServerSettings(
+        options.preset or [DEFAULT_PRESET], options.table, options.host, options.port, access, limits
+    )
     with ended_by_signals():
         asyncio.run(_serve(service.serving(settings), options.host))
     return 0

@@ -25,7 +25,8 @@ from typing import TypeVar
 from aiohttp import BodyPartReader, web
 
 from phonemeanalyser.server.file_process import CODE, CRASHED, NO_MEMORY, REFUSED
-from phonemeanalyser.server.limits import FAILED, MEGABYTE, RefusedError, ServerLimits
+from phonemeanalyser.server.limits import FAILED, KILOBYTE, MEGABYTE, RefusedError, ServerLimits
+from phonemeanalyser.server.repertoire import Repertoire
 from phonemeengine import FORMATS, EngineError
 from phonemeengine.batch.work import Job
 from phonemeengine.conversion.options import OPTIONS, SERVED, ConversionOptions
@@ -121,8 +122,10 @@ class FileTurns:
 
 CHUNK = 1 << 16
 SOUND = "sound"
-FIELDS = ("format", *(name for name in SERVED if name != "format"))
+FIELDS = ("format", "preset", *(name for name in SERVED if name != "format"))
 """What may stand beside the sound, each as the option of ``export`` of that name."""
+OWN = ("preset", "table")
+"""Fields with a name, or the text of a file that the client sends."""
 NICE, NICEST = 1, 19
 LONGEST_FIELD, LONGEST_PART = 64, 2048
 """Characters of a field other than the text, and of one that may be given several times."""
@@ -155,8 +158,8 @@ class FileRequest:
     sound: Path
     words: dict[str, list[str]] = field(default_factory=dict)
 
-    def options(self) -> ConversionOptions:
-        """Return what it asks for.
+    def options(self, repertoire: Repertoire) -> ConversionOptions:
+        """Return what it asks for, of a server with this repertoire.
 
         Raises
         ------
@@ -164,7 +167,11 @@ class FileRequest:
         """
         if not self.sound.exists():
             raise RefusedError(f"there is no sound in the request; send it as the field {SOUND}")
-        return ConversionOptions.of_words({"format": [""]} | self.words)
+        own = {name: self.words.pop(name)[-1] for name in OWN if name in self.words}
+        options = ConversionOptions.of_words({"format": [""]} | self.words)
+        files = {name: repertoire.file_told(name, own.get(name, ""), self.sound.parent) for name in OWN}
+        table = str(files["table"]) if files["table"] else own.get("table") or None
+        return replace(options, preset=files["preset"] or options.preset, table=table)
 
 
 class FileExporter:
@@ -172,12 +179,11 @@ class FileExporter:
 
     Parameters
     ----------
-    preset : the file of the preset.
-    limits : of the server.
+    repertoire, limits : of the server.
     """
 
-    def __init__(self, preset: Path, limits: ServerLimits) -> None:
-        self._preset, self._limits = preset, limits
+    def __init__(self, repertoire: Repertoire, limits: ServerLimits) -> None:
+        self._repertoire, self._limits = repertoire, limits
         self._turns = FileTurns(limits.most_files)
 
     @property
@@ -196,11 +202,12 @@ class FileExporter:
             async with asyncio.timeout(self._limits.file_seconds):
                 with tempfile.TemporaryDirectory(prefix="phonemeanalyser-") as folder:
                     asked = await self._received(request, Path(folder))
-                    options = replace(asked.options(), longest=self._limits.longest_file)
+                    options = await asyncio.to_thread(asked.options, self._repertoire)
+                    options = replace(options, longest=self._limits.longest_file)
                     assert options.format is not None
                     work = partial(ConversionWork.of, options, options.format, sounds=[asked.sound])
                     out = Path(folder) / f"mouth{FORMATS[options.format].ending}"
-                    order = pickle.dumps((self._preset, work, Job(asked.sound, out)))
+                    order = pickle.dumps((options.preset, work, Job(asked.sound, out)))
                     async with self._turns.turn(address) as turn:
                         await _make(order, turn, self._limits.file_memory)
                     return await _sent(request, out)
@@ -249,7 +256,10 @@ class FileExporter:
 
     async def _text_of(self, part: BodyPartReader) -> str:
         several = part.name in OPTIONS and OPTIONS[part.name].several
-        most = self._limits.most_text if part.name == "text" else LONGEST_PART if several else LONGEST_FIELD
+        most = LONGEST_PART if several else LONGEST_FIELD
+        if part.name in ("text", *OWN):
+            own = max(LONGEST_FIELD, int(self._limits.largest_own * KILOBYTE))
+            most = self._limits.most_text if part.name == "text" else own
         too_long = RefusedError(f"the field {part.name} may have {most} characters; send fewer", 413)
         content = bytearray()
         while chunk := await self._in_time(part.read_chunk(CHUNK)):

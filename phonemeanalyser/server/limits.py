@@ -25,7 +25,7 @@ class RefusedError(EngineError):
 
 
 USUAL_HOST, USUAL_PORT = "127.0.0.1", 8765
-MEGABYTE = 1 << 20
+KILOBYTE, MEGABYTE = 1 << 10, 1 << 20
 PER_MESSAGE = 0.005
 """Seconds of sound that a message counts for besides what it holds: whoever cuts sound too fine is slowed down."""
 AHEAD = 5.0
@@ -39,6 +39,7 @@ LIMITS: dict[str, tuple[float, float, str, str]] = {
     "idle": (1, 86_400, "s", "how long a client may send nothing, or take nothing, before it is let go"),
     "largest_message": (0.001, 1024, "MB", "size of a message of a stream"),
     "most_text": (0, 10_000_000, "", "characters of the text of a stream, or a file"),
+    "largest_own": (0, 1000, "KB", "size of a preset or mouth table that a client sends; 0 allows none"),
     "largest_file": (0.001, 100_000, "MB", "size of a sound file"),
     "longest_file": (1, 1_000_000, "s", "length of the sound in a file"),
     "file_memory": (128, 1_000_000, "MB", "memory that the export of a file may take (Linux only)"),
@@ -64,6 +65,7 @@ class ServerLimits:
     idle: float = 30.0
     largest_message: float = 1.0
     most_text: int = 100_000
+    largest_own: float = 32.0
     largest_file: float = 64.0
     longest_file: float = 1800.0
     file_memory: float = 1024.0

@@ -1,6 +1,5 @@
 """What a stream and its client say to each other, as JSON, strictly read."""
 
-import functools
 import json
 import math
 from collections.abc import Mapping
@@ -10,19 +9,20 @@ from typing import Any, TypeVar
 import numpy as np
 
 from phonemeanalyser.server.limits import RefusedError
-from phonemeengine import GrownWords, MouthTable, Phoneme, Word, load_table
+from phonemeanalyser.server.repertoire import Repertoire
+from phonemeengine import GrownWords, MouthTable, Phoneme, Preset, Word
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.features.feeling import Feeling
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
 from phonemeengine.mouth.blending import blended_weights
-from phonemeengine.mouth.table import shipped_tables
+from phonemeengine.mouth.exports.viseme_events import EventService
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import FRAME_PERIOD
 
 _PHONEMES = [phoneme.label for phoneme in Phoneme]
-_START = ("encoding", "rate", "channels", "table", "probabilities", "language", "text", "feeling")
+_START = ("encoding", "rate", "channels", "preset", "table", "probabilities", "events", "language", "text", "feeling")
 _LATER = ("text", "end")
 _T = TypeVar("_T", int, str)
 
@@ -34,7 +34,9 @@ class StreamStart:
     Attributes
     ----------
     form : what the bytes are that follow.
+    preset : what recognises.
     table : the mouth whose weights it wants; None for none.
+    events : the service whose messages of visemes it wants in place of frames; None for frames.
     probabilities : whether it wants those of all phonemes and visemes, and the weights that follow them.
     language : of the text; empty where none will come.
     text : the beginning of what is said, as far as it is known.
@@ -42,7 +44,9 @@ class StreamStart:
     """
 
     form: StreamFormat
+    preset: Preset
     table: MouthTable | None = None
+    events: EventService | None = None
     probabilities: bool = False
     language: str = ""
     text: str = ""
@@ -57,8 +61,8 @@ class LaterWords:
     end: bool = False
 
 
-def start_of(message: str) -> StreamStart:
-    """Read what a client says first.
+def start_of(message: str, repertoire: Repertoire) -> StreamStart:
+    """Read what a client says first, and load what it chooses.
 
     Raises
     ------
@@ -76,8 +80,13 @@ def start_of(message: str) -> StreamStart:
     language, text = _value(told, "language", str, ""), _value(told, "text", str, "")
     if text and not language:
         raise RefusedError("the text has no language; name it in the first message, such as en-us or de")
-    table, probabilities = _table_named(_value(told, "table", str, "")), _switch(told, "probabilities")
-    return StreamStart(form, table, probabilities, language, text, _switch(told, "feeling"))
+    table = repertoire.table_told(_value(told, "table", str, ""))
+    preset = repertoire.preset_told(_value(told, "preset", str, ""))
+    wanted = [_switch(told, name) for name in ("probabilities", "feeling")]
+    events = _service_named(_value(told, "events", str, ""))
+    if events and (table or any(wanted)):
+        raise RefusedError("with events there are no frames; leave out table, probabilities and feeling, or events")
+    return StreamStart(form, preset, table, events, wanted[0], language, text, wanted[1])
 
 
 def later_words_of(message: str) -> LaterWords:
@@ -91,9 +100,9 @@ def later_words_of(message: str) -> LaterWords:
     return LaterWords(_value(told, "text", str, ""), _switch(told, "end"))
 
 
-def ready(start: StreamStart, speech: IncomingSpeech, preset: str) -> str:
+def ready(start: StreamStart, speech: IncomingSpeech) -> str:
     """Return the first message to a client, before it sends its sound."""
-    told = {"preset": preset, "period": FRAME_PERIOD, "latency": round(speech.latency, 4)}
+    told = {"preset": start.preset.name, "period": FRAME_PERIOD, "latency": round(speech.latency, 4)}
     return json.dumps({"ready": told | ({"movestates": start.table.movestates} if start.table else {})})
 
 
@@ -189,12 +198,10 @@ def _switch(told: Mapping[str, Any], key: str) -> bool:
     return value
 
 
-@functools.cache
-def _table_named(name: str) -> MouthTable | None:
-    """Load a table that ships with the program: clients name no files of this machine."""
-    if name and name not in shipped_tables():
-        raise RefusedError(f"there is no mouth table {_shown(name)}; choose one of {', '.join(shipped_tables())}")
-    return load_table(name) if name else None
+def _service_named(name: str) -> EventService | None:
+    if name and name not in {service.value for service in EventService}:
+        raise RefusedError(f"there are no events of {_shown(name)}; choose {' or '.join(EventService)}")
+    return EventService(name) if name else None
 
 
 def _shown(value: object) -> str:

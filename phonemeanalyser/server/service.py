@@ -16,12 +16,12 @@ from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_
 from phonemeanalyser.server.connections import CLOSING, Connections, refusal
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import FAILED, MEGABYTE, USUAL_HOST, USUAL_PORT, RefusedError, ServerLimits
+from phonemeanalyser.server.repertoire import Repertoire
 from phonemeanalyser.server.session import StreamSession
 from phonemeanalyser.server.turns import Turns
-from phonemeengine import FORMATS, EngineError, ScriptWord, __version__, load_preset, words_of
+from phonemeengine import FORMATS, EngineError, ScriptWord, __version__, words_of
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.live.incoming_speech import IncomingSpeech
-from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.presets.model_choice import model_in_words
 from phonemeengine.settings import WINDOW
@@ -51,12 +51,14 @@ class ServerSettings:
 
     Attributes
     ----------
-    preset : the file of the preset that recognises.
+    presets : the files of the presets that recognise; the first one does for whoever names none.
+    tables : files of mouth tables that clients may name beside those that ship with the program.
     host, port : where it can be reached; port 0 takes a free one.
     access, limits : who may ask, and for how much.
     """
 
-    preset: Path = DEFAULT_PRESET
+    presets: Sequence[Path] = (DEFAULT_PRESET,)
+    tables: Sequence[Path] = ()
     host: str = USUAL_HOST
     port: int = USUAL_PORT
     access: Access = field(default_factory=Access)
@@ -69,8 +71,8 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
 
     Raises
     ------
-    EngineError : the preset cannot be used, the address is not free, or it can be reached from other machines and
-        there is no token.
+    EngineError : a preset or mouth table cannot be used, the address is not free, or it can be reached from other
+        machines and there is no token.
     """
     settings.access.check_host(settings.host)
     service = Service(settings)
@@ -114,15 +116,16 @@ class Service:
 
     def __init__(self, settings: ServerSettings) -> None:
         self._access, self._limits = settings.access, settings.limits
-        self._preset = load_preset(settings.preset)
-        self._exporter = FileExporter(settings.preset, settings.limits)
+        self._repertoire = Repertoire.of_files(settings.presets, settings.tables, settings.limits)
+        self._exporter = FileExporter(self._repertoire, settings.limits)
         self._turns, self._wrong_tokens = Turns(), WrongTokens()
         self._readers = ThreadPoolExecutor(1, "reading texts")  # a voice reads one text at a time
         self._n_streams = 0
-        speech = IncomingSpeech(self._preset, StreamFormat())
+        preset = self._repertoire.preset
+        speech = IncomingSpeech(preset, StreamFormat())
         self._recogniser = model_in_words(speech.analyser.preset)
         for warning in speech.analyser.preset.warnings:
-            _log.warning("%s: %s", self._preset.name, warning)
+            _log.warning("%s: %s", preset.name, warning)
         speech.hear(np.zeros(2 * WINDOW, np.float32))  # so that the first stream need not wait for imports
 
     def close(self) -> None:
@@ -186,13 +189,14 @@ class Service:
         told = {
             "program": "phonemeanalyser",
             "version": __version__,
-            "preset": self._preset.name,
+            "preset": self._repertoire.preset.name,
+            "presets": [*self._repertoire.presets],
             "recogniser": self._recogniser,
             "stream": STREAM,
             "export": EXPORT,
             "encodings": [*Encoding],
             "formats": [*FORMATS],
-            "tables": shipped_tables(),
+            "tables": [*self._repertoire.tables],
             "streams": self._n_streams,
             "most_streams": self._limits.most_streams,
             "files": self._exporter.n_files,
@@ -219,7 +223,7 @@ class Service:
         self._n_streams += 1
         try:
             await stream.prepare(request)
-            await StreamSession(stream, self._preset, self._limits, self._turns, self._words_of_text).run()
+            await StreamSession(stream, self._repertoire, self._limits, self._turns, self._words_of_text).run()
         finally:
             self._n_streams -= 1
             if not stream.closed and request.transport is not None:

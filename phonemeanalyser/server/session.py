@@ -13,8 +13,9 @@ from aiohttp import WSMsgType, web
 
 from phonemeanalyser.server import messages
 from phonemeanalyser.server.limits import AHEAD, FAILED, PER_MESSAGE, RefusedError, ServerLimits
+from phonemeanalyser.server.repertoire import Repertoire
 from phonemeanalyser.server.turns import Turns
-from phonemeengine import EngineError, GrownWords, Preset, ScriptWord
+from phonemeengine import EngineError, GrownWords, ScriptWord
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import PIECE
 from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
@@ -73,7 +74,7 @@ class StreamSession:
     Parameters
     ----------
     socket : the open WebSocket.
-    preset, limits : those of the server.
+    repertoire, limits : those of the server.
     turns : of all its streams.
     words_of_text : how texts are pronounced.
 
@@ -87,12 +88,12 @@ class StreamSession:
     def __init__(
         self,
         socket: web.WebSocketResponse,
-        preset: Preset,
+        repertoire: Repertoire,
         limits: ServerLimits,
         turns: Turns,
         words_of_text: WordsOfText,
     ) -> None:
-        self._socket, self._preset, self._limits, self._turns = socket, preset, limits, turns
+        self._socket, self._repertoire, self._limits, self._turns = socket, repertoire, limits, turns
         self._words_of_text = words_of_text
         self._pace = Pace(limits.most_speed, AHEAD)
         self._language, self._n_text = "", 0
@@ -141,8 +142,9 @@ class StreamSession:
 
     def tell(self, heard: HeardPiece) -> None:
         """Have the client told what is known of a piece."""
-        if len(heard.analysis):
-            self._unsent.put_nowait(messages.frames(heard, self._start))
+        answers = [messages.frames(heard, self._start)] if len(heard.analysis) and not self._start.events else []
+        for answer in (*answers, *heard.events):
+            self._unsent.put_nowait(answer)
         if heard.words is not None:
             self.tell_words(heard.words)
 
@@ -176,13 +178,18 @@ class StreamSession:
         message = await self._next_message()
         if not isinstance(message, str):
             raise RefusedError("the first message must say in JSON what is sent, such as its encoding and rate")
-        start = self._start = messages.start_of(message)
+        start = self._start = await asyncio.to_thread(messages.start_of, message, self._repertoire)
         self.speech = IncomingSpeech(
-            self._preset, start.form, start.table, with_text=bool(start.language), felt=start.felt
+            start.preset,
+            start.form,
+            start.table,
+            with_text=bool(start.language),
+            felt=start.felt,
+            service=start.events,
         )
         self._language = start.language
         await self._add_text(start.text)
-        await self._send(messages.ready(start, self.speech, self._preset.name))
+        await self._send(messages.ready(start, self.speech))
 
     async def _converse(self) -> None:
         receiving, sending = asyncio.create_task(self._receive_all()), asyncio.create_task(self._send_all())

@@ -104,8 +104,9 @@ SAME = {
 }
 """Words that are the same in both languages."""
 NAMES = re.compile(
-    r"Annosoft|ARKit|Live Link|Moho|Oculus 15|Papagayo|Praat( \(|$)|Preston Blair|Rhubarb|VRM|Whisper|HOST:PORT|"
-    r"my-voice|Bartlett|Hann|Hamming|Blackman|viridis|inferno|magma|plasma|cividis|[A-Z]+$|F\d+$|speech\.|.*[/\\]"
+    r"Amazon Polly|Annosoft|ARKit|Azure Speech|Live Link|Moho|Oculus 15|Papagayo|"
+    r"Praat( \(|$)|Preston Blair|Rhubarb|VRM|Whisper|HOST:PORT|my-voice|Bartlett|"
+    r"Hann|Hamming|Blackman|viridis|inferno|magma|plasma|cividis|[A-Z]+$|F\d+$|speech\.|.*[/\\]"
 )
 """Programs, inventors, colour maps and files have the same names everywhere."""
 ENGLISH = re.compile(r"\b(the|of|and|with|is|are|not|from|this|that|what|which)\b")

@@ -8,7 +8,9 @@ import pytest
 import soundfile
 
 from phonemeanalyser.server.limits import ServerLimits
+from phonemeanalyser.server.repertoire import Repertoire
 from phonemeanalyser.server.service import ServerSettings
+from phonemeengine.presets.files import DEFAULT_PRESET
 from tests.conftest import CORPUS
 from tests.server.servers import served
 from tests.sounds import Sound
@@ -17,6 +19,8 @@ RECORDING = CORPUS / "espeak_de" / "de" / "de_00.flac"
 TEXT = "Meine Mama mag Musik, und mein Papa backt am Samstag Pizza."
 FAST = ServerLimits(most_speed=1000)
 """Tests do not wait for a sound to be over."""
+REPERTOIRE = Repertoire.of_files([DEFAULT_PRESET], [], FAST)
+"""What a server offers that is told no more."""
 
 
 @pytest.fixture(scope="session")

@@ -7,6 +7,7 @@ import pytest
 
 from phonemeanalyser.server.messages import start_of
 from tests.conftest import ROOT
+from tests.server.conftest import REPERTOIRE
 from tests.server.servers import cut, streamed
 from tests.sounds import Sound
 
@@ -24,7 +25,7 @@ def start() -> dict[str, object]:
 
 
 def test_the_page_begins_as_the_server_wants(start: dict[str, object]) -> None:
-    assert start_of(json.dumps(start)).table is not None
+    assert start_of(json.dumps(start), REPERTOIRE).table is not None
 
 
 def test_the_page_reads_what_it_is_told(server: str, recording: Sound, start: dict[str, object]) -> None:

@@ -23,7 +23,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import SAMPLE_RATE
 from tests.conftest import CORPUS
-from tests.server.conftest import FAST
+from tests.server.conftest import FAST, REPERTOIRE
 from tests.server.servers import Told, as_s16, cut, served, streamed
 from tests.sounds import Sound
 
@@ -79,7 +79,7 @@ def test_a_client_that_wants_them_is_told_probabilities_and_the_weights_by_them(
 
 @pytest.mark.parametrize("name", ["thesis", "extended", "templates"])
 def test_other_recognisers_are_told_as_they_find(recording: Sound, name: str) -> None:
-    with served(ServerSettings(Path(name), port=0, limits=FAST)) as address:
+    with served(ServerSettings([Path(name)], port=0, limits=FAST)) as address:
         told = streamed(address, {"encoding": "f32", "rate": 44_100}, cut(recording.tobytes(), [3000]))
     check(told, heard(recording, load_preset(name)))
 
@@ -122,7 +122,7 @@ def test_the_whole_corpus_has_the_same_phonemes_as_offline(server: str) -> None:
 
 
 def test_a_client_that_asks_is_told_how_the_voice_sounds():
-    start = messages.start_of('{"rate": 44100, "encoding": "f32", "feeling": true}')
+    start = messages.start_of('{"rate": 44100, "encoding": "f32", "feeling": true}', REPERTOIRE)
     speech = IncomingSpeech(LEARNED, start.form, felt=start.felt)
     tone = np.sin(2 * np.pi * 150 * np.arange(SAMPLE_RATE) / SAMPLE_RATE).astype(np.float32)
     told = [json.loads(messages.frames(speech.hear(piece), start)) for piece in speech.pieces(tone.tobytes())][-1]
@@ -130,4 +130,35 @@ def test_a_client_that_asks_is_told_how_the_voice_sounds():
     assert [len(told[name]) for name in names] == [len(told["phonemes"])] * 4
     assert 0 < told["activation_spread"][-1] < 1
     with pytest.raises(RefusedError, match="feeling must be true or false, got 1"):
-        messages.start_of('{"rate": 44100, "feeling": 1}')
+        messages.start_of('{"rate": 44100, "feeling": 1}', REPERTOIRE)
+
+
+class AzureSynthesizer:
+    """Reads messages as the public Speech SDK does: ``SynthesisAudioMetadata``, and what it makes of a viseme."""
+
+    def __init__(self) -> None:
+        self.received: list[tuple[int, int, str]] = []
+        self._animation = ""
+
+    def on_audio_metadata(self, body: str) -> None:
+        for metadata in json.loads(body)["Metadata"]:
+            if metadata["Type"] == "Viseme":
+                self._animation += metadata["Data"]["AnimationChunk"]
+                if metadata["Data"]["IsLastAnimation"]:
+                    self.received.append((metadata["Data"]["Offset"], metadata["Data"]["VisemeId"], self._animation))
+
+
+def test_clients_of_azure_and_polly_read_the_same_visemes(server: str, recording: Sound) -> None:
+    synthesizer = AzureSynthesizer()
+    start = {"encoding": "f32", "rate": 44_100}
+    told = streamed(server, start | {"events": "azure"}, [recording.tobytes()])
+    assert not told.frames
+    for message in told.messages[1:-1]:
+        synthesizer.on_audio_metadata(json.dumps(message))
+    assert synthesizer.received[0] == (0, 0, "")
+    assert {viseme for _, viseme, _ in synthesizer.received} <= {*range(22)}
+    marks = streamed(server, start | {"events": "polly"}, [recording.tobytes()]).messages[1:-1]
+    assert all(mark.keys() == {"time", "type", "value"} and mark["type"] == "viseme" for mark in marks)
+    assert marks[0] == {"time": 0, "type": "viseme", "value": "sil"}
+    shut = {"azure": [t / 10_000 for t, viseme, _ in synthesizer.received if viseme == 21]}
+    assert shut["azure"] == [mark["time"] for mark in marks if mark["value"] == "p"] != []

@@ -6,13 +6,16 @@ import struct
 import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from random import Random
 
 import numpy as np
 import soundfile
 
+from phonemeanalyser.server.limits import ServerLimits
 from phonemeanalyser.server.messages import later_words_of, start_of
+from phonemeanalyser.server.repertoire import Repertoire
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.incoming import Encoding, IncomingSound, StreamFormat
 from phonemeengine.labels.pinyin import timed_syllable
@@ -47,7 +50,7 @@ from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind
 from phonemeengine.performance.vmc import read_vmc
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.files import FACTORY, load_preset
+from phonemeengine.presets.files import DEFAULT_PRESET, FACTORY, load_preset
 from phonemeengine.recognition.model import load_model, save_model
 from phonemeengine.shipping.targets import format_ear
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE, load_pinyin_table
@@ -232,10 +235,15 @@ def _uncounted() -> tuple[bytes, ...]:
     return mp3, bytes(flac)
 
 
+@cache
+def _repertoire() -> Repertoire:
+    return Repertoire.of_files([DEFAULT_PRESET], [], ServerLimits())
+
+
 def _understood(content: bytes) -> object:
     """Read what the client of a stream says, first and later."""
     message = content.decode(errors="replace")
-    return start_of(message) if b"rate" in content else later_words_of(message)
+    return start_of(message, _repertoire()) if b"rate" in content else later_words_of(message)
 
 
 def _opus() -> bytes:

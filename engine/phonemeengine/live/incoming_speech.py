@@ -12,8 +12,10 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import IncomingSound, StreamFormat
 from phonemeengine.errors import EngineError
 from phonemeengine.features.feeling import NO_FEELINGS, FeelingEstimator, FeltFrames
+from phonemeengine.mouth.exports.viseme_events import EventService, messages_of
 from phonemeengine.mouth.morpher import Morpher
-from phonemeengine.mouth.table import MouthTable
+from phonemeengine.mouth.table import MouthTable, load_table
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_live_use, with_small_network
 from phonemeengine.presets.preset import Preset
 from phonemeengine.recognition.real_time import real_time_look_ahead
@@ -42,12 +44,37 @@ class HeardPiece:
         None without a table.
     words : what is known of the words of the text by now; None where that was not looked up again.
     feelings : how the voice sounds in the frames, see `FeelingEstimator`; none where that was not asked for.
+    events : what a speech service would send of the visemes that begin in the frames; none where none was named.
     """
 
     analysis: Analysis
     weights: Float32Array | None = None
     words: GrownWords | None = None
     feelings: FeltFrames = field(default_factory=lambda: NO_FEELINGS)
+    events: Sequence[str] = ()
+
+
+class VisemeEvents:
+    """Follows a sound, and says of each viseme when it begins.
+
+    Parameters
+    ----------
+    service : whose events these are.
+    """
+
+    def __init__(self, service: EventService) -> None:
+        self._service, self._table = service, load_table(service)
+        self._last = ""
+
+    def follow(self, analysis: Analysis) -> list[str]:
+        """Return what the service would send of the next frames; mostly nothing."""
+        starts = []
+        for k, (phoneme, phone) in enumerate(zip(analysis.phonemes.tolist(), analysis.viseme_phones, strict=True)):
+            viseme = self._table.shape_of(Phoneme(phoneme), phone)
+            if viseme != self._last:
+                starts.append(((analysis.start + k) * FRAME_PERIOD, viseme))
+                self._last = viseme
+        return messages_of(self._service, starts)
 
 
 class IncomingSpeech:
@@ -60,6 +87,7 @@ class IncomingSpeech:
     table : the mouth that moves with it.
     with_text : whether words of a text will come, before what says them or soon after.
     felt : whether the feeling in the voice is estimated, too.
+    service : the speech service whose messages tell of visemes; None for none.
 
     Raises
     ------
@@ -80,6 +108,7 @@ class IncomingSpeech:
         *,
         with_text: bool = False,
         felt: bool = False,
+        service: EventService | None = None,
     ) -> None:
         self._sound = IncomingSound(form)
         self.analyser = Analyser(in_time(preset, self._sound.delay), phonemes_only=True)
@@ -87,6 +116,7 @@ class IncomingSpeech:
         self._morpher = Morpher(table) if table is not None else None
         self._aligner = GrowingAligner() if with_text else None
         self._feeling = FeelingEstimator() if felt else None
+        self._events = None if service is None else VisemeEvents(service)
         self._unlooked: list[Analysis] = []
         self.n_unlooked = 0
 
@@ -155,7 +185,8 @@ class IncomingSpeech:
             self.n_unlooked += len(analysis)
         weights = None if self._morpher is None else _weights(self._morpher, analysis)
         felt = NO_FEELINGS if self._feeling is None else self._feeling.follow(analysis.frames.windows)
-        return HeardPiece(analysis, weights, feelings=felt)
+        events = () if self._events is None else self._events.follow(analysis)
+        return HeardPiece(analysis, weights, feelings=felt, events=events)
 
     def look(self) -> GrownWords | None:
         """Return what is known of the words of the text by now; None where no text was announced."""

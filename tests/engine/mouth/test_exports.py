@@ -363,7 +363,7 @@ def test_silence_of_no_length_and_of_some_can_be_written(name: str) -> None:
     for length in (0.0, 0.004, 0.5):
         runs = (Segment(0.0, length, Phoneme.SILENCE, 0.0),) if length else ()
         text = written(name, Transcript("nothing.wav", length, runs))
-        assert text or (name, length) == ("audacity", 0.0)
+        assert text or (name in {"audacity", "polly-marks"} and not length)
         if name.endswith("json"):
             json.loads(text)
         if name.endswith("xml"):

@@ -126,6 +126,14 @@ def test_lips_meet_for_p_b_and_m_and_for_nothing_else_in_every_shipped_table(nam
         ("rhubarb", "f G  v G  l H  w F  ɹ E  ɝ E  j B  k B  θ B  ʃ B  m A  æ C  ʌ C  ɔ E  y F"),
         ("preston-blair", "f FV  v FV  l L  w WQ  θ etc  n etc  k etc  ɹ etc  æ AI  i E  y U"),
         ("annosoft", "f f  v v  θ TH  ð DH  ŋ NG  ʒ ZH  h h  j y  w w  l l  ɹ r  b b  æ AE  ʊ UH  ɝ ER  ʌ AH"),
+        (
+            "azure",
+            "f 18  θ 17  t 19  n 19  l 14  ɹ 13  ŋ 20  h 12  w 7  j 6  æ 1  ə 1  ʌ 1  ɝ 5  ɔ 3  ɛ 4  ʊ 4  b 21",
+        ),
+        (
+            "polly",
+            "f f  v f  θ T  t t  l t  ɹ r  ŋ k  h k  w u  j i  æ a  ə @  ʌ E  e e  ɛ E  o o  ɔ O  ʃ S  b p  ç k",
+        ),
         ("arkit", "f f  v f  θ th  ð th  t d  n d  l l  ɹ r  w w  k k  ʁ k  j i  ɕ sz  ʂ sch  y u  ə schwa"),
         ("vrm", "f teeth  w U  j I"),
         ("five", "w round  j wide  f slightly_open"),

@@ -16,6 +16,7 @@ from phonemeengine.mouth.exports import (
     papagayo,
     rhubarb,
     textgrid,
+    viseme_events,
 )
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.storage.files import Owns
@@ -117,6 +118,17 @@ FORMATS: dict[str, Format] = {
         separated=True,
     ),
     "anno": Format(".anno", annosoft.write, "annosoft", "Annosoft", separated=True, steps=annosoft.STEPS),
+    "azure-json": Format(
+        ".json", viseme_events.write_azure, "azure", "Azure Speech", shapes=viseme_events.AZURE_VISEMES, mark=".azure"
+    ),
+    "polly-marks": Format(
+        ".marks",
+        viseme_events.write_polly,
+        "polly",
+        "Amazon Polly",
+        steps=viseme_events.MILLISECONDS,
+        shapes=viseme_events.POLLY_VISEMES,
+    ),
     "textgrid": Format(".TextGrid", textgrid.write, "eleven", "Praat", mark=".mouth", owns=textgrid.owns),
     "audacity": Format(".txt", audacity.write, "eleven", "Audacity label track", mark=".mouth"),
     "livelink-csv": Format(
