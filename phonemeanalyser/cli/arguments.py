@@ -27,6 +27,7 @@ MOVED = (
     "no-blinks",
     "no-head",
     "seed",
+    "style",
     "expression",
     "feeling",
     "text-feeling",

@@ -40,7 +40,8 @@ from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE
 from phonemeengine.features.feeling import FeelingEstimator
 from phonemeengine.live.listener import Latency
 from phonemeengine.mouth.osc import OscAddress, OscSettings
-from phonemeengine.mouth.performer import MOUTH_ALONE
+from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion
+from phonemeengine.mouth.style import NEUTRAL, load_style
 from phonemeengine.mouth.table import USUAL_TABLE
 from phonemeengine.presets.model_choice import figures_ahead, for_live_use, model_in_words
 from phonemeengine.presets.preset import LIVE_KINDS
@@ -75,7 +76,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and mouth shapes as OSC and VMC messages")
     table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
-    add_options(parser, "expression", "feeling", "priority")
+    add_options(parser, "style", "expression", "feeling", "priority")
     heard = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
     parser.add_argument("--expression-osc", metavar="HOST:PORT", help=heard)
 
@@ -113,7 +114,9 @@ def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None
     streams = []
     if options.expression_osc is not None:
         streams.append(stack.enter_context(OscExpression(OscAddress.of(options.expression_osc))))
-    return OscSettings(OscAddress.of(options.osc), load_table(options.table), given(options).expressed(*streams))
+    style = load_style(options.style or NEUTRAL)
+    idle = style.on_idle(IdleMotion(expression=given(options).expressed(*streams)))
+    return OscSettings(OscAddress.of(options.osc), style.on_table(load_table(options.table)), idle.expression)
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:

@@ -20,6 +20,7 @@ from phonemeengine.errors import PresetError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Kind, Spectrum
 from phonemeengine.labels.articulation import ARTICULATIONS, CONSONANT_CLASSES, VOWEL_CLASSES
 from phonemeengine.mouth.exports.formats import FORMATS
+from phonemeengine.mouth.style import GROUPS, limits_of
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.document import preset_from_toml, preset_to_toml
@@ -38,6 +39,7 @@ FENCE = re.compile(r"^ *```.*?^ *```", re.MULTILINE | re.DOTALL)
 NAME = re.compile(r"`([A-Z][a-z]\w*)\.(\w+)`")
 PLACE = re.compile(r"`((?:engine|phonemeanalyser|tests|tools|examples|docs|presets|screenshots|\.github)/[\w./-]+)`")
 PRESETS = (DOCS / "presets.md").read_text(encoding="utf-8")
+EXPRESSION_PAGE = (DOCS / "expression.md").read_text(encoding="utf-8")
 FORMATS_PAGE = (DOCS / "formats.md").read_text(encoding="utf-8")
 
 CONVERTING = ("analyse", "align", "export", "preview", "speak")
@@ -272,3 +274,12 @@ def test_the_docs_name_every_export_with_its_rate() -> None:
             f"{FORMATS[key].rate:g}",
             f"{1000 * FORMATS[key].anticipation:g} ms",
         ), key
+
+
+def test_the_docs_have_every_number_of_a_style_with_its_limits() -> None:
+    told = [line.split(" | ")[:3] for line in EXPRESSION_PAGE.splitlines() if line.startswith("| `[")]
+    assert told == [
+        [f"| `[{group}]` `{entry.name}`", f"{entry.default:g}", "{:g}..{:g}".format(*limits_of(entry)[:2])]
+        for group, kind in GROUPS.items()
+        for entry in fields(kind)
+    ]

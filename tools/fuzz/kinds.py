@@ -37,6 +37,7 @@ from phonemeengine.mouth.files.threedma import format_3dma, parse_3dma
 from phonemeengine.mouth.files.x_file import parse_x
 from phonemeengine.mouth.morph_mesh import morph_targets_of
 from phonemeengine.mouth.movestate import MovestateSet
+from phonemeengine.mouth.poses import USUAL_POSES, load_poses
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions
@@ -44,7 +45,6 @@ from phonemeengine.performance.gltf_face import parse_gltf_face
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import USUAL_KEYWORDS, load_keywords
 from phonemeengine.performance.livelink import read_livelink
-from phonemeengine.performance.poses import USUAL_POSES, load_poses
 from phonemeengine.performance.recording import HEAD, phones_of
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind

@@ -13,6 +13,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
+from phonemeengine.mouth.style import NEUTRAL, load_style
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
@@ -53,6 +54,7 @@ class DriverChoice:
     keywords : files of words with gestures.
     units : where it is written what was taken from which recording; None writes nothing.
     overwrite : whether whatever is there is replaced.
+    style : in which the face speaks; see `load_style`.
 
     Raises
     ------
@@ -71,6 +73,7 @@ class DriverChoice:
     keywords: tuple[Path, ...] = ()
     units: Path | None = None
     overwrite: bool = field(default=False, compare=False)
+    style: str = NEUTRAL
 
     def __post_init__(self) -> None:
         drivers = {self.driver, self.beside}
@@ -102,6 +105,7 @@ class DriverChoice:
             options.keywords,
             options.units,
             options.overwrite,
+            options.style or NEUTRAL,
         )
 
     @contextmanager
@@ -115,9 +119,11 @@ class DriverChoice:
         pinyin = load_pinyin_table(self.pinyin_table) if self.pinyin_table else load_pinyin_table()
         if self.spring is not None:
             pinyin = replace(pinyin, spring=Spring.of(self.spring))
+        style = load_style(self.style)
+        pinyin = replace(pinyin, mouth=style.on_table(pinyin.mouth))
         Guard(owns, self.overwrite).check(self.units)
         keywords = load_keywords(*self.keywords) if self.performance else None
-        options = PerformanceOptions(self.choice, self.seed or 0, self.without, keywords=keywords)
+        options = PerformanceOptions(self.choice, self.seed or 0, self.without, style, keywords)
         with ExitStack() as stack:
             tables = [stack.enter_context(PerformanceTable.open(path)) for path in self.performance]
             yield Driving(self, pinyin, self._chosen(tables) if tables else None, options)

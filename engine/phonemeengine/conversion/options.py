@@ -19,6 +19,7 @@ from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.style import NEUTRAL, load_style, shipped_styles
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformancePart
@@ -310,6 +311,9 @@ class ConversionOptions:
         "V",
         Number(0, 1),
     )
+    style: str | None = _option(
+        f"style of speaking: a file, one of your own, or one of {', '.join(shipped_styles())}", "S"
+    )
     priority: str | None = _option(
         "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
     )
@@ -401,6 +405,7 @@ class ConversionOptions:
         ------
         EngineError : there is no such expression, or a file cannot be read.
         """
+        style = load_style(self.style or NEUTRAL)
         idle = IdleMotion(not self.no_blinks, not self.no_head, self.seed or 0, self.detail, self.expressed())
         return ExportOptions(
             self.fps,
@@ -408,10 +413,11 @@ class ConversionOptions:
             self.anticipation,
             self.table,
             self.mesh,
-            idle,
+            style.on_idle(idle),
             self.attack,
             self.release,
             not self.steady,
+            style,
         )
 
     def expressed(self, *more: ExpressionStream) -> Expression | None:
@@ -435,7 +441,7 @@ class ConversionOptions:
 
 PICTURED = ("size", "view", "transparent", "theme")
 """Options that say how pictures and clips look."""
-WEIGHTED = ("detail", "attack", "release", "steady", "seed")
+WEIGHTED = ("detail", "attack", "release", "steady", "seed", "style")
 """Options that say how the weights of movestates move."""
 FACIAL = (
     "no-blinks",
@@ -466,7 +472,7 @@ SERVED = tuple(name for name, option in OPTIONS.items() if option.elsewhere)
 
 def _served_value(name: str, option: Option, given: Sequence[str]) -> Any:
     """Return what an option means to a client, who names no file: neither a mouth table nor an expression of his."""
-    known = {"table": shipped_tables(), "text-driver": SERVED_DRIVERS}.get(name)
+    known = {"table": shipped_tables(), "style": shipped_styles(), "text-driver": SERVED_DRIVERS}.get(name)
     try:
         if name == "expression" and any(words.lower().endswith(RECORDED) for words in given):
             raise OptionError(f"must be like smile=0.5, and no file, got {given[0]!r}")

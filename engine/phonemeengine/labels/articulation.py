@@ -5,7 +5,11 @@ marks it wears: length, stress, aspiration, nasality or palatalisation change li
 """
 
 import unicodedata
+from collections.abc import Mapping
 from functools import lru_cache
+from typing import TypeVar
+
+T = TypeVar("T")
 
 CONSONANT_CLASSES: dict[str, str] = {
     # What is seen the most comes first: lips, then the tongue.
@@ -83,3 +87,9 @@ def letters_of(phone: str) -> tuple[str, ...]:
 def articulations_of(letter: str) -> tuple[str, ...]:
     """Return the classes of a sound, that which says the most about it first."""
     return tuple(name for name, letters in ARTICULATIONS.items() if letter in letters)
+
+
+def narrowest(known: Mapping[str, T], phone: str, usual: T) -> T:
+    """Return what is known of the first sound of a phone, or else of the narrowest class that it is of."""
+    names = (name for letter in letters_of(phone)[:1] if known for name in (letter, *articulations_of(letter)))
+    return next((known[name] for name in names if name in known), usual)

@@ -13,6 +13,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from phonemeengine.errors import MouthError
+from phonemeengine.labels.articulation import narrowest
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.recognition.segments import Segment
@@ -239,17 +240,6 @@ class _Chain:
 # done when the sound begins, as in people (anticipatory coarticulation). Lips, teeth or tongue that meet have met by
 # then, and stay so for a part of the sound; what comes after moves them apart before it ends.
 
-OPENED, FADED = 0.7, 0.3
-"""Share of a movement that is over when its sound begins; and when a silence does, since voices fade."""
-ROUNDED = 0.8
-"""The same of rounded vowels: lips are round early (Benguerel and Cowan 1974, Coarticulation of upper lip protrusion
-in French)."""
-HELD = 0.4
-"""Share of a sound for which lips, teeth or tongue stay where they met."""
-RELEASED = 0.06
-"""Seconds before the end of a sound from which on what has met may move apart."""
-QUICKEST = 0.65
-"""Share of its time within which a movement that begins late may be done."""
 APART = 0.005
 """Seconds between the beginnings of two movements at least."""
 
@@ -298,7 +288,7 @@ def planned_movements(
             lead = max(lead, cue.start - _picture_in(cue, rate) + time)
         wanted = cue.start - lead
         begin = max(wanted, begun + APART, _held_until(before, table, rate))
-        hurried = max(1.0 - (begin - wanted) / time, QUICKEST) if time else 1.0
+        hurried = max(1.0 - (begin - wanted) / time, table.movement.quickest) if time else 1.0
         planned.append(PlannedMovement(begin, hurried, cue, begin + hurried * time))
         begun = begin
     return planned
@@ -313,10 +303,10 @@ def _time_to(cue: Cue, before: Cue, table: MouthTable) -> float:
 
 def _share_before(cue: Cue, table: MouthTable) -> float:
     if cue.phoneme is Phoneme.SILENCE:
-        return FADED
+        return table.movement.faded
     if _closes(cue, table):
         return 1.0
-    return ROUNDED if cue.phoneme in (Phoneme.O, Phoneme.U) else OPENED
+    return table.movement.rounded if cue.phoneme in (Phoneme.O, Phoneme.U) else table.movement.opened
 
 
 def _closes(cue: Cue, table: MouthTable) -> bool:
@@ -327,7 +317,9 @@ def _held_until(cue: Cue, table: MouthTable, rate: float) -> float:
     """Return until when nothing moves apart what has met, seconds."""
     if not _closes(cue, table):
         return -math.inf
-    held = max(cue.start + HELD * cue.duration, cue.end - RELEASED)
+    width = narrowest(table.widths, cue.phone or cue.phoneme.label, 1.0)
+    share = min(table.movement.held * width, 1.0)
+    held = max(cue.start + share * cue.duration, cue.end - table.movement.released / width)
     return max(held, _picture_in(cue, rate)) if rate else held
 
 

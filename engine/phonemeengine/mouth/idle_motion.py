@@ -6,19 +6,14 @@ from collections import deque
 from typing import NamedTuple
 
 from phonemeengine.mouth.morpher import LowPass
+from phonemeengine.mouth.style_numbers import GestureNumbers
 
 # Small movements of the head that go with speech.
 #
 # The head rises with the voice's pitch and nods with its loudness (Yehia, Kuratate and Vatikiotis-Bateson 2002,
 # "Linking facial animation, head motion and speech acoustics"), and never stands quite still.
 
-PER_SEMITONE = 0.5
-"""Degrees that the head rises when the pitch lies a semitone above the usual one."""
 MOST_SEMITONES = 7.0
-NOD = 2.5
-"""Degrees that it sinks at full loudness."""
-SWAY = (1.6, 1.0, 0.9)
-"""Degrees that it wanders by itself in yaw, pitch and roll: half of it in silence."""
 PERIODS = ((7.3, 4.1), (6.1, 3.3), (9.7, 5.3))
 """Seconds of the slow swings that make up the wandering, in yaw, pitch and roll."""
 FOLLOWING, USUAL = 0.18, 4.0
@@ -34,9 +29,15 @@ class HeadPose(NamedTuple):
 
 
 class HeadMotion:
-    """Follows loudness and pitch, and gives the pose of the head at any time after; equal seeds sway alike."""
+    """Follows loudness and pitch, and gives the pose of the head at any time after; equal seeds sway alike.
 
-    def __init__(self, seed: int = 0) -> None:
+    Attributes
+    ----------
+    gestures : how far it goes.
+    """
+
+    def __init__(self, seed: int = 0, gestures: GestureNumbers | None = None) -> None:
+        self.gestures = gestures or GestureNumbers()
         chance = random.Random(seed)  # noqa: S311 - nothing secret depends on it
         self._phases = [[chance.uniform(0, 2 * math.pi) for _ in periods] for periods in PERIODS]
         self._loudness, self._rise = LowPass(FOLLOWING), LowPass(FOLLOWING)
@@ -59,13 +60,15 @@ class HeadMotion:
 
     def pose(self, time: float) -> HeadPose:
         """Return the pose at a time; times never go back."""
+        moved = self.gestures
+        sway = moved.sway_yaw, moved.sway_pitch, moved.sway_roll
         still = 0.5 + 0.5 * self._speaking.at(time)
         turned = 2 * math.pi * time
         yaw, pitch, roll = [
             width * still * (math.sin(turned / p + phase) + math.sin(turned / q + other)) / 2
-            for width, (p, q), (phase, other) in zip(SWAY, PERIODS, self._phases, strict=True)
+            for width, (p, q), (phase, other) in zip(sway, PERIODS, self._phases, strict=True)
         ]
-        voice = PER_SEMITONE * self._rise.at(time) - NOD * self._loudness.at(time)
+        voice = moved.rise * self._rise.at(time) - moved.nod * self._loudness.at(time)
         return HeadPose(yaw, pitch + voice, roll)
 
 

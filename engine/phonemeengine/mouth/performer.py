@@ -11,7 +11,7 @@ import math
 import threading
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol
 
 from phonemeengine.analyser import Analysis
@@ -24,6 +24,7 @@ from phonemeengine.mouth.expression.composer import Composer, Expression, Inhibi
 from phonemeengine.mouth.idle_motion import Blinker, HeadMotion, HeadPose
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.morpher import Detail, Morpher
+from phonemeengine.mouth.style_numbers import GestureNumbers
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.mouth.viseme_override import VisemeOverride
@@ -48,6 +49,7 @@ class IdleMotion:
     seed : equal seeds make equal faces.
     detail : how much of the speech its mouth follows.
     expression : what it expresses meanwhile, on tables with the movestates of ARKit; None for nothing.
+    gestures : how its head goes with speech.
     """
 
     blinks: bool = True
@@ -55,6 +57,7 @@ class IdleMotion:
     seed: int = 0
     detail: Detail = Detail.PHONEMES
     expression: Expression | None = None
+    gestures: GestureNumbers = field(default_factory=GestureNumbers)
 
     @property
     def feels(self) -> bool:
@@ -170,7 +173,7 @@ class Performer:
         self.table, self.idle = table, idle or IdleMotion()
         self.visemes, self._rate = VisemeOverride(table), rate
         self._lock = threading.RLock()
-        self._blinker, self._head = Blinker(self.idle.seed), HeadMotion(self.idle.seed)
+        self._blinker, self._head = Blinker(self.idle.seed), HeadMotion(self.idle.seed, self.idle.gestures)
         self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
         self._loudnesses: deque[tuple[float, float]] = deque()  # from when the mouth goes by which
@@ -188,8 +191,11 @@ class Performer:
     def configure(self, table: MouthTable, idle: IdleMotion) -> None:
         """Go on with another table, or with other motion, from where such a face would be."""
         with self._lock:
-            if table.shapes is not self.table.shapes:
+            if table.shapes.keys() != self.table.shapes.keys():
                 self.visemes = VisemeOverride(table)
+            elif table.shapes is not self.table.shapes:
+                self.visemes.reshape(table)
+            self._head.gestures = idle.gestures
             again = (table, idle.detail, idle.seed) != (self.table, self.idle.detail, self.idle.seed)
             before, self.table, self.idle = self.idle, table, idle
             if idle.expression is not before.expression:

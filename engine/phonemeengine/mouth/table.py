@@ -20,8 +20,9 @@ import tomli_w
 
 from phonemeengine.arrays import Float32Array, ShortRepr
 from phonemeengine.errors import MouthError, check_range, remedy
-from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of
+from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS, articulations_of, letters_of, narrowest
 from phonemeengine.mouth.blendshape_names import NAMES, both_sides
+from phonemeengine.mouth.style_numbers import MovementNumbers
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import printable_name
 from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml, shown
@@ -149,6 +150,7 @@ class MouthTable(ShortRepr):
     closed_phones : those of `phones` at which lips, teeth or tongue meet as lips do at `closed_phonemes`.
     targets : for a face whose shapes have other names: the percentages of its shapes that a movestate stands for; a
         movestate that is not named moves nothing then. Empty for a face with the movestates themselves.
+    movement, widths : how a style moves the mouth, and factors of the time for which what meets stays so, by letter.
     """
 
     name: str
@@ -163,6 +165,8 @@ class MouthTable(ShortRepr):
     phone_times: Mapping[str, TransitionTimes] = field(default_factory=dict)
     closed_phones: frozenset[str] = frozenset()
     targets: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    movement: MovementNumbers = field(default_factory=MovementNumbers)
+    widths: Mapping[str, float] = field(default_factory=dict)
 
     @cached_property
     def face_names(self) -> tuple[str, ...]:
@@ -191,9 +195,7 @@ class MouthTable(ShortRepr):
 
     def times_of(self, phoneme: Phoneme, phone: str = "") -> TransitionTimes:
         """Return how fast the mouth is for a phone, or a class of it; else for the phoneme, which is no silence."""
-        letters = letters_of(phone)[:1]
-        names = (name for letter in letters for name in (letter, *articulations_of(letter)))
-        return next((self.phone_times[name] for name in names if name in self.phone_times), self.times[phoneme])
+        return narrowest(self.phone_times, phone, self.times[phoneme])
 
     def closes(self, phoneme: Phoneme, phone: str = "") -> bool:
         """Return whether the mouth comes to its shape in time, and wholly at any loudness, as lips do that meet."""

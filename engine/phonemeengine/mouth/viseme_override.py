@@ -51,6 +51,10 @@ class VisemeOverride:
         self._smooth, self._looked = [LowPass(TIME_CONSTANT, share) for share in self._at.tolist()], 0.0
         self._settled = self._left_to_speech = True
 
+    def reshape(self, table: MouthTable) -> None:
+        """Go on with a table whose shapes have the same names, as another style moves them."""
+        self._table, self._rows = table, table.shape_weights()
+
     @property
     def shares(self) -> dict[str, float]:
         """How far each shape is asked for now, 0..1."""

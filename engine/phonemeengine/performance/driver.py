@@ -1,16 +1,16 @@
 """The driver: a sentence is looked up in a table of performances, fitted to its sound, smoothed and posed."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import lru_cache
-from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import PerformanceError
 from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS, TONGUE
+from phonemeengine.mouth.poses import PoseTable
+from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.performance.choice import (
     Chosen,
     ExampleChoice,
@@ -21,7 +21,7 @@ from phonemeengine.performance.choice import (
 )
 from phonemeengine.performance.halves import Recordings, bounds_of
 from phonemeengine.performance.keywords import Keywords
-from phonemeengine.performance.poses import PLACE, PoseTable, load_poses, pose_shares, posed_weights
+from phonemeengine.performance.poses import pose_in, pose_shares, posed_weights
 from phonemeengine.performance.recording import SILENCE
 from phonemeengine.performance.smoothing import (
     ENERGY_CHANNELS,
@@ -36,14 +36,13 @@ from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.units import Sentence, UnitKind
 from phonemeengine.text.syllables import is_vowel
 
-# The tongue, which no camera sees: a pose for each sound, as ``tongue.toml`` has them.
+# The tongue, which no camera sees: a pose for each sound, as the style has them.
 
-USUAL_TONGUE = Path(__file__).with_name("tongue.toml")
 TO_REST = 0.1
 """Seconds in which the tongue comes to rest in a pause, and comes from there."""
 
 
-def tongue_weights(sentence: Sentence, times: Float64Array, frame: float) -> Float32Array:
+def tongue_weights(sentence: Sentence, poses: PoseTable, times: Float64Array, frame: float) -> Float32Array:
     """Return the weights of the movestates of `TONGUE`, float32, shape (n_times, 6).
 
     Poses are mixed as those of the mouth are, with what they leave on the way from each pose to the next one.
@@ -51,10 +50,10 @@ def tongue_weights(sentence: Sentence, times: Float64Array, frame: float) -> Flo
     Parameters
     ----------
     sentence : its phones.
+    poses : those of the tongue.
     times : seconds.
     frame : how long a picture is shown, seconds; no pose holds for less.
     """
-    poses = _usual_tongue()
     posed = pose_shares(sentence, poses, times, frame)
     way = _on_the_way(sentence, poses, times)
     if not posed.shapes:
@@ -62,11 +61,6 @@ def tongue_weights(sentence: Sentence, times: Float64Array, frame: float) -> Flo
     shapes = np.stack([_weights_of(shape, poses) for shape in posed.shapes])
     weights: Float32Array = posed.shares @ shapes + (1 - posed.shares.sum(axis=1, keepdims=True)) * way
     return weights
-
-
-@lru_cache(maxsize=1)
-def _usual_tongue() -> PoseTable:
-    return load_poses(USUAL_TONGUE)
 
 
 def _weights_of(shape: str, poses: PoseTable) -> Float32Array:
@@ -79,9 +73,9 @@ def _on_the_way(sentence: Sentence, poses: PoseTable, times: Float64Array) -> Fl
     rest = np.zeros(len(TONGUE), np.float32)
     stations: list[tuple[float, Float32Array]] = []
     for phone in sentence:
-        pose = poses.pose_of(phone.name)
+        pose = pose_in(poses, phone)
         if pose is not None:
-            stations.append((phone.start + PLACE * phone.duration, _weights_of(pose.shape, poses)))
+            stations.append((phone.start + poses.curve.place * phone.duration, _weights_of(pose.shape, poses)))
         elif phone.name == SILENCE:
             inset = min(TO_REST, phone.duration / 2)
             stations += [(phone.start + inset, rest), (phone.end - inset, rest)]
@@ -123,14 +117,14 @@ class PerformanceOptions:
     choice : among the examples of a unit.
     seed : of what is left to chance.
     without : what is left out.
-    poses : model visemes; those that ship, where it is None.
+    style : how mouth and tongue are posed, smoothed and moved, and how the head goes along.
     keywords : words with gestures, and conjunctions; those that ship, where it is None.
     """
 
     choice: ExampleChoice = ExampleChoice.VITERBI
     seed: int = 0
     without: frozenset[PerformancePart] = frozenset()
-    poses: PoseTable | None = None
+    style: Style = field(default_factory=neutral_style)
     keywords: Keywords | None = None
 
 
@@ -181,9 +175,11 @@ class PerformanceDriver:
             )
         self._table, self._recordings = table, Recordings(table, np.array(columns))
         self._inventory = {kind: table.names(kind) for kind in UnitKind}
-        self._poses = self.options.poses or load_poses()
+        style = self.options.style
+        self._poses, self._tongue_poses, self._filters = style.posed_mouth(), style.posed_tongue(), style.filtered()
         self._moved = moved = tuple(names[k] for k in columns)
         self._places = np.array([ARKIT.index(name) for name in moved])
+        self._loose = style.loose_gains(moved)
         self._loud = [k for k, name in enumerate(moved) if name in ENERGY_CHANNELS]
 
     def notes(self, sentence: Sentence) -> tuple[str, ...]:
@@ -214,7 +210,7 @@ class PerformanceDriver:
         weights = np.zeros((len(times), len(FACE)), np.float32)
         weights[:, self._places] = moved
         if PerformancePart.POSES not in self.options.without:
-            weights[:, _TONGUE] = tongue_weights(sentence, times, frame)
+            weights[:, _TONGUE] = tongue_weights(sentence, self._tongue_poses, times, frame)
         return weights
 
     def _looked_up(self, sentence: Sentence, number: int) -> tuple[tuple[PlacedUnit, ...], list[Chosen]]:
@@ -226,14 +222,14 @@ class PerformanceDriver:
         """Filter before posing, since a filter would open closed lips; the loudness spares these."""
         without = self.options.without
         if PerformancePart.FILTERS not in without:
-            weights = smoothed(without_outliers(weights), sentence, times)
-        weights = bounded(weights)
+            weights = smoothed(without_outliers(weights), sentence, times, self._filters)
+        weights = bounded(weights * self._loose)
         shares = pose_shares(sentence, self._poses, times, frame)
         if PerformancePart.POSES not in without:
             weights = posed_weights(weights, shares, self._poses, self._moved)
             weights = self._behind_teeth(weights, sentence, times)
         if PerformancePart.ENERGY not in without:
-            louder = 1 + (gains_of(sentence, times) - 1) * (1 - shares.firm)
+            louder = 1 + (gains_of(sentence, times, self._filters.gain) - 1) * (1 - shares.firm)
             weights[:, self._loud] *= louder[:, None]
         if PerformancePart.WINDOW not in without:
             weights = brought_to_rest(weights, sentence, times)

@@ -11,6 +11,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
 from phonemeengine.mouth.idle_motion import HeadMotion
+from phonemeengine.mouth.style_numbers import GestureNumbers
 from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, load_keywords
 from phonemeengine.performance.phrases import Phrase, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
@@ -40,6 +41,7 @@ class HeadDriver:
     language : its tag, such as ``en-us``; in an unknown one, words have no gestures.
     keywords : words with gestures, and conjunctions; those that ship, where it is None.
     seed : equal seeds sway alike where no head was recorded.
+    gestures : how far all goes.
     """
 
     def __init__(
@@ -49,7 +51,9 @@ class HeadDriver:
         language: str,
         keywords: Keywords | None = None,
         seed: int = 0,
+        gestures: GestureNumbers | None = None,
     ) -> None:
+        self._numbers = gestures or GestureNumbers()
         keywords = load_keywords() if keywords is None else keywords
         self._conjunctions = keywords.conjunctions_in(words, language)
         self._gestures = tuple(keywords.gestures_in(words, language))
@@ -90,11 +94,11 @@ class HeadDriver:
         times, inner = _with_margins(times)
         values = self._joined(self.matches(sentence), times)
         if not self._turns:
-            values[:, : len(HEAD)] = _moved_by_sound(sentence, times, self._seed)
+            values[:, : len(HEAD)] = _moved_by_sound(sentence, times, HeadMotion(self._seed, self._numbers))
         begin, end = sentence[0].start, sentence[-1].end
         values *= (crossed(times, begin, begin + REST) * (1 - crossed(times, end - REST, end)))[:, None]
         for start, stop, gesture in self._gestures_in(sentence):
-            _gesticulate(values, gesture, (times - start) / (stop - start))
+            _gesticulate(values, gesture, (times - start) / (stop - start), self._numbers.size)
         values = low_passed(values, CUTOFF * (times[1] - times[0]))
         values[:, len(HEAD) :] = values[:, len(HEAD) :].clip(0, 1)
         return values[inner].astype(np.float32)
@@ -105,7 +109,7 @@ class HeadDriver:
         for match, share in zip(matches, _shares_of([match.phrase for match in matches], times), strict=True):
             within = share > 0
             recorded = self._sampled(self._table.recording(match.recording), _fitted(match, times[within]))
-            values[within] += share[within, None] * recorded
+            values[within] += self._numbers.size * share[within, None] * recorded
         return values
 
     def _sampled(self, performance: Performance, times: Float64Array) -> Float64Array:
@@ -168,7 +172,7 @@ def _with_margins(times: Float64Array) -> tuple[Float64Array, slice]:
     return times[0] + period * np.arange(-n, len(times) + n), slice(n, n + len(times))
 
 
-def _gesticulate(values: Float64Array, gesture: Gesture, places: Float64Array) -> None:
+def _gesticulate(values: Float64Array, gesture: Gesture, places: Float64Array, size: float) -> None:
     """Put a gesture, places 0..1, in the place of what moves, from where that was to where it goes on."""
     within = np.flatnonzero((places >= 0) & (places <= 1))
     if not len(within):
@@ -177,12 +181,12 @@ def _gesticulate(values: Float64Array, gesture: Gesture, places: Float64Array) -
     for channel in gesture.channels:
         column = values[:, CHANNELS.index(channel)]
         first, last = column[within[0]], column[within[-1]]
-        column[within] = first + (last - first) * way + gesture.curve(channel, places[within])
+        column[within] = first + (last - first) * way + size * gesture.curve(channel, places[within])
 
 
-def _moved_by_sound(sentence: Sentence, times: Float64Array, seed: int) -> Float64Array:
+def _moved_by_sound(sentence: Sentence, times: Float64Array, motion: HeadMotion) -> Float64Array:
     """Return the turns of a head that follows loudness and pitch, degrees, shape (n_times, 3)."""
-    motion, coming = HeadMotion(seed), [*sentence][::-1]
+    coming = [*sentence][::-1]
     spoken = [phone.energy for phone in sentence if phone.name != SILENCE]
     mean = sum(spoken) / max(len(spoken), 1)
     turns = np.zeros((len(times), len(HEAD)))

@@ -1,81 +1,15 @@
-"""Model visemes: the shapes of closures and roundings, laid over what is looked up.
+"""How far model visemes are laid over what is looked up, and when."""
 
-They are TOML files that an animator edits, read strictly; ``poses.toml`` is the one that ships.
-"""
-
-import os
-from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import groupby
-from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.errors import MouthError
-from phonemeengine.labels.articulation import articulations_of, letters_of
-from phonemeengine.mouth.table import movestates_of, phone_named, shape_named, shapes_in
-from phonemeengine.performance.recording import SILENCE
+from phonemeengine.mouth.poses import Pose, PoseTable
+from phonemeengine.mouth.style_numbers import PoseNumbers
+from phonemeengine.performance.recording import SILENCE, PerformedPhone
 from phonemeengine.performance.units import Sentence
-from phonemeengine.storage.strict_table import StrictTable, load_text, parse_toml
-
-FORMAT = "phonemeanalyser poses 1"
-USUAL_POSES = Path(__file__).with_name("poses.toml")
-MOST_PRIORITY = 100.0
-PLATEAU, PLACE = 0.25, 0.35
-"""Share of a phone for which its pose holds, and share after which the middle of that comes: early, not late."""
-COMING, LEAST_COMING, MOST_COMING = 0.25, 0.015, 0.05
-LEAVING, LEAST_LEAVING, MOST_LEAVING = 0.18, 0.012, 0.04
-"""Standard deviations of the flanks, beside the phone before and the one after, and their limits, seconds."""
-LONGEST_NEIGHBOUR = 0.12
-"""Seconds; a longer phone counts as so long."""
-FULL_LENGTH = 0.07
-"""Seconds that a phone lasts whose pose is met wholly, unless it is firm."""
-
-
-@dataclass(frozen=True)
-class Pose:
-    """The pose of a phone, or of a class of them.
-
-    Attributes
-    ----------
-    shape : its name.
-    priority : of poses that overlap, those of a lower one take what is left.
-    firm : whether lips or teeth meet, however short the phone is.
-    """
-
-    shape: str
-    priority: float = 1.0
-    firm: bool = False
-
-
-@dataclass(frozen=True)
-class PoseTable:
-    """Model visemes.
-
-    Attributes
-    ----------
-    name : what people call them.
-    movestates : the names of the movestates.
-    phones : the pose of each letter of the IPA, or class of `ARTICULATIONS`, that has one.
-    shapes : for each shape the percentages of its movestates, 100 for the whole movement.
-    """
-
-    name: str
-    movestates: tuple[str, ...]
-    phones: Mapping[str, Pose]
-    shapes: Mapping[str, Mapping[str, float]]
-
-    def pose_of(self, name: str) -> Pose | None:
-        """Return the pose of a phone, that of the narrowest class that has one; None for none."""
-        letters = letters_of(name)[:1] if name != SILENCE else ()
-        names = (entry for letter in letters for entry in (letter, *articulations_of(letter)))
-        return next((self.phones[entry] for entry in names if entry in self.phones), None)
-
-    def weights(self, shape: str, channels: tuple[str, ...]) -> Float32Array:
-        """Return the weights of a shape, 1 for the whole movement; nan where it says nothing of a channel."""
-        percentages = self.shapes[shape]
-        return np.array([percentages.get(channel, np.nan) / 100 for channel in channels], np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +28,11 @@ class PoseShares:
     firm: Float32Array
 
 
+def pose_in(poses: PoseTable, phone: PerformedPhone) -> Pose | None:
+    """Return the pose of a phone; None for none, and in silence."""
+    return poses.pose_of("" if phone.name == SILENCE else phone.name)
+
+
 def pose_shares(sentence: Sentence, poses: PoseTable, times: Float64Array, frame: float) -> PoseShares:
     """Return the shares of all poses of a sentence at some times.
 
@@ -103,10 +42,10 @@ def pose_shares(sentence: Sentence, poses: PoseTable, times: Float64Array, frame
     times : seconds.
     frame : how long a picture is shown, seconds: no pose holds for less.
     """
-    posed = [(k, pose) for k, phone in enumerate(sentence) if (pose := poses.pose_of(phone.name)) is not None]
+    posed = [(k, pose) for k, phone in enumerate(sentence) if (pose := pose_in(poses, phone)) is not None]
     curves = np.zeros((len(posed), len(times)))
     for row, (k, pose) in zip(curves, posed, strict=True):
-        row[:] = _curve(sentence, k, pose, times, frame)
+        row[:] = _curve(sentence, k, pose, poses.curve, times, frame)
     _share_out(curves, [pose.priority for _, pose in posed])
     firm = sum((row for row, (_, pose) in zip(curves, posed, strict=True) if pose.firm), np.zeros(len(times)))
     return PoseShares(curves.T.astype(np.float32), tuple(pose.shape for _, pose in posed), firm.astype(np.float32))
@@ -125,56 +64,21 @@ def posed_weights(
     return laid
 
 
-def load_poses(path: str | os.PathLike[str] = USUAL_POSES) -> PoseTable:
-    """Load model visemes from a file; those that ship, unless told otherwise.
-
-    Raises
-    ------
-    MouthError : it cannot be read, or says something impossible; the message names the file and the entry.
-    """
-    return load_text(path, "a file of poses (.toml)", MouthError, poses_of)
-
-
-def poses_of(text: str) -> PoseTable:
-    """Read model visemes from the text of a TOML file.
-
-    Raises
-    ------
-    MouthError : not TOML, not of this format, an unknown or missing name, or a value out of range.
-    """
-    top = parse_toml(text, "a file of poses", FORMAT, MouthError)
-    top.check_keys(("movestates", "phones", "shapes"), ("name", "notes"))
-    movestates = movestates_of(top)
-    shapes = shapes_in(top, movestates)
-    phones: dict[str, Pose] = {}
-    for key, entry in top.table("phones").tables_by_name():
-        name = phone_named(key)
-        if name in phones:
-            raise MouthError(f"[phones] says twice what {name} is; remove one")
-        phones[name] = _pose_of(entry, shapes)
-    return PoseTable(top.value("name", str, "untitled"), movestates, phones, shapes)
-
-
-def _pose_of(entry: StrictTable, shapes: Mapping[str, Mapping[str, float]]) -> Pose:
-    entry.check_keys(("shape",), ("priority", "firm"))
-    shape = shape_named(entry.name, entry.value("shape", str), shapes)
-    what = f"a number in 0..{MOST_PRIORITY:g}"
-    priority = entry.limited("priority", 0, MOST_PRIORITY, what, Pose.priority)
-    return Pose(shape, priority, entry.value("firm", bool, Pose.firm))
-
-
-def _curve(sentence: Sentence, k: int, pose: Pose, times: Float64Array, frame: float) -> Float64Array:
+def _curve(
+    sentence: Sentence, k: int, pose: Pose, numbers: PoseNumbers, times: Float64Array, frame: float
+) -> Float64Array:
     """Return how far the pose of a phone is taken: a plateau with two flanks, each half a Gaussian."""
     phone = sentence[k]
-    plateau = max(frame, PLATEAU * phone.duration)
-    begin = phone.start + PLACE * phone.duration - plateau / 2
+    plateau = max(frame, numbers.plateau * phone.duration * pose.width)
+    begin = phone.start + numbers.place * phone.duration - plateau / 2
     distance = np.where(times < begin, begin - times, np.maximum(times - begin - plateau, 0.0))
     before = sentence[k - 1].duration if k else 0.0
     after = sentence[k + 1].duration if k + 1 < len(sentence) else 0.0
-    coming = np.clip(COMING * min(before, LONGEST_NEIGHBOUR), LEAST_COMING, MOST_COMING)
-    leaving = np.clip(LEAVING * min(after, LONGEST_NEIGHBOUR), LEAST_LEAVING, MOST_LEAVING)
-    width = np.where(times < begin, coming, leaving)
-    height = 1.0 if pose.firm else min(1.0, phone.duration / FULL_LENGTH)
+    longest = numbers.longest_neighbour
+    coming = np.clip(numbers.coming * min(before, longest), numbers.least_coming, numbers.most_coming)
+    leaving = np.clip(numbers.leaving * min(after, longest), numbers.least_leaving, numbers.most_leaving)
+    width = np.where(times < begin, coming, leaving) * pose.width
+    height = 1.0 if pose.firm else min(1.0, phone.duration / numbers.full_length)
     curve: Float64Array = height * np.exp(-0.5 * (distance / width) ** 2)
     return curve
 

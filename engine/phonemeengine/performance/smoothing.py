@@ -8,6 +8,7 @@ from itertools import groupby
 import numpy as np
 
 from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, IndexArray
+from phonemeengine.mouth.style_numbers import FilterNumbers
 from phonemeengine.performance.choice import Chosen, PlacedUnit
 from phonemeengine.performance.recording import SILENCE
 from phonemeengine.performance.units import Sentence
@@ -126,18 +127,15 @@ def _curves_of(placed: Sequence[PlacedUnit], chosen: Sequence[Chosen], bounds: F
     return MonotoneCubics(np.concatenate(xs), np.concatenate(ys), starts)
 
 
-SYLLABLE_CUTOFF, WORD_CUTOFF = 0.5, 0.7
-"""Cut-off frequencies within syllables and words, beside the number of phones a second."""
-LEAST_PHRASE_CUTOFF, ABOVE_WORD = 10.0, 1.1
-"""Within the sentence: hertz at least, and beside the cut-off within words."""
+USUAL_FILTERS: FilterNumbers = FilterNumbers()
 OUTLIER, NEIGHBOURS = 0.3, 2
 """A weight that is so far from the median of itself and as many frames on each side is no movement of a face."""
 TO_REST = 0.3
 """Seconds in which a face comes to rest after the last phone."""
 ENERGY_CHANNELS = ("jawOpen",)
 """What opens farther in louder speech."""
-GAIN, GAIN_STEP, LEAST_GAIN, MOST_GAIN = 0.5, 12.0, 0.7, 1.4
-"""By how much for how many decibels, and the limits of it."""
+GAIN_STEP, LEAST_GAIN, MOST_GAIN = 12.0, 0.7, 1.4
+"""For how many decibels its gain is meant, and its limits."""
 
 
 def without_outliers(weights: Float32Array) -> Float32Array:
@@ -161,7 +159,9 @@ def without_outliers(weights: Float32Array) -> Float32Array:
     return mended
 
 
-def smoothed(weights: Float32Array, sentence: Sentence, times: Float64Array) -> Float32Array:
+def smoothed(
+    weights: Float32Array, sentence: Sentence, times: Float64Array, filters: FilterNumbers = USUAL_FILTERS
+) -> Float32Array:
     """Filter syllables, then words, then the whole sentence, with a cut-off that rises from level to level.
 
     The filter is a Butterworth low-pass of second order, forwards and backwards, of the part continued point by point
@@ -172,18 +172,19 @@ def smoothed(weights: Float32Array, sentence: Sentence, times: Float64Array) -> 
     weights : shape (n_frames, n_channels).
     sentence : its phones.
     times : of the frames, seconds, evenly spaced.
+    filters : the cut-offs.
     """
     spoken = [phone.duration for phone in sentence if phone.name != SILENCE]
     if len(times) < 3 or not spoken:
         return weights
     rate = (len(times) - 1) / (times[-1] - times[0])
     pace = len(spoken) / sum(spoken)
-    word = WORD_CUTOFF * pace
+    word = filters.word * pace
     result = weights.astype(np.float64)
     for numbers, cutoff in (
-        ([phone.syllable for phone in sentence], SYLLABLE_CUTOFF * pace),
+        ([phone.syllable for phone in sentence], filters.syllable * pace),
         ([phone.word for phone in sentence], word),
-        ([0] * len(sentence), max(LEAST_PHRASE_CUTOFF, ABOVE_WORD * word)),
+        ([0] * len(sentence), max(filters.phrase, filters.above_word * word)),
     ):
         for first, last in _parts_of(sentence, numbers, times):
             result[first:last] = low_passed(result[first:last], cutoff / rate)
@@ -201,7 +202,7 @@ def brought_to_rest(weights: Float32Array, sentence: Sentence, times: Float64Arr
     return weights * (1 - crossed(times, end, end + TO_REST))[:, None]
 
 
-def gains_of(sentence: Sentence, times: Float64Array) -> Float32Array:
+def gains_of(sentence: Sentence, times: Float64Array, gain: float = USUAL_FILTERS.gain) -> Float32Array:
     """Return by how much louder or quieter speech enlarges `ENERGY_CHANNELS` at some times, shape (n_times,).
 
     A syllable is as loud as its loudest phone, at the middle of that; between syllables it goes on straight.
@@ -214,7 +215,7 @@ def gains_of(sentence: Sentence, times: Float64Array) -> Float32Array:
     if not syllables:
         return np.ones(len(times), np.float32)
     levels = np.array([phone.energy for phone in syllables])
-    gains = np.clip(1 + GAIN * (levels - levels.mean()) / GAIN_STEP, LEAST_GAIN, MOST_GAIN)
+    gains = np.clip(1 + gain * (levels - levels.mean()) / GAIN_STEP, LEAST_GAIN, MOST_GAIN)
     found: Float32Array = np.interp(times, [phone.middle for phone in syllables], gains).astype(np.float32)
     return found
 

@@ -164,4 +164,4 @@ class SpokenFace:
         if PerformancePart.HEAD in options.without:
             return None
         words = [word.text for word in self._words]
-        return HeadDriver(self._table, words, self._language, self._keywords, options.seed)
+        return HeadDriver(self._table, words, self._language, self._keywords, options.seed, options.style.gesturing())

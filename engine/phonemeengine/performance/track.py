@@ -121,7 +121,9 @@ class PerformanceTrack:
         if PerformancePart.HEAD in options.without:
             return None
         words = [word.text for word in self.utterance.words]
-        return HeadDriver(table, words, self.utterance.language, options.keywords, options.seed)
+        return HeadDriver(
+            table, words, self.utterance.language, options.keywords, options.seed, options.style.gesturing()
+        )
 
 
 class PerformedMouth:

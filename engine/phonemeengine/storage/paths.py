@@ -24,6 +24,11 @@ def presets_folder() -> Path:
     return user_documents_path() / FOLDER / "presets"
 
 
+def styles_folder() -> Path:
+    """Return the folder of the user's own styles; it need not exist."""
+    return presets_folder().with_name("styles")
+
+
 def journal_folder() -> Path:
     """Return the folder in which running recordings are noted; it need not exist."""
     return data_folder() / "unfinished"

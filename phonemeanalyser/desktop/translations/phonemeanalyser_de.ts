@@ -264,7 +264,7 @@
             <translation>[phones] kennt keinen Laut {key}; IPA-Zeichen ohne Zusätze oder eine Klasse angeben: {known}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/mouth/table.py" />
+            <location filename="../../../engine/phonemeengine/mouth/poses.py" />
             <source>[phones] says twice what {name} is; remove one</source>
             <translation>[phones] beschreibt {name} zweimal; eins entfernen</translation>
         </message>
@@ -312,6 +312,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>A and E</source>
             <translation>A und E</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/style.py" />
+            <source>a blend</source>
+            <translation>eine Mischung</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/storage/files.py" />
@@ -11625,6 +11630,11 @@
             <translation>{name} muss in 0..{sample_rate} Hz steigen, gefunden {low}..{high} Hz</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/mouth/style.py" />
+            <source>{name} names {name_2}, which is no movestate; {movestates}</source>
+            <translation>{name} nennt {name_2}, das kein Movestate ist; {movestates}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/speech/pinyin/table.py" />
             <source>{name} names {part} twice; remove one</source>
             <translation>{name} nennt {part} zweimal; eins entfernen</translation>
@@ -12408,6 +12418,11 @@
             <location filename="../../../engine/phonemeengine/presets/files.py" />
             <source>{path}: there is no such preset; {words}</source>
             <translation>{path}: Dieses Preset fehlt; {words}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/mouth/style.py" />
+            <source>{path}: there is no such style; {name}</source>
+            <translation>{path}: Diesen Stil gibt es nicht; {name}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/storage.py" />

@@ -8,8 +8,8 @@ from phonemeengine.errors import MeshError
 from phonemeengine.mouth.head import USUAL_HEAD, Head, load_head
 from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import MovestateSet
+from phonemeengine.mouth.poses import load_poses
 from phonemeengine.mouth.table import load_table
-from phonemeengine.performance.poses import load_poses
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.speech.pinyin.table import load_pinyin_table
 

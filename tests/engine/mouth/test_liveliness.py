@@ -3,7 +3,10 @@
 import numpy as np
 import pytest
 
-from phonemeengine.mouth.idle_motion import CLOSING, FOLLOWING, NOD, OPENING, PER_SEMITONE, Blinker, HeadMotion
+from phonemeengine.mouth.idle_motion import CLOSING, FOLLOWING, OPENING, Blinker, HeadMotion
+from phonemeengine.mouth.style_numbers import GestureNumbers
+
+GESTURES = GestureNumbers()
 
 
 def closures(rate: float, seconds: float, seed: int = 0) -> np.ndarray:
@@ -61,14 +64,14 @@ def pose_after(voice: tuple[float, float], before: tuple[float, float], time: fl
 def test_the_head_rises_with_the_pitch() -> None:
     level, raised = pose_after((0.5, 120.0), (0.5, 120.0)), pose_after((0.5, 160.0), (0.5, 120.0))
     semitones = 12 * np.log2(160 / 120)
-    assert raised[1] - level[1] == pytest.approx(PER_SEMITONE * semitones, rel=0.25)
+    assert raised[1] - level[1] == pytest.approx(GESTURES.rise * semitones, rel=0.25)
     assert raised[::2] == level[::2]
 
 
 def test_the_head_sinks_with_the_loudness() -> None:
     soft, loud = pose_after((0.2, 0.0), (0.2, 0.0)), pose_after((1.0, 0.0), (0.2, 0.0))
     followed = 1 - np.exp(-0.5 / FOLLOWING)
-    assert loud[1] - soft[1] == pytest.approx(-NOD * 0.8 * followed, rel=0.02)
+    assert loud[1] - soft[1] == pytest.approx(-GESTURES.nod * 0.8 * followed, rel=0.02)
 
 
 def test_the_head_never_turns_far_and_never_jumps() -> None:

@@ -8,7 +8,6 @@ import pytest
 from numpy.typing import NDArray
 
 from phonemeengine.mouth.animation import Animation, animation_of
-from phonemeengine.mouth.cues import OPENED
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.movestate import Mode
@@ -133,7 +132,7 @@ def test_a_vowel_that_is_known_early_opens_the_mouth_early_and_a_live_one_when_i
     frames = [TimedFrame(k * FRAME_PERIOD, Phoneme.A if k >= 50 else Phoneme.SILENCE, 1.0) for k in range(100)]
     early, live = (weights_of(played(Performer(ARKIT, MOUTH_ALONE), frames, ahead))[:, JAW] for ahead in (0.2, 0.0))
     begun = [float(np.argmax(jaw > 0)) / RATE for jaw in (early, live)]
-    assert begun[0] == pytest.approx(0.5 - OPENED * ARKIT.times[Phoneme.A].to_shape, abs=1.5 / RATE)
+    assert begun[0] == pytest.approx(0.5 - ARKIT.movement.opened * ARKIT.times[Phoneme.A].to_shape, abs=1.5 / RATE)
     assert begun[1] == pytest.approx(0.5 + 0.02, abs=1.5 / RATE)
 
 

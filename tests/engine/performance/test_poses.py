@@ -5,15 +5,8 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import MouthError
-from phonemeengine.performance.poses import (
-    FORMAT,
-    USUAL_POSES,
-    Pose,
-    load_poses,
-    pose_shares,
-    posed_weights,
-    poses_of,
-)
+from phonemeengine.mouth.poses import FORMAT, USUAL_POSES, Pose, load_poses, poses_of
+from phonemeengine.performance.poses import pose_shares, posed_weights
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
 from phonemeengine.performance.units import Sentence
 

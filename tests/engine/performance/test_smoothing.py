@@ -6,8 +6,8 @@ from scipy.signal import butter, sosfiltfilt
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.performance.smoothing import (
-    LEAST_PHRASE_CUTOFF,
     TO_REST,
+    USUAL_FILTERS,
     bounded,
     brought_to_rest,
     gains_of,
@@ -42,7 +42,7 @@ def test_the_phrase_is_filtered_as_a_butterworth_filter_does_forwards_and_backwa
     silent = tuple(replace(phone, word=-1, syllable=-1) for phone in long)
     times = np.arange(round(long[-1].end * RATE) + 1) / RATE
     noise = np.random.default_rng(1).standard_normal((len(times), 2))
-    expected = sosfiltfilt(butter(2, LEAST_PHRASE_CUTOFF, fs=RATE, output="sos"), noise, axis=0)
+    expected = sosfiltfilt(butter(2, USUAL_FILTERS.phrase, fs=RATE, output="sos"), noise, axis=0)
     found = smoothed(noise.astype(np.float32), silent, times)
     assert found[60:-60] == pytest.approx(expected[60:-60], abs=1e-3)
 

@@ -4,8 +4,8 @@ import pytest
 from phonemeengine.arrays import Float32Array
 from phonemeengine.labels.articulation import ARTICULATIONS, IPA_LETTERS
 from phonemeengine.mouth.blendshape_names import TONGUE
-from phonemeengine.performance.driver import USUAL_TONGUE, tongue_weights
-from phonemeengine.performance.poses import load_poses
+from phonemeengine.mouth.poses import USUAL_TONGUE, load_poses
+from phonemeengine.performance.driver import tongue_weights
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
 
 POSES = load_poses(USUAL_TONGUE)
@@ -26,7 +26,7 @@ def _said(letters: str, length: float = 0.1) -> tuple[PerformedPhone, ...]:
 
 def _at(letters: str, time: float, length: float = 0.1) -> dict[str, float]:
     """Give what the tongue does at a time after the first sound begins."""
-    row = tongue_weights(_said(letters, length), np.array([0.3 + time]), FRAME)[0]
+    row = tongue_weights(_said(letters, length), POSES, np.array([0.3 + time]), FRAME)[0]
     return {name: round(float(weight), 3) for name, weight in zip(TONGUE, row, strict=True) if weight > 0.02}
 
 
@@ -69,7 +69,7 @@ def test_each_place_of_articulation_has_its_movestate(letter: str, channel: str)
 def test_the_tongue_touches_at_its_sound_and_rests_in_silence() -> None:
     assert _at("ata", 0.135) == {"tongueTipAlveolar": 1.0}
     assert _at("ata", -0.25) == _at("ata", 0.59) == {}
-    assert not tongue_weights(_said(""), np.arange(10) / 20, FRAME).any()
+    assert not tongue_weights(_said(""), POSES, np.arange(10) / 20, FRAME).any()
 
 
 def test_the_farther_in_front_the_tongue_touches_the_higher_its_priority() -> None:
@@ -80,7 +80,7 @@ def test_the_farther_in_front_the_tongue_touches_the_higher_its_priority() -> No
 
 
 def test_of_sounds_that_overlap_the_one_in_front_takes_its_whole_share() -> None:
-    weights = tongue_weights(_said("kt", 0.02), np.array([0.3 + 0.02 * 1.35]), FRAME)[0]
+    weights = tongue_weights(_said("kt", 0.02), POSES, np.array([0.3 + 0.02 * 1.35]), FRAME)[0]
     assert weights[TONGUE.index("tongueTipAlveolar")] == pytest.approx(1.0)
     assert weights[TONGUE.index("tongueBackDorsalVelar")] < 1e-3
 
@@ -93,13 +93,13 @@ def test_sounds_of_the_lips_leave_the_tongue_on_its_way() -> None:
 
 def test_the_tongue_does_not_drop_between_two_sounds_of_one_pose() -> None:
     times = 0.3 + np.arange(0.035, 0.135, 0.005)
-    raised = tongue_weights(_said("iɪ"), times, FRAME)[:, TONGUE.index("tongueMidDorsalPalate")]
+    raised = tongue_weights(_said("iɪ"), POSES, times, FRAME)[:, TONGUE.index("tongueMidDorsalPalate")]
     assert raised.min() == pytest.approx(0.45, abs=1e-3)
 
 
 def test_weights_lie_between_0_and_1_and_do_not_jump() -> None:
     sentence = _said("ðəstɹɛŋθəvkwaɪtʃɪldɹən")
-    weights = tongue_weights(sentence, np.arange(0, sentence[-1].end, 1 / 240), 1 / 240)
+    weights = tongue_weights(sentence, POSES, np.arange(0, sentence[-1].end, 1 / 240), 1 / 240)
     assert weights.min() >= 0
     assert weights.max() <= 1.0001
     assert np.abs(np.diff(weights, axis=0)).max() < 0.25

@@ -15,6 +15,7 @@ from phonemeengine.mouth.expression.composer import with_stream
 from phonemeengine.mouth.expression.streams import ExpressionStream
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.performer import IdleMotion
+from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.mouth.table import MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 
@@ -37,6 +38,7 @@ class ExportOptions:
     idle : what else the face does.
     attack, release : factors of the times in which the table's shapes come and go.
     random : whether shapes and times vary a little, as they do in people.
+    style : in which the face speaks.
     """
 
     rate: float | None = None
@@ -48,6 +50,7 @@ class ExportOptions:
     attack: float = 1.0
     release: float = 1.0
     random: bool = True
+    style: Style = field(default_factory=neutral_style)
 
     def mouth_table(self, usual: str) -> MouthTable:
         """Return the mouth table, the usual one unless another is asked for, with the speed that is asked for.
@@ -61,11 +64,12 @@ class ExportOptions:
                 limits = "{:g}..{:g}".format(*FACTORS)
                 raise MouthError(f"{name} must be a factor in {limits}, got {factor:g}; choose another")
         table = load_table(self.table or usual)
-        return table.with_motion(self.attack, self.release, random=self.random)
+        return self.style.on_table(table.with_motion(self.attack, self.release, random=self.random))
 
     def expressing(self, stream: ExpressionStream) -> "ExportOptions":
         """Return the same of a face that shows one more expression."""
-        return replace(self, idle=replace(self.idle, expression=with_stream(self.idle.expression, stream)))
+        expressing = replace(self.idle, expression=with_stream(self.idle.expression, stream))
+        return replace(self, idle=self.style.on_idle(expressing))
 
 
 class Exporter:
