@@ -25,7 +25,7 @@ from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeanalyser.desktop.widgets.plot_menu import save_picture
 from phonemeengine import __version__
-from phonemeengine.features.variables import Variable
+from phonemeengine.features.variables import Variable, readable_name
 from phonemeengine.presets.files import DEFAULT_PRESET, PRESET_SUFFIXES, load_preset
 
 ICON_SIZE = 64
@@ -225,15 +225,15 @@ class Dialogs(QObject):
             recording.forget()
 
     def show_about(self) -> None:
-        """Show what the program is; the notes of the preset with which it begins say how well it does."""
-        notes = escape(load_preset(DEFAULT_PRESET).notes.strip()).replace("\n", " ")
+        """Show what the program is, and how well the preset with which it begins does."""
+        summary = escape(tr_engine(load_preset(DEFAULT_PRESET).summary))
         words = tr(
             "<b>PhonemeAnalyser</b><p>Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme "
             "was recognised.<p>Version {version}, MIT licence; <i>Help &gt; Licences</i> lists all components. The "
             "demo is a synthetic voice of the Festival project (CMU slt). The heads are made "
             "from MakeHuman's mesh and targets, and face units by Mika Suominen (CC0)."
-            "<p><b>The preset Learned.</b> {notes}"
-        ).format(notes=notes, version=__version__)
+            "<p><b>The preset Learned.</b> {summary}"
+        ).format(summary=summary, version=__version__)
         title, close = tr("About PhonemeAnalyser"), QMessageBox.StandardButton.Close
         box = QMessageBox(QMessageBox.Icon.NoIcon, title, words, close, self._window)
         box.setIconPixmap(self._window.windowIcon().pixmap(ICON_SIZE))
@@ -271,13 +271,14 @@ class Dialogs(QObject):
 
     def ask_remove_variable(self) -> None:
         """Let the user choose a variable of his own to remove."""
-        names = [v.name for v in self._preset.preset.variables]
+        mine = self._preset.preset.variables
+        names = {f"{tr_engine(readable_name(v.name, mine))}  ({v.name})": v.name for v in mine}
         if not names:
             self.rejected.emit(tr("There are no custom variables yet. Mark a range in the averaged spectrum first."))
             return
-        dialog = input_dialog(self._window, tr("Remove Variable"), tr("Variable:"), tr("Remove"), items=names)
-        if (name := answer_of(dialog)) is not None:
-            self._preset.remove_variable(name)
+        dialog = input_dialog(self._window, tr("Remove Variable"), tr("Variable:"), tr("Remove"), items=[*names])
+        if (chosen := answer_of(dialog)) is not None:
+            self._preset.remove_variable(names[chosen])
 
     def ask_save_picture(self, plot: QWidget, name: str) -> None:
         """Let the user choose a file to save the picture of a plot to: pixels, or lines that scale."""

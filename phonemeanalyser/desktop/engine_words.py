@@ -16,6 +16,9 @@ SOUNDS = {
 }
 """Phonemes and mouth shapes that the window calls otherwise than files do, by their labels there."""
 
+RECOGNISERS = {"thesis": "Thesis", "learned": "Learned", "rules": "Extended rules", "templates": "Templates"}
+"""The recognisers of the program, by their names in files: each is called as the factory's preset with it."""
+
 WORDS = (
     # what is chosen from
     tr_noop("plain"),
@@ -361,6 +364,7 @@ SENTENCES = (
     tr_noop("{name}: the file is truncated after the audio, which is complete"),
     tr_noop("{name}: the header gives no duration; the file contains {there} s"),
     tr_noop("{name}: the file is truncated; its header announces {announced} s, but it contains {there} s"),
+    tr_noop("rules need labels of at least two sounds, and the recordings have only {only}; load some with others"),
     tr_noop("a fit needs labels of at least two sounds, and the recordings have only {only}; load some with others"),
     tr_noop("a rule for {label} asks for the variable {variable}, which is not measured; add it, or change the rule"),
     tr_noop("the sensitivity for {label} must lie within ±{most_log_odds}, got {value}"),
@@ -392,6 +396,11 @@ def sound_name(sound: Phoneme | str) -> str:
     return tr(SOUNDS.get(label, label))
 
 
+def recogniser_title(name: str) -> str:
+    """Return what the window calls a recogniser, which is given by its name in files."""
+    return RECOGNISERS.get(name, name)
+
+
 def tr_engine(text: str) -> str:
     """Return what the engine says in the language of the window, as far as it is listed; else as it is."""
     return _in_language(text, language_in_use())
@@ -408,7 +417,9 @@ def _in_language(text: str, _language: str) -> str:
         filled = _pattern(sentence).fullmatch(text)
         if filled is not None:
             put_in = tr_engine if sentence in SENTENCES else _of_errors
-            return tr(sentence).format(**{place: put_in(words) for place, words in filled.groupdict().items()})
+            places = filled.groupdict()
+            put = {k: recogniser_title(v) if k == "recogniser" else put_in(v) for k, v in places.items()}
+            return tr(sentence).format(**put)
     bare = text[:1].lower() + text[1:].removesuffix(".")  # as it is where it stands alone
     if bare != text and (told := tr_engine(bare)) != bare:
         return f"{told[:1].upper()}{told[1:]}{text[len(bare) :]}"

@@ -138,7 +138,7 @@ class LicencesDialog(QDialog):
         self.setWindowTitle(tr("Licences"))
         self.resize(*SIZE)
         text = named(QTextBrowser(), tr("Licences of all components"))
-        text.setMarkdown(licences_text())
+        text.setMarkdown(licences_text(tr("Licences"), (tr("Component"), tr("Licence"), tr("Includes"))))
         column(text, dialog_buttons(self, CLOSE), on=self, margins=None)
 
 

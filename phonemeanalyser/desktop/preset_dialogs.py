@@ -3,11 +3,12 @@
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSettings, QUrl, Signal
-from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QInputDialog, QMessageBox, QWidget
+from PySide6.QtCore import QObject, QSettings, QTimer, QUrl, Signal
+from PySide6.QtGui import QDesktopServices, QTextCursor
+from PySide6.QtWidgets import QInputDialog, QMessageBox, QPlainTextEdit, QWidget
 
 from phonemeanalyser.desktop.analyse.recognition.preset_box import PresetBox
 from phonemeanalyser.desktop.analyse.recognition.recogniser_choice import EncoderDialog
@@ -33,7 +34,7 @@ from phonemeengine.presets.files import (
 from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.storage.paths import presets_folder
 
-NOTES_SIZE = 520, 360
+NOTES_SIZE = 800, 420
 IN_USE, NOT_IN_USE, LETTER = "preset", "other preset", "preset letter"
 """Keys of what is kept of A and B for the next start."""
 PRESET_FILTERS = "Preset (*.toml);;PhonemeData (*.phonemedata *.txt)"
@@ -268,6 +269,8 @@ class PresetDialogs(QObject):
         dialog.setOption(QInputDialog.InputDialogOption.UsePlainTextEditForTextInput)
         dialog.setTextValue(self._preset.preset.notes)
         dialog.resize(*NOTES_SIZE)
+        for field in dialog.findChildren(QPlainTextEdit):  # else all is selected, and the next key deletes it
+            QTimer.singleShot(0, partial(field.moveCursor, QTextCursor.MoveOperation.Start))
         if (notes := answer_of(dialog)) is not None:
             self._preset.edit(replace(self._preset.preset, notes=notes), tr("edit notes"))
 

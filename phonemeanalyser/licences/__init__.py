@@ -62,16 +62,16 @@ def parts() -> list[LicencedPart]:
     return [first, *sorted(others, key=lambda part: part.name.casefold())]
 
 
-def licences_text() -> str:
+def licences_text(title: str = "Licences", head: tuple[str, str, str] = ("Component", "Licence", "Includes")) -> str:
     """Return a table of all parts, what is in the data, and the licences whole, as Markdown."""
     everything = parts()
     rows = [f"| {part.name} {part.version} | {part.licence} | {part.libraries} |" for part in everything]
-    table = "\n".join(["| part | licence | with |", "| --- | --- | --- |", *rows])
+    table = "\n".join(["| " + " | ".join(head) + " |", "| --- | --- | --- |", *rows])
     texts = {part.name: part.texts for part in everything if part.texts}
     texts |= {name: ((Path(__file__).parent / file).read_text("utf-8"),) for name, file in GNU.items()}
     whole = "\n\n".join(_whole(name, of_it) for name, of_it in texts.items())
     data = "\n".join(f"- {line}" for line in DATA)
-    return f"# Licences\n\n{table}\n\n{data}\n\n{whole}\n"
+    return f"# {title}\n\n{table}\n\n{data}\n\n{whole}\n"
 
 
 def _add(name: str, extras: set[str], found: dict[str, Distribution]) -> None:

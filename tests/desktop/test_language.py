@@ -312,14 +312,16 @@ def test_what_the_engine_says_with_numbers_is_translated_around_them(spoken: Cal
     spoken("de")
     assert tr_engine(sentence).startswith("Es wurde kein Laut aufgenommen: Die lauteste Stelle liegt bei -")
     assert tr_engine("offline, ±0.51 s of context") == "Offline, ±0.51 s Kontext"
+    assert tr_engine("learned, look-ahead 40 ms") == "Learned, Vorausschau 40 ms"
 
 
 def test_phonemes_are_called_as_people_write_them_and_files_keep_their_labels(spoken: Callable[[str], None]) -> None:
     vowels = ["m", "p", "i", "a", "e", "u", "o"]
     assert [sound_name(p) for p in Phoneme] == ["silence", "unidentified", "s", "sh", *vowels]
     assert [tr_engine(label) for label in ("sz, sch…", "sch 2", "sz_s1")] == ["s, sh…", "sh 2", "sz_s1"]
-    refused = "a fit needs labels of at least two sounds, and the recordings have only {}; load some with others"
-    assert tr_engine(refused.format("sz")) == refused.format("s")
+    for needs in ("a fit needs", "rules need"):
+        refused = f"{needs} labels of at least two sounds, and the recordings have only {{}}; load some with others"
+        assert tr_engine(refused.format("sz")) == refused.format("s")
     assert tr_engine("Limit for m_s1; 2 conditions: < sz, sch…; > a") == "Limit for m_s1; 2 conditions: < s, sh…; > a"
     spoken("de")
     assert [sound_name(p) for p in Phoneme] == ["Stille", "unbekannt", "s", "sch", *vowels]

@@ -134,8 +134,7 @@ def controls_of(preset: Preset, recogniser: Recogniser | None) -> tuple[ControlG
 
 def variables_with(preset: Preset, control: Control) -> tuple[str, ...]:
     """Return the variable of a control, and after it those of all further conditions of the rules it stands in."""
-    rules_of = spec_of(preset.recogniser).rules
-    rules = () if rules_of is None else rules_of(preset.config)
+    rules = _rules_of(preset)
     of_limit = {k for k, _ in control.places}
     asked = [
         c.variable
@@ -144,6 +143,21 @@ def variables_with(preset: Preset, control: Control) -> tuple[str, ...]:
         for c in rule.conditions
     ]
     return tuple(dict.fromkeys((control.variable, *asked)))
+
+
+def asked_in_words(preset: Preset, control: Control) -> str:
+    """Return for which phonemes a control is compared, such as ``> sz, sch``; its label where no rule asks for it."""
+    asked: dict[str, list[str]] = {}
+    for rule in () if control.places else _rules_of(preset):
+        for c in rule.conditions:
+            if c.threshold == control.name:
+                asked.setdefault(c.sign, []).append(rule.phoneme.label)
+    return _named(asked) or control.label
+
+
+def _rules_of(preset: Preset) -> tuple[Rule, ...]:
+    rules_of = spec_of(preset.recogniser).rules
+    return () if rules_of is None else rules_of(preset.config)
 
 
 def unused_settings(preset: Preset) -> frozenset[str]:

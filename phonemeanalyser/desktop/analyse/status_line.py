@@ -4,7 +4,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFontMetrics
 from PySide6.QtWidgets import QLabel, QSizePolicy, QToolButton, QWidget
 
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import recogniser_title, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.session import Session
@@ -154,7 +154,7 @@ class StatusLine:
         session = self._session
         changed = f" ({tr('changed')})" if self._preset.has_unsaved_changes else ""
         preset = tr("Preset: {preset}{changed}").format(preset=self._preset.title, changed=changed)
-        model = tr("Model: {model}").format(model=tr_engine(model_in_words(session.source.preset)))
+        model = tr("Model: {model}").format(model=tr_engine(recogniser_title(model_in_words(session.source.preset))))
         _write(
             self.left, f" {session.source.name}: {tr_engine(session.source.description)}   ·   {model}   ·   {preset}"
         )

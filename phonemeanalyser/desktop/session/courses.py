@@ -4,9 +4,10 @@ from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE, PresetModel
-from phonemeengine.features.variables import unit_of
-from phonemeengine.presets.controls import variables_with
+from phonemeengine.features.variables import readable_name, unit_of
+from phonemeengine.presets.controls import asked_in_words, variables_with
 
 MOST_COURSES = 8
 """Variables whose courses are drawn at once at most: the comparisons of the longest factory rule."""
@@ -42,7 +43,7 @@ class ThresholdLines:
         """Return what tunes the recogniser on a variable."""
         preset = self._preset.preset
         mine = (c for c in self._preset.controls.values() if c.variable == variable)
-        return [ThresholdLine(c.name, c.label if c.places else c.name, c.sign, c.read(preset)) for c in mine]
+        return [ThresholdLine(c.name, asked_in_words(preset, c), c.sign, c.read(preset)) for c in mine]
 
     def move(self, name: str, value: float) -> None:
         """Move a threshold, a limit or a sensitivity."""
@@ -51,6 +52,10 @@ class ThresholdLines:
     def end_move(self) -> None:
         """End a drag: undo takes it back as a whole."""
         self._preset.end_edit()
+
+    def words_of(self, variable: str) -> str:
+        """Return what a variable measures, in words."""
+        return tr_engine(readable_name(variable, self._preset.preset.variables))
 
     def unit_of(self, variable: str) -> str:
         """Return the unit of a variable."""

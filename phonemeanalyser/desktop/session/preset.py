@@ -7,7 +7,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name
 from phonemeanalyser.desktop.language import tr, tr_amid, tr_noop
 from phonemeengine.errors import EngineError, RecogniserError, SettingsError
 from phonemeengine.features.variables import BUILT_IN_NAMES, Variable
@@ -349,7 +349,7 @@ class PresetModel(QObject):
         """
         tuned = self._tuned_for(name)
         left = {self.preset.recogniser: self.preset}
-        self.edit(tuned, tr("switch to recogniser {name}").format(name=name))
+        self.edit(tuned, tr("switch to recogniser {name}").format(name=recogniser_title(name)))
         self._left |= left
 
     def set_file_model(self, kind: ModelKind) -> None:

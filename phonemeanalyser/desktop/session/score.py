@@ -127,11 +127,11 @@ class ScoreModel(QObject):
             nothing = not self._utterances and not self._n_labelled()
             return tr("No labelled sound is loaded.") if nothing else ""
         if self.file is None:
-            return tr("No file is open whose labels could be compared.")
+            return tr("No file is open.")
         if self._labels.tiers and self._labels.said_frames() is None:
             return tr("No tier of the labels names phonemes only. Choose another one with Labels > Tiers.")
         if not self._n_labelled():
-            return tr("{name} has no labels.").format(name=self.file.name)
+            return tr("No labels yet.")
         return "" if self._frames().stop > self._frames().start else tr("Nothing that is seen is labelled.")
 
     def choose(self, scope: Scope) -> None:

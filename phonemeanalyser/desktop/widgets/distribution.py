@@ -63,6 +63,9 @@ class ThresholdSource(Protocol):
     def end_move(self) -> None:
         """End a drag."""
 
+    def words_of(self, variable: str) -> str:
+        """Return what a variable measures, in words."""
+
     def unit_of(self, variable: str) -> str:
         """Return the unit of a variable."""
 
@@ -163,7 +166,9 @@ class DistributionView(QWidget):
             return super().event(event)
         phoneme, k, value = found
         told = tr(TAKEN[k]).format(
-            variable=self._distribution.variable, sound=sound_name(phoneme), value=short(value)
+            variable=self._thresholds.words_of(self._distribution.variable),
+            sound=sound_name(phoneme),
+            value=short(value),
         )
         if self.lines:
             told += " " + tr("Click: make it the value of {threshold}").format(
@@ -249,7 +254,8 @@ class DistributionView(QWidget):
             draw_text(painter, QRectF(x - 40, bottom + 2, 80, 14), short(value), self._theme.faint, 10, CENTRED)
         scale = ", " + tr("log scale") if distribution.logarithmic else ""
         label = QRectF(self._left - 80, bottom + 15, self.width() - self._left - self._right + 160, 16)
-        text = f"{distribution.variable} ({tr(self._thresholds.unit_of(distribution.variable))}){scale}"
+        words, unit = (of(distribution.variable) for of in (self._thresholds.words_of, self._thresholds.unit_of))
+        text = f"{words} ({tr(unit)}){scale}"
         draw_text(painter, label, text, self._theme.text, 11, CENTRED)
         for k, name in enumerate(COLUMNS):
             draw_text(painter, self._cell(k, TOP - 18, 16), tr(name), self._theme.faint, 10, AT_RIGHT)

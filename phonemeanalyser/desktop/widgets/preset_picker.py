@@ -24,7 +24,7 @@ from phonemeanalyser.desktop.widgets.builders import column, named, row, tab_but
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
 from phonemeengine.presets.files import PRESET_SUFFIXES, PresetEntry
 
-WIDTH, LEAST_HEIGHT, MOST_HEIGHT = 800, 220, 460
+WIDTH, LEAST_HEIGHT, MOST_HEIGHT = 940, 220, 460
 """Of the list, pixels, where the screen has room."""
 LEAST_WIDTH = 150
 OPEN = "open"
@@ -88,6 +88,7 @@ class PresetList(QFrame):
         for command in commands:
             button = QToolButton()
             button.setDefaultAction(command)
+            button.setText(command.text())  # with its ellipsis, which Qt leaves out
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.clicked.connect(self.hide)

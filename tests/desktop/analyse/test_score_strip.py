@@ -190,7 +190,7 @@ def test_without_labels_it_says_how_to_get_them(desktop, window, strip, qtbot, t
     bare = Path(shutil.copy(CARDS, tmp_path / "bare.flac"))
     desktop.session.open(bare)
     settled(desktop, qtbot)
-    assert strip.why_not.text() == "bare.flac has no labels."
+    assert strip.why_not.text() == "No labels yet."
     assert strip.ways.isVisible()
     assert not strip.figures.isVisible()
     assert not any(button.isVisible() for button in strip.confusions)
@@ -207,7 +207,7 @@ def test_without_labels_it_says_how_to_get_them(desktop, window, strip, qtbot, t
     press(window, Qt.Key.Key_2, Qt.KeyboardModifier.ControlModifier)
     desktop.session.leave_sound()
     settled(desktop, qtbot)
-    assert strip.why_not.text() == "No file is open whose labels could be compared."
+    assert strip.why_not.text() == "No file is open."
     choose(desktop, qtbot, Scope.LOADED)
     assert strip.why_not.text() == "No labelled sound is loaded."
 
@@ -238,7 +238,7 @@ def test_labels_of_another_sound_and_words_are_refused_in_one_sentence(desktop, 
     desktop.session.open(other)
     settled(desktop, qtbot)
     assert [sentence.split("; ")[1] for sentence in told] == ["check whether the labels belong to this sound"]
-    assert strip.why_not.text() == "other.flac has no labels."
+    assert strip.why_not.text() == "No labels yet."
 
 
 def test_the_scope_and_whether_it_is_shown_outlive_the_window(desktop, window, strip):

@@ -52,7 +52,7 @@ def bench_of(calibrator: Calibrator) -> WorkbenchView:
 def show(calibrator: Calibrator, variable: str) -> None:
     """Choose a variable in the list."""
     table = bench_of(calibrator).variables.table
-    row = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == variable)
+    row = next(k for k in range(table.rowCount()) if table.item(k, 0).toolTip().endswith(f"({variable})"))
     table.scrollToItem(table.item(row, 0))
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(row, 0)).center())
     calibrator.settle()
@@ -249,7 +249,7 @@ def test_a_suggestion_shows_its_range_and_its_distribution_before_it_is_added(lo
     sounds = {row[0]: float(row[4]) for row in rows[1:]}  # medians
     assert min(sounds["i"], sounds["u"]) < best.threshold < max(sounds["i"], sounds["u"])
     table = variables.table
-    row = next(k for k in range(table.rowCount()) if table.item(k, 0).text() == "m_p2")
+    row = next(k for k in range(table.rowCount()) if table.item(k, 0).toolTip().endswith("(m_p2)"))
     table.setCurrentCell(row, 0)
     loaded.settle()
     assert bench.shown is bench.distribution
@@ -308,7 +308,7 @@ def test_a_cell_lists_its_stretches_and_a_click_plays_one_to_its_end(loaded: Cal
     table = bench.segments
     session = loaded.booth.desktop.session
     heard: list[Analysis] = []
-    session.heard.connect(heard.extend)
+    session.analysed.connect(heard.extend)
     QTest.mouseClick(table.viewport(), LEFT, pos=table.visualItemRect(table.item(0, 0)).center())
     assert session.path == rows[0].path
     assert session.source.playing

@@ -80,7 +80,7 @@ def test_what_is_typed_is_said_by_ctrl_return_in_the_language_that_is_chosen(win
     qtbot.waitUntil(lambda: window.transport.source.currentData() == SourceKind.TEXT)
     assert voice.asked == [("hello", "de")]
     qtbot.waitUntil(lambda: spoken(window))
-    assert panel(window).act.text() == "Say"
+    assert panel(window).act.text() == "Speak"
     assert not window.talk.save_words.isEnabled()
     assert window.talk.save_speech.isEnabled()
     assert "fixed by the voice" in window.talk.lanes.summary.text()
@@ -166,7 +166,7 @@ def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
     QTest.mouseClick(window.talk.lanes.line, LEFT, pos=place(window, 0, 0.8))
     assert desktop.session.source.playing
     heard: list[Analysis] = []
-    desktop.session.heard.connect(heard.extend)
+    desktop.session.analysed.connect(heard.extend)
     qtbot.waitUntil(lambda: not desktop.session.source.playing)
     assert heard[0].start == 60
     assert heard[-1].start + len(heard[-1]) == 110

@@ -62,5 +62,5 @@ def test_takes_are_held_out_where_one_speaks_and_parts_where_there_is_one_record
 
 def test_one_sound_is_nothing_to_divide(tmp_path: Path):
     only = recording(tmp_path / "a.wav", [Phoneme.A])
-    with pytest.raises(CorpusError, match=r"rules divide at least two sounds, .* only a; load some that do"):
+    with pytest.raises(CorpusError, match=r"rules need labels .* only a; load some with others"):
         rules_from([only], THESIS, bands=False)

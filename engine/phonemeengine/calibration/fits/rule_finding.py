@@ -180,9 +180,9 @@ def frame_weights(labels: FrameLabels) -> Float64Array:
 def _search_in(labelled: LabelledFeatures, preset: Preset) -> RuleSearch:
     known = set(np.unique(labelled.labels.phonemes).tolist()) - {Phoneme.UNIDENTIFIED}
     if len(known) < 2:
-        only = f", only {Phoneme(known.pop()).label}" if known else ""
+        only = Phoneme(known.pop() if known else Phoneme.UNIDENTIFIED).label
         raise CorpusError(
-            f"rules divide at least two sounds, and the recordings have no two with labels{only}; load some that do"
+            f"rules need labels of at least two sounds, and the recordings have only {only}; load some with others"
         )
     unasked = UNASKED if _has_bands(preset) else {PITCH.name}
     names = [name for name in labelled.variables if name not in unasked]

@@ -18,7 +18,6 @@ from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.distribution import short
 from phonemeanalyser.desktop.widgets.plot import broken_line
 from phonemeengine.arrays import Float32Array, Float64Array
-from phonemeengine.features.variables import readable_name
 from phonemeengine.inspection.whole_sound import SoundTracks
 from phonemeengine.recognition.scores import values_of
 from phonemeengine.settings import FRAME_PERIOD
@@ -159,7 +158,7 @@ class CourseLanes:
 
     def named(self, variable: str) -> str:
         """Return what a variable measures, and its short name."""
-        words = tr_engine(readable_name(variable, self._session.preset.preset.variables))
+        words = self._courses.lines.words_of(variable)
         return words if words == variable else f"{words}  ·  {variable}"
 
     def _paint_name(self, painter: QPainter, variable: str, row: QRectF) -> None:

@@ -19,7 +19,7 @@ from phonemeanalyser.desktop.analyse.lanes.feeling_lane import (
 )
 from phonemeanalyser.desktop.analyse.lanes.sonagram import SIDE, Overlaid, SonagramPainter, side_width
 from phonemeanalyser.desktop.analyse.lanes.sonagram_choices import SonagramChoices
-from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.courses import Courses
 from phonemeanalyser.desktop.session.feeling_track import LiveFeelings
@@ -196,6 +196,7 @@ class ScrollView(QWidget):
         self._feeling = FeelingItem(session.live_feelings, self.sonagram, theme)
         self._course = LiveCurve(pen=pg.mkPen(theme.signal))
         self._limits: dict[str, pg.InfiniteLine] = {}
+        self._name = pg.LabelItem(size="8pt", color=theme.text, justify="left")
         self._course_range = (0.0, 0.0)
         self.back = tool_button(
             tr("History"), tr("Show all that the microphone recorded since Clear on its own time axis (Ctrl+B)")
@@ -250,16 +251,16 @@ class ScrollView(QWidget):
             for row, of in zip(places, axes, strict=True)
         ]
         items = (self.sonagram, self._lane, self._course, self._feeling)
-        for plot, item, name in zip(self._plots, items, ("", "", tr("Variable"), ""), strict=True):
+        for plot, item in zip(self._plots, items, strict=True):
             plot.addItem(item)
             plot.hideButtons()
             plot.getAxis("left").setWidth(AXIS_WIDTH)
-            plot.setLabel("left", name)
             plot.setMouseEnabled(x=True, y=False)
             plot.vb.setLimits(xMin=-SPAN, xMax=0)
             plot.vb.setDefaultPadding(0)
         self._hint.setPos(-SECONDS_SHOWN / 2, 0.5)
         self._plots[0].addItem(self._hint, ignoreBounds=True)
+        self._name.setParentItem(self._plots[2].vb)  # where it stays, whatever is seen
         self._fix_ranges()
 
     def _fix_ranges(self) -> None:
@@ -303,11 +304,11 @@ class ScrollView(QWidget):
     def _show_courses(self) -> None:
         """Show the chosen variable, and its thresholds as they are now."""
         course, lines = self._plots[2], self.courses.lines.lines_of(self.courses.chosen)
-        course.setLabel("left", self.courses.chosen.replace("_", " "))
+        self._name.setText(self.courses.lines.words_of(self.courses.chosen))
         if [line.name for line in lines] != [*self._limits]:
             for drawn in self._limits.values():
                 course.removeItem(drawn)
-            self._limits = {line.name: self._line_called(line.name) for line in lines}
+            self._limits = {line.name: self._line_called(line.name, tr_engine(line.label)) for line in lines}
             for drawn in self._limits.values():
                 course.addItem(drawn, ignoreBounds=True)
         for line in lines:
@@ -319,10 +320,10 @@ class ScrollView(QWidget):
             drawn.setPen(pg.mkPen(self._theme.bad, style=style, width=2 if touched else 1))
         self._draw_course()
 
-    def _line_called(self, name: str) -> pg.InfiniteLine:
+    def _line_called(self, name: str, words: str) -> pg.InfiniteLine:
         """Return a level line with a name, which is dear to make; a drag moves the threshold."""
         how = {"position": 0.02, "anchors": [(0, 1), (0, 1)], "color": self._theme.bad}
-        line = pg.InfiniteLine(angle=0, movable=True, label=name, labelOpts=how)
+        line = pg.InfiniteLine(angle=0, movable=True, label=words, labelOpts=how)
         line.sigDragged.connect(lambda dragged: self.courses.drag(name, float(dragged.value())))
         line.sigPositionChangeFinished.connect(lambda _line: self.courses.lines.end_move())
         return line

@@ -9,6 +9,7 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QScrollArea, QSizePolicy, QSlider, QToolButton, QWidget
 
+from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr, tr_amid
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
@@ -97,7 +98,7 @@ class LookAheadSlider(QSlider):
         ahead = (
             tr("Look-ahead {ms:.0f} ms").format(ms=FRAME_MS * frames)
             if waits
-            else tr("{recogniser}: no look-ahead").format(recogniser=preset.recogniser)
+            else tr("{recogniser}: no look-ahead").format(recogniser=recogniser_title(preset.recogniser))
         )
         late = tr("latency not measured yet")
         if self._waiting is not None:
@@ -259,7 +260,7 @@ class FilterColumn(QScrollArea):
 
     def _show_unused(self) -> None:
         """Show which steps do nothing to what is recognised; they still shape what is seen."""
-        name = self._preset.preset.recogniser
+        name = recogniser_title(self._preset.preset.recogniser)
         unused = unused_settings(self._preset.preset)
         for key, heading in self._headings.items():
             note = (

@@ -6,7 +6,7 @@ from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtWidgets import QLabel, QMenu, QPushButton, QToolButton, QWidget
 
 from phonemeanalyser.desktop.analyse.recognition.rule_tree import WRONG, RuleTree
-from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
+from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.session.rules import RuleModel
 from phonemeanalyser.desktop.theme import Theme
@@ -110,7 +110,7 @@ class RuleEditor(QWidget):
             self.begin.setToolTip(tr("Turn them into rules of your own that recognise the same"))
         else:
             sentence = tr("The recogniser {name} has no rules. Begin with rules from takes, or with Extended rules.")
-            self.words.setText(sentence.format(name=preset.recogniser))
+            self.words.setText(sentence.format(name=recogniser_title(preset.recogniser)))
             self.begin.setText(tr("Begin with Extended Rules"))
             self.begin.setToolTip(tr("Recognise with Extended rules; undo brings the preset back"))
         self.tree.show_rules()

@@ -29,7 +29,6 @@ from phonemeanalyser.desktop.widgets.builders import (
 from phonemeanalyser.desktop.widgets.distribution import DistributionView, phoneme_of_rule, short
 from phonemeanalyser.desktop.widgets.phoneme_keys import KEYS
 from phonemeengine.features.front_end import why_unmeasured
-from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
 
 COLUMNS = (tr_noop("min"), tr_noop("mean"), tr_noop("max"))
@@ -196,7 +195,7 @@ class VariablePanel(QWidget):
             editor.setCursorPosition(0)  # else the end of what is long is seen
 
     def _words_of(self, name: str, separation: float) -> str:
-        words = tr_engine(readable_name(name, self._preset.preset.variables))
+        words = self._courses.lines.words_of(name)
         parts = [words, *([name] if words != name else [])]
         return "  ·  ".join([*parts, *([] if math.isnan(separation) else [f"{separation:.0%}"])])
 
@@ -237,7 +236,7 @@ class VariablePanel(QWidget):
         self._list_variables()
 
     def _show_row(self, name: str, extremes: Extremes | None) -> None:
-        variable = self._courses.chosen
+        variable = self._courses.lines.words_of(self._courses.chosen)
         for k, column_name in enumerate(COLUMNS):
             button = self.values[name, k]
             text = "–" if extremes is None else short(extremes[k])

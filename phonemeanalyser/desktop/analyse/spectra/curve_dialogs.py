@@ -85,7 +85,7 @@ class CurveDialogs(QObject):
     def add_microphone(self) -> None:
         """Average what the microphone recorded since Clear."""
         microphone = self._session.microphone
-        past = None if microphone.heard is None else microphone.heard.snapshot()
+        past = None if microphone.since_clear is None else microphone.since_clear.snapshot()
         if past is None:
             self.rejected.emit(
                 tr("The microphone has recorded nothing since Clear. Use it first, then add its average.")

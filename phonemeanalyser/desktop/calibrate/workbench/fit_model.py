@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.preset import A, B, PresetModel
 from phonemeanalyser.desktop.tasks import TaskQueue
@@ -50,7 +51,7 @@ class FitModel(QObject):
         if not spec_of(recogniser).fit:
             return tr(
                 "The recogniser {recogniser} has no thresholds to fit. Use the guided calibration instead."
-            ).format(recogniser=recogniser)
+            ).format(recogniser=recogniser_title(recogniser))
         return "" if self._workbench.features is not None else tr("Record takes or load labelled recordings first.")
 
     def begin(self) -> None:

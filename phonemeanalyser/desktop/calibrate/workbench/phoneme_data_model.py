@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
+from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.pitch_set_words import pitch_set_in_words
@@ -93,7 +94,8 @@ class PhonemeDataModel(QObject):
         name = self._preset.preset.recogniser
         if Tuning.PITCH_SETS in spec_of(name).tuned_by:
             return ""
-        return tr("The recogniser {name} does not use these numbers. Choose the recogniser thesis.").format(name=name)
+        sentence = tr("The recogniser {name} does not use these numbers. Choose the preset Thesis.")
+        return sentence.format(name=recogniser_title(name))
 
     @property
     def why_no_fit(self) -> str:

@@ -92,7 +92,8 @@ class RulesPanel(QWidget):
             widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         column(
             row(*buttons, 1),
-            row(self.variables, label(tr("Most conditions")), self.conditions, 1),
+            row(self.variables, 1),
+            row(label(tr("Most conditions")), self.conditions, 1),
             self.words, self.figures, (self.rules, 1), 0,
             on=self, margins=(6, 6, 6, 4),
         )  # fmt: skip

@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QAbstractItemView, QGridLayout, QPushButton, QTableWidget, QTableWidgetItem, QWidget
 
 from phonemeanalyser.desktop.calibrate.workbench.workbench_model import WorkbenchModel
-from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
+from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, column, label, named, silent, style_list, tab_buttons
@@ -25,7 +25,7 @@ NAME = Qt.ItemDataRole.UserRole
 ACTS = tr_noop("It takes effect once a rule of the preset uses it.")
 NO_ACT = tr_noop(
     "The recogniser {name} cannot use custom variables: this one would be measured and drawn, but would not change "
-    "any phoneme. The recogniser rules can use it."
+    "any phoneme. A preset with rules of its own can use it."
 )
 
 
@@ -73,7 +73,8 @@ class VariablesPanel(QWidget):
         self._fill()
 
     def _lay_out(self) -> None:
-        self.setFixedWidth(236)
+        self.setMinimumWidth(236)
+        self.setMaximumWidth(340)
         self.table.setHorizontalHeaderLabels([tr("Variable"), tr("Separation")])
         let_copy(self.table)
         style_list(self.table, 20, (0, 68))
@@ -111,7 +112,7 @@ class VariablesPanel(QWidget):
     def _fill(self) -> None:
         own = self._workbench.own_variables
         ranked = [
-            (r.variable, r.variable, r.separation, f"{r.variable}: {_name_of(r.variable, own)}")
+            (r.variable, _name_of(r.variable, own), r.separation, f"{_name_of(r.variable, own)} ({r.variable})")
             for r in self._workbench.ranking
         ]
         have = {name for name, *_ in ranked}
@@ -120,7 +121,7 @@ class VariablesPanel(QWidget):
                 s.variable.name,
                 f"+ {_name_of(s.variable.name, (*own, s.variable))}",
                 s.separation,
-                f"{s.variable.name}: {_words_of(s)}",
+                f"{_words_of(s)} ({s.variable.name})",
             )
             for s in self._workbench.suggestions
             if s.variable.name not in have
@@ -192,7 +193,7 @@ class VariablesPanel(QWidget):
         if suggestion is not None:
             acts = spec_of(name).uses_own_variables
             colour = self._theme.faint if acts else self._theme.bad
-            note = tr(ACTS) if acts else tr(NO_ACT).format(name=name)
+            note = tr(ACTS) if acts else tr(NO_ACT).format(name=recogniser_title(name))
             words = _words_of(suggestion)
             self.words.setText(f"{words[:1].upper()}{words[1:]}.<br><span style='color:{colour}'>{note}</span>")
 

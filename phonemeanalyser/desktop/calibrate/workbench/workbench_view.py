@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel, 
 from phonemeanalyser.desktop.calibrate.workbench.phoneme_data_panel import PhonemeDataPanel
 from phonemeanalyser.desktop.calibrate.workbench.rules_panel import RulesPanel
 from phonemeanalyser.desktop.calibrate.workbench.variables_panel import VariablesPanel
-from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
+from phonemeanalyser.desktop.engine_words import recogniser_title, sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import Scrolled, column, label, row
@@ -78,7 +78,7 @@ class WorkbenchView(QWidget):
 
     def _lay_out(self) -> None:
         variables, listed = QWidget(), QWidget()
-        row(self.variables, (self.distribution, 1), on=variables, spacing=0)
+        row((self.variables, 1), (self.distribution, 3), on=variables, spacing=0)
         self.upper.addTab(variables, tr("Variables"))
         self.upper.addTab(self.phoneme_data, "PhonemeData")
         self.upper.setDocumentMode(True)
@@ -177,7 +177,7 @@ class WorkbenchView(QWidget):
         ratio = f" ({agreement.changes_per_s / of_labels:.1f} ×)" if of_labels > 0 else ""
         of_sounds = "" if n_classes == len(SCORED_PHONEMES) else f" ({tr('{n} of 10 phonemes').format(n=n_classes)})"
         live = for_files(self._calibration.preset.in_force, ModelKind.REAL_TIME)
-        model = tr("Model: {ear}").format(ear=tr_engine(model_in_words(live)))
+        model = tr("Model: {ear}").format(ear=tr_engine(recogniser_title(model_in_words(live))))
         of_what = f"{_length(agreement.seconds, confusion.n_recordings)}   ·   {model}"
         self.figures.setText(
             f"{tr('Accuracy')} <b>{figure_in_words('accuracy', agreement.accuracy)}</b> &nbsp; "

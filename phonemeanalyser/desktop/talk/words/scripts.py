@@ -91,13 +91,13 @@ def aligned(script: ScriptedSound, progress: Progress) -> Utterance:
         words = words_of(script.text, script.language, script.lexicon, literal=script.literal)
     with SoundReader(script.sound, script.channel) as reader:
 
-        def heard() -> Iterator[Analysis]:
+        def analyses() -> Iterator[Analysis]:
             for analysis in analyse_file(reader, script.preset):
                 end = (analysis.start + len(analysis)) * FRAME_PERIOD
                 report_progress(progress, min(1.0, end / max(reader.duration, FRAME_PERIOD)))
                 yield analysis
 
-        return align_analyses(heard(), words, reader.duration, script.language, accept_text=script.accepted)
+        return align_analyses(analyses(), words, reader.duration, script.language, accept_text=script.accepted)
 
 
 @dataclass(frozen=True)

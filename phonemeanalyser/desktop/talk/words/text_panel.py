@@ -224,7 +224,7 @@ class TextPanel(QWidget):
 
     def _show_act(self) -> None:
         """Show what the button does now; while that goes on, it ends it."""
-        name, tip = tr("Say"), tr("Speak the text with a synthetic voice (Ctrl+Return); Escape stops it")
+        name, tip = tr("Speak"), tr("Speak the text with a synthetic voice (Ctrl+Return); Escape stops it")
         if self._aligns:
             name, tip = tr("Align"), tr("Find the words of the text in the recording (Ctrl+Shift+Return)")
         if self._aligns and self._texts.busy:

@@ -63,7 +63,7 @@ FIXED = tr_noop(
     "Click a word to play it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll. The voice sets "
     "the boundaries: to move them, save the spoken text and open that file."
 )
-NOTHING = tr_noop("Open a recording with Ctrl+O, or write a text above and press Say")
+NOTHING = tr_noop("Open a recording with Ctrl+O, or write a text above and press Speak")
 
 
 class SpeechTimeline(QWidget):
