@@ -30,7 +30,7 @@ def main(sound: str) -> None:
     with SoundReader(sound) as reader:
         for analysis in analyse_blocks(reader.blocks(4410), load_preset("learned")):
             for time, phoneme, intensity in zip(analysis.times, analysis.phonemes, analysis.intensities, strict=True):
-                morpher.hear(time, phoneme, intensity)
+                morpher.add(time, phoneme, intensity)
                 while picture / PICTURES <= time:
                     weights = morpher.weights(picture / PICTURES)
                     face.set_percentages(dict(zip(morpher.movestates, 100 * weights, strict=True)))

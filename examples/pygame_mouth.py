@@ -30,8 +30,8 @@ def main(sound: str) -> None:
         voice.play()
         while voice.playing and not pygame.event.peek(pygame.QUIT):
             now = pygame.time.get_ticks() / 1000
-            heard = voice.poll()
-            morpher.hear(now, heard.phoneme, heard.intensity)
+            latest = voice.poll()
+            morpher.add(now, latest.phoneme, latest.intensity)
             weights = dict(zip(morpher.movestates, map(float, morpher.weights(now)), strict=True))
             draw(screen, weights)
             pygame.display.flip()

@@ -188,7 +188,7 @@ class CMouth:
         opened = self._c.ear_mouth_open(model.handle, number, seed, self._memory, size, ctypes.byref(self.handle))
         assert opened == OK
 
-    def hear(self, time: float, phoneme: int, viseme: int, intensity: float) -> None:
+    def add(self, time: float, phoneme: int, viseme: int, intensity: float) -> None:
         """Take what is heard from a time on."""
         self._c.ear_mouth_hear(self.handle, ctypes.c_double(time), phoneme, viseme, ctypes.c_float(intensity))
 

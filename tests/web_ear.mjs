@@ -59,7 +59,7 @@ function move() {
   const mouth = model().mouth("arkit", 7);
   for (let at = 0; at < samples.length; at += 4) {
     const [time, phoneme, viseme, intensity] = samples.subarray(at, at + 4);
-    mouth.hear(time, { phoneme, viseme, intensity });
+    mouth.add(time, { phoneme, viseme, intensity });
     rows.push(...mouth.weights(time));
   }
 }
@@ -91,7 +91,7 @@ function refuse() {
     ...["push", "take"].map((name) => () => closed(model().ear(44100))[name](new Float32Array(128))),
     ...["finish", "reset"].map((name) => () => closed(model().ear(44100))[name]()),
     () => closed(model().mouth("arkit")).weights(0),
-    () => closed(model().mouth("arkit")).hear(0, { phoneme: 0, viseme: 0, intensity: 0 }),
+    () => closed(model().mouth("arkit")).add(0, { phoneme: 0, viseme: 0, intensity: 0 }),
   ]) {
     try {
       wrong();

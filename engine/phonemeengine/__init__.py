@@ -20,15 +20,15 @@ Bytes of any rate that come over a network are recognised within 60 ms, with the
 
     speech = IncomingSpeech(preset, StreamFormat(Encoding.S16, 24_000))
     for piece in speech.pieces(data):        # bytes, cut as they come
-        speech.hear(piece).analysis.phonemes
+        speech.push(piece).analysis.phonemes
 
 A face follows the phonemes, and may be looked at whenever a picture is drawn::
 
     morpher = Morpher(load_table("arkit"), seed=1)
-    morpher.hear(now, phoneme, intensity)    # seconds, of a clock of yours
+    morpher.add(now, phoneme, intensity)    # seconds, of a clock of yours
     weights = morpher.weights(now)           # 0..1, one for each of morpher.movestates
 
-Who knows more than phonemes tells the phone as well, in the IPA: ``morpher.hear(now, phoneme, intensity, "f")``. Of
+Who knows more than phonemes tells the phone as well, in the IPA: ``morpher.add(now, phoneme, intensity, "f")``. Of
 whole sounds, `transcript_of_utterance` makes what a mouth needs.
 
 Files become mouth cues, or whatever another program reads::

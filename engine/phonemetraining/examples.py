@@ -19,7 +19,7 @@ from torch import Tensor
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
 from phonemeengine.calibration.training_examples import (
-    N_HEARD,
+    N_SOFT_LABELS,
     TrainingExample,
     example_of,
     sound_of,
@@ -37,7 +37,7 @@ from phonemetraining.augmentation import Augmentation, augment, draw_augmentatio
 
 # Soft labels: the probabilities of a teacher that knows many more voices, kept on disk.
 
-SOFT_LABELS, HEAD = "heard.npz", "head.npz"
+SOFT_LABELS, HEAD = "soft_labels.npz", "head.npz"
 """Files of the teacher's probabilities, and of those by a head that learned from all."""
 
 SoftLabels = Mapping[str, NDArray[np.float16]]
@@ -69,7 +69,7 @@ def load_soft_labels(path: Path) -> dict[str, NDArray[np.float16]]:
         raise CorpusError(
             f"{path.name}: the soft labels cannot be read ({reason}); have the teacher recognise again"
         ) from error
-    if any(a.ndim != 2 or a.shape[1] != N_HEARD or a.dtype != np.float16 for a in found.values()):
+    if any(a.ndim != 2 or a.shape[1] != N_SOFT_LABELS or a.dtype != np.float16 for a in found.values()):
         raise CorpusError(f"{path.name}: these are no soft labels of this version; have the teacher recognise again")
     return found
 
@@ -80,7 +80,7 @@ ARRAYS: dict[str, tuple[type[np.generic], tuple[int, ...]]] = {
     "phonemes": (np.uint8, ()),
     "visemes": (np.uint8, ()),
     "certainties": (np.float16, ()),
-    "heard": (np.float16, (N_HEARD,)),
+    "soft_labels": (np.float16, (N_SOFT_LABELS,)),
 }
 """The arrays of an example, each in a file of its own: kind, and shape of a frame. The bands of the small network
 and those of Whisper come from the same windows."""
@@ -285,14 +285,14 @@ def _examples(
     task: tuple[LabelledUtterance, int, int, NDArray[np.float16] | None],
 ) -> tuple[RecordingExample, ...] | EngineError:
     """Make the examples of one utterance; an error travels back as a value, since it must survive the way."""
-    utterance, n_variations, seed, heard = task
+    utterance, n_variations, seed, soft = task
     generator = np.random.default_rng([seed, *utterance.path.name.encode()])
     try:
         samples = sound_of(utterance)
     except EngineError as error:
         return EngineError(str(error))
     variations = [Augmentation(), *(draw_augmentation(generator) for _ in range(n_variations))]
-    return tuple(_augmented_example(samples, utterance.labels, v, generator, heard) for v in variations)
+    return tuple(_augmented_example(samples, utterance.labels, v, generator, soft) for v in variations)
 
 
 def _augmented_example(
@@ -300,15 +300,15 @@ def _augmented_example(
     labels: tuple[Label, ...],
     variation: Augmentation,
     generator: np.random.Generator,
-    heard: NDArray[np.float16] | None,
+    soft: NDArray[np.float16] | None,
 ) -> RecordingExample:
     moved = tuple(
         replace(label, start=label.start / variation.rate, end=label.end / variation.rate) for label in labels
     )
-    if heard is not None:
-        frames = (np.arange(int(len(heard) / variation.rate)) + 0.5) * variation.rate
-        heard = heard[np.minimum(frames.astype(int), len(heard) - 1)]
+    if soft is not None:
+        frames = (np.arange(int(len(soft) / variation.rate)) + 0.5) * variation.rate
+        soft = soft[np.minimum(frames.astype(int), len(soft) - 1)]
     varied, warp = augment(samples, variation, generator), round(variation.warp, 2)
-    example = example_of(varied, moved, warp, heard)
+    example = example_of(varied, moved, warp, soft)
     known = {field.name: getattr(example, field.name) for field in fields(example)}
     return RecordingExample(**known, mels=whisper_mels_of(varied, warp)[: len(example)].astype(np.float16))

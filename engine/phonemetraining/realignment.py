@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float64Array, Int64Array
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
 from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, macro_f1_of
-from phonemeengine.calibration.training_examples import N_HEARD
+from phonemeengine.calibration.training_examples import N_SOFT_LABELS
 from phonemeengine.labels.label import Label
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.phonemes import Phoneme
@@ -35,17 +35,17 @@ VISEME_SHARE = 0.5
 LEAST_LIKELY = 1e-3
 
 
-def evidence_of(heard: NDArray[np.floating]) -> Float64Array:
+def evidence_of(soft: NDArray[np.floating]) -> Float64Array:
     """Return how likely each phoneme and viseme is every 5 ms, natural logarithms, shape (2 x n_frames, 26).
 
     Parameters
     ----------
-    heard : the teacher's probabilities, shape (n_frames, 26).
+    soft : the teacher's probabilities, shape (n_frames, 26).
     """
-    logs = np.log(heard.astype(np.float64) + LEAST_LIKELY)
+    logs = np.log(soft.astype(np.float64) + LEAST_LIKELY)
     middles = (np.arange(len(logs)) + 0.5) * FRAME_PERIOD
     places = (np.arange(2 * len(logs)) + 0.5) * STEP
-    return np.stack([np.interp(places, middles, logs[:, k]) for k in range(N_HEARD)], axis=1)
+    return np.stack([np.interp(places, middles, logs[:, k]) for k in range(N_SOFT_LABELS)], axis=1)
 
 
 def realigned(labels: Sequence[Label], evidence: Float64Array) -> tuple[Label, ...]:
@@ -144,9 +144,9 @@ class Round:
         return self.macro_f1[1] > self.macro_f1[0]
 
 
-def realigned_by(utterance: LabelledUtterance, heard: NDArray[np.floating]) -> LabelledUtterance:
+def realigned_by(utterance: LabelledUtterance, soft: NDArray[np.floating]) -> LabelledUtterance:
     """Return a recording whose boundaries lie where the teacher recognises the change."""
-    return replace(utterance, labels=realigned(utterance.labels, evidence_of(heard))) if len(heard) else utterance
+    return replace(utterance, labels=realigned(utterance.labels, evidence_of(soft))) if len(soft) else utterance
 
 
 def macro_f1_of_both(
@@ -154,11 +154,11 @@ def macro_f1_of_both(
 ) -> float:
     """Score probabilities on the frames of which the labels of two versions of a recording say the same."""
     confusion = np.zeros((len(Phoneme), len(Phoneme)), np.int64)
-    for before, after, heard in recordings:
+    for before, after, soft in recordings:
         old, new = (frame_labels_of(version.labels).phonemes for version in (before, after))
-        n = min(len(old), len(new), len(heard))
+        n = min(len(old), len(new), len(soft))
         same = (old[:n] == new[:n]) & (old[:n] != Phoneme.UNIDENTIFIED)
-        named = heard[:n, : len(Phoneme)].argmax(axis=1).astype(np.uint8)
+        named = soft[:n, : len(Phoneme)].argmax(axis=1).astype(np.uint8)
         confusion += confusion_of(old[:n][same], named[same])
     return float(macro_f1_of(confusion, SCORED_PHONEMES))
 
@@ -173,6 +173,6 @@ def round_of(
     versions : people's recordings, each with the labels before and after it.
     before, after : what heads say that learned from the labels before and after it.
     """
-    figures = [macro_f1_of_both((a, b, heard[key_of(a)]) for a, b in versions) for heard in (before, after)]
+    figures = [macro_f1_of_both((a, b, soft[key_of(a)]) for a, b in versions) for soft in (before, after)]
     moves = [moves_of(a.labels, b.labels) for a, b in versions]
     return Round(np.concatenate(moves), (figures[0], figures[1]))

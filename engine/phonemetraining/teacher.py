@@ -19,7 +19,7 @@ from torch import nn
 from phonemeengine.arrays import Float32Array, Int64Array
 from phonemeengine.calibration.fine_tuning import share_of_rate
 from phonemeengine.calibration.scores.corpus import LabelledUtterance, frame_labels_of
-from phonemeengine.calibration.training_examples import N_HEARD, certainties_of
+from phonemeengine.calibration.training_examples import N_SOFT_LABELS, certainties_of
 from phonemeengine.encoder.head import CONTEXT, HALVES, EncoderHead
 from phonemeengine.encoder.whisper import MODEL_FILE, SpeechEncoder, WhisperEncoder
 from phonemeengine.execution import end_with_parent
@@ -181,7 +181,7 @@ class _Labelled:
             "phonemes": self.phonemes[states],
             "visemes": self.visemes[states],
             "certainties": self.counts(states),
-            "heard": np.zeros((len(states), HALVES, N_HEARD), np.float32),
+            "soft_labels": np.zeros((len(states), HALVES, N_SOFT_LABELS), np.float32),
         }
         return {name: torch.from_numpy(array).to(self.components.device) for name, array in arrays.items()}
 

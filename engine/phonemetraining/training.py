@@ -73,26 +73,26 @@ def bfloat16_pays() -> bool:
     return min(repeat(lambda: halved @ halved, number=4)) < min(repeat(lambda: numbers @ numbers, number=4))
 
 
-def targets_of(codes: Tensor, heard: Tensor, importance: Tensor, certainties: Tensor) -> tuple[Tensor, Tensor]:
+def targets_of(codes: Tensor, soft_labels: Tensor, importance: Tensor, certainties: Tensor) -> tuple[Tensor, Tensor]:
     """Return what is to be answered of one kind of classes, and how much each frame counts.
 
     Parameters
     ----------
     codes : of the labels, shape (..., n_frames); n_classes or above where the label says nothing of this kind.
-    heard : the teacher's probabilities, shape (..., n_frames, n_classes); zeros where it says nothing.
+    soft_labels : the teacher's probabilities, shape (..., n_frames, n_classes); zeros where it says nothing.
     importance : how much a frame of each class counts, shape (n_classes,).
     certainties : how much each label counts, 0..1, shape (..., n_frames).
     """
     n = len(importance)
     told = certainties * (codes < n)
-    spoken = heard.sum(dim=-1)
+    spoken = soft_labels.sum(dim=-1)
     taught = spoken * torch.where(told > 0, TEACHER_SHARE, 1.0)
     labelled = told * (1 - TEACHER_SHARE * spoken)
     known = codes.clamp(max=n - 1).long()
     smoothed = (1 - SMOOTHING) * functional.one_hot(known, n) + SMOOTHING / n
-    wanted = labelled[..., None] * smoothed + taught[..., None] * heard
+    wanted = labelled[..., None] * smoothed + taught[..., None] * soft_labels
     weights = wanted.sum(dim=-1)
-    meant = torch.where(told > 0, known, heard.argmax(dim=-1))
+    meant = torch.where(told > 0, known, soft_labels.argmax(dim=-1))
     return wanted / weights.clamp(min=1e-9)[..., None], weights * importance[meant]
 
 
@@ -105,15 +105,15 @@ def cross_entropy(
     ----------
     logits : shape (n_batch, n_frames, n_heads, 26); head k answers at frame t for frame t - k.
     batch : what should be answered: ``phonemes``, ``visemes``, ``certainties`` and the teacher's probabilities,
-        ``heard``; see `targets_of`.
+        ``soft_labels``; see `targets_of`.
     importance : how much a frame of each phoneme, and of each viseme, counts.
     shares : how much each head counts.
     """
-    heard, certainties = batch["heard"].float(), batch["certainties"].float()
+    soft_labels, certainties = batch["soft_labels"].float(), batch["certainties"].float()
     total, n = logits.new_zeros((), dtype=torch.float32), logits.shape[1]
     kinds = (("phonemes", slice(0, N_PHONEMES), 1.0), ("visemes", slice(N_PHONEMES, None), VISEME_SHARE))
     for (name, part, weight), important in zip(kinds, importance, strict=True):
-        wanted, counts = targets_of(batch[name], heard[..., part], important, certainties)
+        wanted, counts = targets_of(batch[name], soft_labels[..., part], important, certainties)
         wanted = wanted * (weight * counts / counts.sum().clamp(min=1e-9))[..., None]
         logs = logits[..., part].float().log_softmax(dim=-1)
         for k, share in enumerate(shares):
@@ -130,7 +130,7 @@ class Lesson(nn.Module):
     examples : what it learns from.
     """
 
-    names: tuple[str, ...] = ("phonemes", "visemes", "certainties", "heard")
+    names: tuple[str, ...] = ("phonemes", "visemes", "certainties", "soft_labels")
 
     def __init__(self, network: nn.Module, examples: Examples) -> None:
         super().__init__()
@@ -203,7 +203,7 @@ class SmallLesson(Lesson):
                 )
                 shares = self._teacher[0].head(states).unflatten(2, (HALVES, -1)).flatten(1, 2).float()
             phonemes, visemes = shares[..., :N_PHONEMES].softmax(-1), shares[..., N_PHONEMES:].softmax(-1)
-            batch["heard"] = (batch["heard"].float() + torch.cat((phonemes, visemes), dim=-1)) / 2
+            batch["soft_labels"] = (batch["soft_labels"].float() + torch.cat((phonemes, visemes), dim=-1)) / 2
             # state i looks as far as frame 2 i + 4: a causal network can tell it when it has seen frame 2 i + 5
             delay = 0 if network.centred else len(network.shares) - 1
             told = self.to_states(hidden[:, delay::HALVES])

@@ -126,7 +126,7 @@ def _predict(utterance: LabelledUtterance) -> Predictions:
 
 
 def with_head(
-    utterance: LabelledUtterance, preset: Preset, heard: NDArray[np.float16], priors: Float32Array
+    utterance: LabelledUtterance, preset: Preset, soft_labels: NDArray[np.float16], priors: Float32Array
 ) -> Predictions:
     """Recognise a recording by the network for files together with what the teacher said of it.
 
@@ -134,19 +134,19 @@ def with_head(
     ----------
     utterance : the recording.
     preset : of the network.
-    heard : probabilities by a head that did not learn from the speaker, shape (n_frames, 26).
+    soft_labels : probabilities by a head that did not learn from the speaker, shape (n_frames, 26).
     priors : of the head.
     """
     assert preset.model is not None
-    shares, n_heard = heard.astype(np.float32), 0
+    shares, n_taken = soft_labels.astype(np.float32), 0
 
-    def hear(samples: Float32Array) -> Float32Array:
-        nonlocal n_heard
-        first, n_heard = max(0, n_heard - OVERLAP), n_heard + STRETCH
+    def states(samples: Float32Array) -> Float32Array:
+        nonlocal n_taken
+        first, n_taken = max(0, n_taken - OVERLAP), n_taken + STRETCH
         return shares[first : first + -(-len(samples) // HOP)]
 
     network = LearnedRecogniser(preset.model, SETTINGS.look_ahead)
-    return predict(utterance, preset, recogniser=EncodedRecogniser(network, hear, priors, Sensitivity({})))
+    return predict(utterance, preset, recogniser=EncodedRecogniser(network, states, priors, Sensitivity({})))
 
 
 def recognise_by_look_ahead(

@@ -77,8 +77,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
     add_options(parser, "style", "expression", "feeling", "priority")
-    heard = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
-    parser.add_argument("--expression-osc", metavar="HOST:PORT", help=heard)
+    received = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
+    parser.add_argument("--expression-osc", metavar="HOST:PORT", help=received)
 
 
 def run(options: argparse.Namespace) -> int:
@@ -178,7 +178,7 @@ def listen(
             changes.follow(analysis)
             if performer is not None:
                 now = time.monotonic()
-                performer.hear(timed_frames(analysis, now), now, live=True)
+                performer.add(timed_frames(analysis, now), now, live=True)
                 if performer.feels:
                     performer.feel(feeling.follow(analysis.frames.windows), now)
 

@@ -50,18 +50,18 @@ class EndingSignals(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self._heard, self._written = socket.socketpair()
+        self._received, self._written = socket.socketpair()
         self._written.setblocking(False)
         signal.set_wakeup_fd(self._written.fileno())
-        self._notifier = QSocketNotifier(self._heard.fileno(), QSocketNotifier.Type.Read, self)
-        self._notifier.activated.connect(self._hear)
+        self._notifier = QSocketNotifier(self._received.fileno(), QSocketNotifier.Type.Read, self)
+        self._notifier.activated.connect(self._receive)
         numbers = [getattr(signal, name) for name in ENDING_SIGNALS if hasattr(signal, name)]
         for number in numbers:
             if signal.getsignal(number) is not signal.SIG_IGN:
                 signal.signal(number, lambda _number, _frame: None)  # Python tells the socket
 
-    def _hear(self) -> None:
-        self._heard.recv(64)
+    def _receive(self) -> None:
+        self._received.recv(64)
         self.came.emit()
 
 

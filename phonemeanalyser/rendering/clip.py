@@ -391,8 +391,8 @@ class ClipWork:
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
         table, options = self.options.mouth_table(USUAL_TABLE), replace(self.options, table=None)
-        heard = for_files(self.preset), self.channel
-        return fingerprint_of("preview", table, options, heard, self.driver, self.faces, self.look)
+        recognised = for_files(self.preset), self.channel
+        return fingerprint_of("preview", table, options, recognised, self.driver, self.faces, self.look)
 
     def known_of(self, job: Job) -> str:
         """Return what is said in a sound, and how its movement was edited."""
@@ -410,9 +410,9 @@ class ClipWork:
         guard.check(job.target)
         driving.say_notes(say)
         with open_sound(job.source, self.channel, say) as reader:
-            heard, shown = subrange(progress, 0, ANALYSED), subrange(progress, ANALYSED, 1)
+            analysing, shown = subrange(progress, 0, ANALYSED), subrange(progress, ANALYSED, 1)
             pitch = self.options.idle.head or driving.recorded is not None
-            analyses = analyse_file(reader, self.preset, pitch=pitch, progress=heard)
+            analyses = analyse_file(reader, self.preset, pitch=pitch, progress=analysing)
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=self.options.idle.feels)
             feeling = self.texts.feeling_of(job.sound, utterance)
             shows = self if feeling is None else replace(self, options=self.options.expressing(feeling))

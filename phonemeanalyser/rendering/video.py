@@ -86,8 +86,8 @@ def write_film(
     try:
         with av.open(file, "w", format="mp4") as film:
             seen = _picture_stream(film, size, rate)
-            heard = None if sound is None else _sound_stream(film, sound)
-            for packet in _packets(av, seen, heard, pictures, sound):
+            sound_stream = None if sound is None else _sound_stream(film, sound)
+            for packet in _packets(av, seen, sound_stream, pictures, sound):
                 film.mux(packet)
     except av.error.FFmpegError as error:
         raise RenderingError(
@@ -154,7 +154,7 @@ def _sound_stream(film: Any, sound: SoundTrack) -> Any:
 
 
 def _packets(
-    av: ModuleType, seen: Any, heard: Any, pictures: Iterable[UInt8Array], sound: SoundTrack | None
+    av: ModuleType, seen: Any, sound_stream: Any, pictures: Iterable[UInt8Array], sound: SoundTrack | None
 ) -> Iterator[Any]:
     """Encode pictures and sound, where there is one, always what comes next."""
     blocks = iter(()) if sound is None else _frames_of_sound(av, sound)
@@ -164,12 +164,12 @@ def _packets(
         yield from seen.encode(av.VideoFrame.from_ndarray(np.ascontiguousarray(picture), format="rgb24"))
         while time <= number / rate and (frame := next(blocks, None)) is not None:
             time += frame.samples / frame.sample_rate
-            yield from heard.encode(frame)
+            yield from sound_stream.encode(frame)
     for frame in blocks:
-        yield from heard.encode(frame)
+        yield from sound_stream.encode(frame)
     yield from seen.encode()
-    if heard is not None:
-        yield from heard.encode()
+    if sound_stream is not None:
+        yield from sound_stream.encode()
 
 
 def _frames_of_sound(av: ModuleType, sound: SoundTrack) -> Iterator[Any]:

@@ -155,7 +155,7 @@ def _preset(preset: ScoredPreset, report: Report) -> dict[str, Any]:
         "rules": preset.rules,
         "by_corpus": {name: _group(group) for name, group in scores.by_kind.items()},
         "by_speaker": {name: _group(group) for name, group in scores.by_speaker.items()},
-        "recordings": [_recording(heard, report) for heard in scores.predictions if len(heard.phonemes)],
+        "recordings": [_recording(found, report) for found in scores.predictions if len(found.phonemes)],
     }
 
 
@@ -173,10 +173,10 @@ def _group(group: GroupScores) -> dict[str, Any]:
     }
 
 
-def _recording(heard: Predictions, report: Report) -> dict[str, Any]:
-    utterance = heard.utterance
+def _recording(found: Predictions, report: Report) -> dict[str, Any]:
+    utterance = found.utterance
     names = {"file": report.name_of(utterance), "corpus": utterance.corpus, "speaker": utterance.speaker}
-    return {**names, **asdict(scores_of([heard.answers]))}
+    return {**names, **asdict(scores_of([found.answers]))}
 
 
 def _comparison(comparison: PresetComparison, report: Report) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.features.feeling import Feeling
 from phonemeengine.labels.visemes import viseme_of
-from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
+from phonemeengine.live.incoming_speech import IncomingSpeech, RecognisedPiece
 from phonemeengine.mouth.blending import blended_weights
 from phonemeengine.mouth.exports.viseme_events import EventService
 from phonemeengine.recognition.scores import scores_in
@@ -112,9 +112,9 @@ def words(grown: GrownWords) -> str:
     return json.dumps(told | ({"skipped": grown.skipped} if grown.skipped else {}))
 
 
-def frames(heard: HeardPiece, start: StreamStart) -> str:
+def frames(found: RecognisedPiece, start: StreamStart) -> str:
     """Return what is said in the frames of a piece, of which there are some, to a client that began so."""
-    analysis = heard.analysis
+    analysis = found.analysis
     sure = _thousandths(analysis.confidences)
     told: dict[str, Any] = {
         "time": round(analysis.start * FRAME_PERIOD, 2),
@@ -123,15 +123,15 @@ def frames(heard: HeardPiece, start: StreamStart) -> str:
         "confidences": [None] * len(sure) if math.isnan(sure[0]) else sure,
         "intensities": _thousandths(analysis.intensities),
     }
-    if heard.weights is not None:
-        told["weights"] = _rounded(heard.weights)
+    if found.weights is not None:
+        told["weights"] = _rounded(found.weights)
     if start.probabilities:
         scores = scores_in(analysis.features)
         told["phoneme_scores"] = None if scores is None else _rounded(scores)
         told["viseme_scores"] = None if analysis.viseme_scores is None else _rounded(analysis.viseme_scores)
         told |= {"blended": _rounded(blended_weights(start.table, analysis))} if start.table else {}
-    if len(heard.feelings):
-        for name, column in zip(Feeling._fields, heard.feelings.T, strict=True):
+    if len(found.feelings):
+        for name, column in zip(Feeling._fields, found.feelings.T, strict=True):
             told[name] = _thousandths(column)
     return json.dumps(told)
 

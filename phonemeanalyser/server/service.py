@@ -126,7 +126,7 @@ class Service:
         self._recogniser = model_in_words(speech.analyser.preset)
         for warning in speech.analyser.preset.warnings:
             _log.warning("%s: %s", preset.name, warning)
-        speech.hear(np.zeros(2 * WINDOW, np.float32))  # so that the first stream need not wait for imports
+        speech.push(np.zeros(2 * WINDOW, np.float32))  # so that the first stream need not wait for imports
 
     def close(self) -> None:
         """Let go of what it holds."""

@@ -18,7 +18,7 @@ from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, ScriptWord
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import PIECE
-from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
+from phonemeengine.live.incoming_speech import IncomingSpeech, RecognisedPiece
 from phonemeengine.settings import SAMPLE_RATE
 
 # How fast a stream is read: as fast as it is spoken some times over, and a little ahead at any time.
@@ -140,13 +140,13 @@ class StreamSession:
         self._room.set()
         return np.concatenate(parts) if len(parts) > 1 else parts[0]
 
-    def tell(self, heard: HeardPiece) -> None:
+    def tell(self, found: RecognisedPiece) -> None:
         """Have the client told what is known of a piece."""
-        answers = [messages.frames(heard, self._start)] if len(heard.analysis) and not self._start.events else []
-        for answer in (*answers, *heard.events):
+        answers = [messages.frames(found, self._start)] if len(found.analysis) and not self._start.events else []
+        for answer in (*answers, *found.events):
             self._unsent.put_nowait(answer)
-        if heard.words is not None:
-            self.tell_words(heard.words)
+        if found.words is not None:
+            self.tell_words(found.words)
 
     def tell_words(self, words: GrownWords) -> None:
         """Have the client told what is known of its text, if there is anything."""
@@ -164,8 +164,8 @@ class StreamSession:
             return
         self._turns.leave(self)
         try:
-            for heard in self.speech.finish():
-                self.tell(heard)
+            for found in self.speech.finish():
+                self.tell(found)
         except EngineError as error:
             self.fail(error)
         else:
@@ -219,7 +219,7 @@ class StreamSession:
                 else:
                     await self._add_sound(message)
         except EngineError as error:
-            await self._heard_all()
+            await self._analyse_rest()
             self.fail(error)
         self._turns.wake()
 
@@ -245,7 +245,7 @@ class StreamSession:
             began = self.speech.seconds
         await self._slow_down(PER_MESSAGE)
 
-    async def _heard_all(self) -> None:
+    async def _analyse_rest(self) -> None:
         """Wait until all that came before has been analysed."""
         while self._waiting:
             self._room.clear()

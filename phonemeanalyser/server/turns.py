@@ -10,7 +10,7 @@ from typing import Protocol, TypeVar
 from phonemeanalyser.server.limits import FAILED
 from phonemeengine import EngineError, GrownWords
 from phonemeengine.arrays import Float32Array
-from phonemeengine.live.incoming_speech import LOOK, HeardPiece, IncomingSpeech, hear_together
+from phonemeengine.live.incoming_speech import LOOK, IncomingSpeech, RecognisedPiece, recognise_together
 
 LOOKING = 0.004
 """Seconds of a turn after which no more words are looked for."""
@@ -24,7 +24,7 @@ _T = TypeVar("_T")
 _log = logging.getLogger(__name__)
 
 
-class Hearing(Protocol):
+class Stream(Protocol):
     """A stream that takes turns."""
 
     @property
@@ -34,7 +34,7 @@ class Hearing(Protocol):
     def next_piece(self) -> Float32Array | None:
         """Return what to analyse now, not much at once; None where nothing waits, or the answers are not taken."""
 
-    def tell(self, heard: HeardPiece) -> None:
+    def tell(self, found: RecognisedPiece) -> None:
         """Take what is known of that piece."""
 
     def tell_words(self, words: GrownWords) -> None:
@@ -54,14 +54,14 @@ class Turns:
 
     def __init__(self, looking: float = LOOKING) -> None:
         self._looking = looking
-        self._streams: dict[Hearing, None] = {}
+        self._streams: dict[Stream, None] = {}
         self._is_planned = False
 
-    def join(self, stream: Hearing) -> None:
+    def join(self, stream: Stream) -> None:
         """Have a stream take part."""
         self._streams[stream] = None
 
-    def leave(self, stream: Hearing) -> None:
+    def leave(self, stream: Stream) -> None:
         """Have it take part no more."""
         self._streams.pop(stream, None)
 
@@ -79,14 +79,14 @@ class Turns:
         if not pieces:
             return
         self.wake()
-        for stream, known in zip(pieces, _heard(pieces), strict=True):
+        for stream, known in zip(pieces, _recognised(pieces), strict=True):
             if isinstance(known, EngineError):
                 stream.fail(known)
             else:
                 _safely(stream, partial(stream.tell, known))
         self._look(pieces)
 
-    def _look(self, streams: Iterable[Hearing]) -> None:
+    def _look(self, streams: Iterable[Stream]) -> None:
         """Look for the words of texts where that was not done for longest, as long as phonemes may wait for it."""
         began = time.monotonic()
         due = [stream for stream in streams if stream.speech.n_unlooked >= LOOK]
@@ -98,7 +98,7 @@ class Turns:
                 return
 
 
-def _safely(stream: Hearing, act: Callable[[], _T]) -> _T | None:
+def _safely(stream: Stream, act: Callable[[], _T]) -> _T | None:
     """Do something for a stream; a bug in it ends that one with a word, and no other."""
     try:
         return act()
@@ -108,9 +108,9 @@ def _safely(stream: Hearing, act: Callable[[], _T]) -> _T | None:
         return None
 
 
-def _heard(pieces: Mapping[Hearing, Float32Array]) -> Sequence[HeardPiece | EngineError]:
+def _recognised(pieces: Mapping[Stream, Float32Array]) -> Sequence[RecognisedPiece | EngineError]:
     try:
-        return hear_together([(stream.speech, piece) for stream, piece in pieces.items()])
+        return recognise_together([(stream.speech, piece) for stream, piece in pieces.items()])
     except Exception:  # noqa: BLE001 - a bug ends these streams with a word, and no others
         _log.exception("sounds could not be recognised")
         return [EngineError(FAILED)] * len(pieces)

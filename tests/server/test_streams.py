@@ -109,7 +109,7 @@ def test_the_weights_are_those_of_a_mouth_that_hears_the_same(server: str, recor
     assert told.messages[0]["ready"]["movestates"] == list(morpher.movestates)
     phones = found.viseme_phones
     for k, weights in enumerate(told.column("weights")):
-        morpher.hear(k * 0.01, int(found.phonemes[k]), float(found.intensities[k]), phones[k])
+        morpher.add(k * 0.01, int(found.phonemes[k]), float(found.intensities[k]), phones[k])
         np.testing.assert_allclose(weights, morpher.weights(k * 0.01), atol=2e-3)
     assert np.max(told.column("weights")) > 0.3
 
@@ -125,7 +125,7 @@ def test_a_client_that_asks_is_told_how_the_voice_sounds():
     start = messages.start_of('{"rate": 44100, "encoding": "f32", "feeling": true}', REPERTOIRE)
     speech = IncomingSpeech(LEARNED, start.form, felt=start.felt)
     tone = np.sin(2 * np.pi * 150 * np.arange(SAMPLE_RATE) / SAMPLE_RATE).astype(np.float32)
-    told = [json.loads(messages.frames(speech.hear(piece), start)) for piece in speech.pieces(tone.tobytes())][-1]
+    told = [json.loads(messages.frames(speech.push(piece), start)) for piece in speech.pieces(tone.tobytes())][-1]
     names = ("activation", "activation_spread", "pleasantness", "pleasantness_spread")
     assert [len(told[name]) for name in names] == [len(told["phonemes"])] * 4
     assert 0 < told["activation_spread"][-1] < 1

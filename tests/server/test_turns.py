@@ -11,7 +11,7 @@ from phonemeanalyser.server.turns import Turns
 from phonemeengine import EngineError, GrownWords, load_preset, words_of
 from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.incoming import Encoding, StreamFormat
-from phonemeengine.live.incoming_speech import HeardPiece, IncomingSpeech
+from phonemeengine.live.incoming_speech import IncomingSpeech, RecognisedPiece
 from tests.waiting import come_to
 
 THESIS = load_preset("thesis")
@@ -36,7 +36,7 @@ class Stream:
         self.n_pieces -= 1
         return np.zeros(4410, np.float32)
 
-    def tell(self, heard: HeardPiece) -> None:
+    def tell(self, heard: RecognisedPiece) -> None:
         if self.fault == "tell":
             raise ZeroDivisionError
         self.n_frames += len(heard.analysis)

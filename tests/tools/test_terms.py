@@ -52,7 +52,7 @@ def test_the_german_glossary_is_in_the_order_of_a_dictionary():
     ("text", "found"),
     [
         ("The twin hears it.", ["twin", "hears"]),
-        ("Call `morpher.hear`, see [the ear](ship.md#ear).", ["ear"]),
+        ("Call `morpher.add`, see [the ear](ship.md#ear).", ["ear"]),
         ("```\nheard\n```\n", []),
         ("A file `preset.ear` for {ear}.", []),
     ],

@@ -10,7 +10,7 @@ import torch
 from phonemeengine.calibration.adaptation import adapt
 from phonemeengine.calibration.fine_tuning import VISEME_SHARE, Optimiser
 from phonemeengine.calibration.scores.corpus import LabelledUtterance
-from phonemeengine.calibration.training_examples import N_HEARD, NOT_SAID, TrainingExample, example_of
+from phonemeengine.calibration.training_examples import N_SOFT_LABELS, NOT_SAID, TrainingExample, example_of
 from phonemeengine.dsp.log_mel import N_BANDS, silent_log_mels
 from phonemeengine.encoder.live import EncoderStream, build_live_encoder, open_live_encoder
 from phonemeengine.encoder.weights import shapes_of
@@ -275,12 +275,12 @@ def test_who_takes_all_classes_to_be_alike_is_wrong_by_the_logarithm_of_their_nu
         "phonemes": torch.tensor([[Phoneme.A, Phoneme.I]], dtype=torch.uint8),
         "visemes": torch.tensor([[Viseme.AA, NOT_SAID]], dtype=torch.uint8),  # what counts is told of the first alone
         "certainties": torch.tensor([[1.0, 0.5]]),
-        "heard": torch.zeros(1, 2, N_HEARD),
+        "soft_labels": torch.zeros(1, 2, N_SOFT_LABELS),
     }
     importance = [torch.ones(len(classes)) for classes in (Phoneme, Viseme)]
-    error = cross_entropy(torch.zeros(1, 2, 1, N_HEARD), batch, importance)
+    error = cross_entropy(torch.zeros(1, 2, 1, N_SOFT_LABELS), batch, importance)
     assert float(error) == pytest.approx(np.log(len(Phoneme)) + VISEME_SHARE * np.log(len(Viseme)))
-    late = torch.zeros(1, 2, 2, N_HEARD)
+    late = torch.zeros(1, 2, 2, N_SOFT_LABELS)
     late[0, 1, 1, Phoneme.A] = 50  # the second head says at the second frame what the first one was
     late[0, 1, 1, len(Phoneme) + Viseme.AA] = 50
     assert float(cross_entropy(late, batch, importance, (0.0, 1.0))) == pytest.approx(
@@ -331,13 +331,13 @@ def test_trimmed_frames_count_for_nothing_and_ambiguous_ones_less():
 
 
 def test_a_recording_without_labels_teaches_what_the_teacher_heard():
-    heard = np.zeros((30, N_HEARD), np.float16)
+    heard = np.zeros((30, N_SOFT_LABELS), np.float16)
     heard[:, Phoneme.A] = heard[:, len(Phoneme) + Viseme.AA] = 1
-    example = example_of(tone(500, 0.3), (), heard=heard)
+    example = example_of(tone(500, 0.3), (), soft_labels=heard)
     assert len(example) == 30
     assert set(example.phonemes.tolist()) == {NOT_SAID}
     assert not example.certainties.any()
-    np.testing.assert_array_equal(example.heard, heard)
+    np.testing.assert_array_equal(example.soft_labels, heard)
     assert len(example_of(tone(500, 0.3), ())) == 0
 
 
@@ -346,12 +346,12 @@ def test_what_the_teacher_heard_goes_along_with_another_tempo(tmp_path: Path):
     halves = np.concatenate((tone(300, 0.6, 0.3), tone(3000, 0.4, 0.3)))
     put(tmp_path, "u", halves, (Label(0, 0.6, "a", Phoneme.A), Label(0.6, 1.0, "i", Phoneme.I)))
     utterance = LabelledUtterance(tmp_path / "u.wav", (), "s", "c")
-    heard = np.zeros((100, N_HEARD), np.float16)
+    heard = np.zeros((100, N_SOFT_LABELS), np.float16)
     heard[:60, Phoneme.A] = heard[60:, Phoneme.I] = 1
     (made,) = examples_of([utterance], 6, 1, {key_of(utterance): heard})
     assert len({len(example) for example in made}) > 2
     for example in made:
-        changes = np.flatnonzero(np.diff(example.heard[:, Phoneme.A]))
+        changes = np.flatnonzero(np.diff(example.soft_labels[:, Phoneme.A]))
         assert changes == pytest.approx([0.6 * len(example)], abs=2)
 
 

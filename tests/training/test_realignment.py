@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from phonemeengine.calibration.training_examples import N_HEARD
+from phonemeengine.calibration.training_examples import N_SOFT_LABELS
 from phonemeengine.labels.label import Label
 from phonemeengine.phonemes import Phoneme
 from phonemetraining.realignment import FARTHEST, evidence_of, moves_of, realigned
@@ -15,7 +15,7 @@ def heard(*said: tuple[Phoneme, float]) -> np.ndarray:
     """What a sure listener hears, every 5 ms, in sounds that last so many seconds."""
     rows = []
     for phoneme, seconds in said:
-        row = np.full(N_HEARD, 0.01)
+        row = np.full(N_SOFT_LABELS, 0.01)
         row[phoneme] = 0.9
         rows += [row] * round(seconds / 0.01)
     found = np.array(rows)

@@ -10,7 +10,7 @@ export async function listen(context: AudioContext | OfflineAudioContext): Promi
   const ear: Ear = again.ear(options.mostSamples);
   const mouth: Mouth = again.mouth("arkit");
   try {
-    ear.push(new Float32Array(128)).forEach((frame) => mouth.hear(frame.time, frame));
+    ear.push(new Float32Array(128)).forEach((frame) => mouth.add(frame.time, frame));
   } catch (error) {
     if (error instanceof EarError) ear.close();
   }

@@ -56,7 +56,7 @@ class Line:
     """A line of the corpus: its evidence, and what is said."""
 
     utterance: LabelledUtterance
-    heard: Evidence
+    evidence: Evidence
     words: Sequence[ScriptWord]
 
 
@@ -67,7 +67,7 @@ def figures() -> list[Figure]:
     errors = np.abs(np.concatenate([boundaries for boundaries, _ in measured]))
     ends = float(np.median(np.abs(np.concatenate([before_pauses for _, before_pauses in measured]))))
     median, mean, far = float(np.median(errors)), float(np.mean(errors)), float(np.mean(errors > WITHIN))
-    long = [line for line in lines if len(line.heard) >= A_SECOND]
+    long = [line for line in lines if len(line.evidence) >= A_SECOND]
     right = [_aligned(line, line.words) for line in long]
     refused = float(np.mean([aligner.fit.is_wrong for aligner, _ in right]))
     missed = float(np.mean([bool(found.skipped) for aligner, found in right if not aligner.fit.is_wrong]))
@@ -95,18 +95,18 @@ def _lines() -> list[Line]:
     lines = []
     for utterance in utterances:
         with SoundReader(utterance.path) as reader:
-            heard = joined([evidence_of(part) for part in analyse_file(reader, preset)])
+            evidence = joined([evidence_of(part) for part in analyse_file(reader, preset)])
             n_frames = math.ceil(reader.duration / FRAME_PERIOD - 0.5)
         words = words_for(utterance)
         if words:
-            lines.append(Line(utterance, heard.part(slice(n_frames)), words))
+            lines.append(Line(utterance, evidence.part(slice(n_frames)), words))
     return lines
 
 
 def _aligned(line: Line, words: Sequence[ScriptWord]) -> tuple[Aligner, Utterance]:
-    aligner = Aligner(words, len(line.heard))
-    aligner.push(line.heard)
-    return aligner, aligner.finish(len(line.heard) * FRAME_PERIOD)
+    aligner = Aligner(words, len(line.evidence))
+    aligner.push(line.evidence)
+    return aligner, aligner.finish(len(line.evidence) * FRAME_PERIOD)
 
 
 def _errors(line: Line) -> tuple[Float64Array, Float64Array]:
@@ -158,14 +158,14 @@ def _hour(lines: Sequence[Line]) -> list[Figure]:
     choice, order, n_frames = random.Random(1), [], 0
     while n_frames * FRAME_PERIOD < HOUR:
         order.append(choice.choice(lines))
-        n_frames += len(order[-1].heard)
+        n_frames += len(order[-1].evidence)
     words = [word for line in order for word in line.words]
     gc.collect()
     before = most = resident_megabytes()
     began = time.process_time()
     aligner = Aligner(words, n_frames)
     for line in order:
-        aligner.push(line.heard)
+        aligner.push(line.evidence)
         most = max(most, resident_megabytes())
     aligner.finish(n_frames * FRAME_PERIOD)
     took = time.process_time() - began

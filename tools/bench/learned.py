@@ -116,7 +116,7 @@ def _whole_file(preset: Preset, kind: ModelKind) -> Figure:
 def _with_whisper(preset: Preset) -> list[Figure]:
     """Measure in a process of its own, with as many threads as it would have anyway."""
     if preset.encoder_head is None or not has_whisper():
-        print("  left out: files heard with Whisper, which is not installed (phonemeanalyser whisper)")
+        print("  left out: files analysed with Whisper, which is not installed (phonemeanalyser whisper)")
         return []
     seconds = answer_of("learned")["seconds"]
     limit = 60 * ENCODER_MINUTES / ENCODER_REAL_TIME

@@ -45,7 +45,7 @@ LISTEN = (sys.executable, "-m", "phonemeanalyser", "listen", "--format", "json")
 
 
 @dataclass(frozen=True)
-class Heard:
+class Measured:
     """What one run gave.
 
     Attributes
@@ -189,10 +189,10 @@ def figures() -> list[Figure]:
     if shutil.which("pulseaudio") is None:
         print("  left out: it needs a sound server of its own, PulseAudio")
         return []
-    heard = measured(N_ONSETS, SPEECH_SECONDS)
-    n_missed = len(heard.trips) - len(heard.beyond)
-    median, late = (float(np.percentile(heard.beyond, p)) for p in (50, 99))
-    trip = f"server's round trip {1000 * np.median(heard.reference):.1f} ms"
+    found = measured(N_ONSETS, SPEECH_SECONDS)
+    n_missed = len(found.trips) - len(found.beyond)
+    median, late = (float(np.percentile(found.beyond, p)) for p in (50, 99))
+    trip = f"server's round trip {1000 * np.median(found.reference):.1f} ms"
     return [
         Figure(
             "sound to phoneme, median",
@@ -203,20 +203,20 @@ def figures() -> list[Figure]:
             absolute=Absolute.TIME,
         ),
         Figure("sound to phoneme, p99", f"{late:.1f} ms beyond", trip, late / MOST_LATE, 1.0, absolute=Absolute.TIME),
-        Figure("onsets missed by listen", f"{n_missed} of {len(heard.trips)}", "none", float(n_missed), limit=0.0),
-        Figure("samples lost by listen", heard.lost or "none", "none", float(bool(heard.lost)), limit=0.0),
+        Figure("onsets missed by listen", f"{n_missed} of {len(found.trips)}", "none", float(n_missed), limit=0.0),
+        Figure("samples lost by listen", found.lost or "none", "none", float(bool(found.lost)), limit=0.0),
         Figure(
             "listen",
-            f"{heard.share:.1%} of a core",
+            f"{found.share:.1%} of a core",
             f"{MOST_SHARE:.1%}",
-            heard.share / MOST_SHARE,
+            found.share / MOST_SHARE,
             1.0,
             absolute=Absolute.WORK,
         ),
     ]
 
 
-def measured(n_onsets: int, seconds: float) -> Heard:
+def measured(n_onsets: int, seconds: float) -> Measured:
     """Play onsets for the latency, then speech for the processor time."""
     with VirtualSound() as card:
         with Onsets(card) as onsets:
@@ -226,16 +226,16 @@ def measured(n_onsets: int, seconds: float) -> Heard:
             reference += _reference(card, onsets, n_onsets // 2)
         with Lines(card) as working:
             share = _share(card, working, seconds)
-    return Heard(reference, trips, share, listening.lost + working.lost)
+    return Measured(reference, trips, share, listening.lost + working.lost)
 
 
 def _reference(card: VirtualSound, onsets: Onsets, n: int) -> list[float]:
     with Reference(card) as reference:
         trips = [_trip(at, reference.onsets) for at, _ in onsets.next(n)]
-    heard = [trip for trip in trips if trip is not None]
-    if len(heard) < n:
-        raise RuntimeError(f"the reference heard only {len(heard)} of {n} onsets")
-    return heard
+    found = [trip for trip in trips if trip is not None]
+    if len(found) < n:
+        raise RuntimeError(f"the reference found only {len(found)} of {n} onsets")
+    return found
 
 
 def _trip(handed: float, arrivals: Sequence[float]) -> float | None:

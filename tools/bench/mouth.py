@@ -34,17 +34,17 @@ def figures() -> list[Figure]:
 
 def _picture() -> Figure:
     table, codes = load_table("arkit"), np.repeat(np.random.default_rng(0).integers(0, 11, N_PICTURES // 6), 6)
-    heard = list(zip(codes.tolist(), np.linspace(0, 1, len(codes)).tolist(), strict=True))
+    frames = list(zip(codes.tolist(), np.linspace(0, 1, len(codes)).tolist(), strict=True))
 
     def talk() -> None:
         morpher = Morpher(table)
-        for k, (code, intensity) in enumerate(heard):
-            morpher.hear(k * FRAME_PERIOD, code, intensity)
+        for k, (code, intensity) in enumerate(frames):
+            morpher.add(k * FRAME_PERIOD, code, intensity)
             morpher.weights(k * FRAME_PERIOD + 0.005)
 
     (times,) = interleaved(N_ROUNDS, talk)
-    ratio = float(np.median(times)) / len(heard) / PICTURE_LIMIT
-    return Figure("mouth, one picture", shown(times, len(heard)), "30 µs", ratio, 1.0, absolute=Absolute.TIME)
+    ratio = float(np.median(times)) / len(frames) / PICTURE_LIMIT
+    return Figure("mouth, one picture", shown(times, len(frames)), "30 µs", ratio, 1.0, absolute=Absolute.TIME)
 
 
 def _hours() -> list[Figure]:

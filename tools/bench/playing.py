@@ -107,8 +107,8 @@ def _measured(desktop: Desktop) -> Cost:
     live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
     session.poll()
-    heard = round((session.source.position - position) / FRAME_PERIOD)
-    late = heard - (session.history.n - n_frames)
+    due = round((session.source.position - position) / FRAME_PERIOD)
+    late = due - (session.history.n - n_frames)
     viewport.removeEventFilter(painted)
     session.pause()
     return Cost(processor / wall, painted.n / wall, session.source.player.n_dropped + max(0, late - UNDECIDED))

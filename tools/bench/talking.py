@@ -95,8 +95,8 @@ def _measured(desktop: Desktop, head: HeadView) -> Cost:
     live_for(MEASURED)
     processor, wall = time.process_time() - processor, time.perf_counter() - wall
     session.poll()
-    heard = round((session.source.position - position) / FRAME_PERIOD)
-    late = heard - (session.history.n - n_frames)
+    due = round((session.source.position - position) / FRAME_PERIOD)
+    late = due - (session.history.n - n_frames)
     session.pause()
     pictures = (head.surface.n_drawn - n_drawn) / wall
     missed = session.source.player.n_dropped + max(0, late - UNDECIDED)

@@ -20,7 +20,7 @@ def main() -> int:
         "corpus", type=Path, metavar="CORPUS", help="folder with manifest.csv: speech that they were not fitted to"
     )
     parser.add_argument("presets", type=Path, nargs="+", metavar="PRESET", help="preset files, which are changed")
-    parser.add_argument("--every", type=int, default=1, metavar="N", help="hear each n-th recording only (default 1)")
+    parser.add_argument("--every", type=int, default=1, metavar="N", help="analyse every n-th recording (default 1)")
     args = parser.parse_args()
     try:
         utterances = read_corpus(args.corpus)[:: args.every]

@@ -99,8 +99,8 @@ class RuleFitter:
         return Preset(NAME, settings, variables=variables, recogniser=OWN_RULES.name, rules=rules, notes=notes)
 
     def _rules_without(self, voices: Sequence[str], chosen: BoolArray) -> Rules:
-        heard = [self._voices.index(voice) for voice in {v for v, c in zip(voices, chosen, strict=True) if not c}]
-        return self._grow(~np.isin(self._examples.voices, heard))
+        left_out = [self._voices.index(voice) for voice in {v for v, c in zip(voices, chosen, strict=True) if not c}]
+        return self._grow(~np.isin(self._examples.voices, left_out))
 
     def _grow(self, frames: BoolArray) -> Rules:
         examples = self._examples
@@ -136,8 +136,8 @@ class RuleFitter:
 
     def _scores(self, rules: Sequence[Rules], copy: int, hysteresis: float, kind: str = "") -> Scores:
         """Score one copy of the recordings whose corpus has this kind of name."""
-        heard = [(m, r) for m, r in zip(self._corpus, rules, strict=True) if m.utterance.corpus.startswith(kind)]
-        return scores_of((m.labels, _recognised(m.copies[copy], r, hysteresis)) for m, r in heard)
+        measured = [(m, r) for m, r in zip(self._corpus, rules, strict=True) if m.utterance.corpus.startswith(kind)]
+        return scores_of((m.labels, _recognised(m.copies[copy], r, hysteresis)) for m, r in measured)
 
     def _notes(self, rules: Rules, variables: Sequence[Variable], unseen: Sequence[Rules], hysteresis: float) -> str:
         kinds = dict.fromkeys(m.utterance.corpus.split("_")[0] for m in self._corpus)

@@ -148,7 +148,7 @@ class PresetFitter:
         """Return the macro F1 on held-out groups of speakers, the mean of the sounds and their copies."""
         measured = self._measure(settings)
         unseen = self._held_out(measured, groups_of(self._speakers, N_GROUPS), N_QUICK_STARTS)
-        both = [self._scores(settings, heard, unseen).macro_f1 for heard in (measured.clean, measured.noisy)]
+        both = [self._scores(settings, sounds, unseen).macro_f1 for sounds in (measured.clean, measured.noisy)]
         score = sum(both) / 2
         print(
             f"  high-pass {settings.high_pass_start:g}..{settings.high_pass_end:g} Hz,"

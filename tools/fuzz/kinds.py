@@ -164,9 +164,9 @@ def kinds(folder: Path) -> dict[str, Kind]:
             tuple(map(str.encode, TIMED)), _through(folder / "words.json", lambda path: read_timed_words(path, 2.0))
         ),
         "phonemedata": Kind(old, _through(folder / "old.phonemedata", load_preset)),
-        "opus as it comes": Kind((_opus(),), _heard),
-        "sound in a container": Kind(_containers(), _through(folder / "a.mp4", _heard_file), head=12),
-        "sound without a count": Kind(_uncounted(), _through(folder / "a.mp3", _heard_file)),
+        "opus as it comes": Kind((_opus(),), _read_opus),
+        "sound in a container": Kind(_containers(), _through(folder / "a.mp4", _read_file_of), head=12),
+        "sound without a count": Kind(_uncounted(), _through(folder / "a.mp3", _read_file_of)),
         "message of a stream": Kind((START, LATER), _understood),
         "npz": Kind((model.read_bytes(),), _through(folder / "model.npz", load_model)),
         "ear": Kind((_ear("thesis"), _ear("templates")), EarProbe().read, with_true_header, head=HEADER),
@@ -205,13 +205,13 @@ def _through(path: Path, read: Callable[[Path], object]) -> Read:
     return write_and_read
 
 
-def _heard(content: bytes) -> object:
+def _read_opus(content: bytes) -> object:
     """Analyse a stream of Ogg Opus, as it comes."""
     sound = IncomingSound(StreamFormat(Encoding.OPUS))
     return [sum(map(len, sound.pieces(content))), sound.finish()]
 
 
-def _heard_file(path: Path) -> object:
+def _read_file_of(path: Path) -> object:
     """Analyse a sound file, its end first."""
     with SoundReader(path) as reader:
         reader.seek(reader.n_samples - 1000)

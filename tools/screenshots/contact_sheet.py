@@ -47,8 +47,8 @@ def contact_sheet(theme: str) -> UInt8Array:
         for k, (positions, pose) in enumerate(player.scenes()):
             if k in wanted:
                 head = offscreen.picture(camera, positions, pose, background=colour_of(colours.window), glow=True)
-                said, heard = wanted[k], _recognised(speech, k / RATE)
-                shown.append(_captioned(head, said, heard, colours.window, colours.text))
+                said, found = wanted[k], _recognised(speech, k / RATE)
+                shown.append(_captioned(head, said, found, colours.window, colours.text))
     blank = np.full_like(shown[0], np.round(np.multiply(colour_of(colours.window), 255)).astype(np.uint8))
     shown += [blank] * (-len(shown) % N_COLUMNS)
     return np.concatenate([np.concatenate(shown[k : k + N_COLUMNS], axis=1) for k in range(0, len(shown), N_COLUMNS)])
@@ -58,14 +58,14 @@ def _recognised(speech: Transcript, time: float) -> Phoneme:
     return next((run.phoneme for run in speech.runs if run.start <= time < run.end), Phoneme.SILENCE)
 
 
-def _captioned(head: UInt8Array, said: Label, heard: Phoneme, background: str, text: str) -> UInt8Array:
+def _captioned(head: UInt8Array, said: Label, found: Phoneme, background: str, text: str) -> UInt8Array:
     """Return the picture with the label above it and what was recognised below, in its colour."""
     image = Image.new("RGB", (SIZE, SIZE + CAPTION), background)
     image.paste(Image.fromarray(head), (0, CAPTION // 2))
     draw, font = ImageDraw.Draw(image), ImageFont.load_default(16)
     draw.text((8, 3), f"{said.phone} ({said.phoneme.label})", font=font, fill=text)
-    draw.rectangle((8, SIZE + CAPTION // 2 + 5, 18, SIZE + CAPTION // 2 + 15), fill=PHONEME_COLOURS[heard])
-    draw.text((24, SIZE + CAPTION // 2 + 1), heard.label, font=font, fill=text)
+    draw.rectangle((8, SIZE + CAPTION // 2 + 5, 18, SIZE + CAPTION // 2 + 15), fill=PHONEME_COLOURS[found])
+    draw.text((24, SIZE + CAPTION // 2 + 1), found.label, font=font, fill=text)
     return np.asarray(image)
 
 

@@ -49,8 +49,8 @@ def align_timed(
     groups = [(interval, list(said)) for interval, said in groupby(words, key=lambda word: word.interval)]
     for stretch in _stretches([(interval, said) for interval, said in groups if interval is not None]):
         first, last = _frame(stretch[0][0][0]), _frame(stretch[-1][0][1])
-        heard = frames.take(first, last)
-        shortfalls = shortfalls_of(heard) if len(heard) else np.zeros((0, len(KINDS)))
+        taken = frames.take(first, last)
+        shortfalls = shortfalls_of(taken) if len(taken) else np.zeros((0, len(KINDS)))
         for (start, end), said in stretch:
             part = shortfalls[_frame(start) - first : max(_frame(end), _frame(start) + 1) - first]
             found += _placed(said, part, start, end)
@@ -97,9 +97,9 @@ class _Frames:
             self._n += len(block)
         if not self._waiting:
             return _NO_FRAMES
-        heard = joined(self._waiting)
-        kept = heard.part(slice(max(first - self._first, 0), None))
-        self._first += len(heard) - len(kept)
+        evidence = joined(self._waiting)
+        kept = evidence.part(slice(max(first - self._first, 0), None))
+        self._first += len(evidence) - len(kept)
         self._waiting = [kept]
         return kept.part(slice(max(last - self._first, 0)))
 
@@ -187,8 +187,8 @@ def align_word(
     if last <= first:
         return next(_spread([word], *span))
     with SoundReader(sound, channel) as reader:
-        heard = map(evidence_of, analyse_range(reader, first, last, preset))
-        found = align_timed(heard, [replace(word, interval=(0.0, length))], length)
+        evidence = map(evidence_of, analyse_range(reader, first, last, preset))
+        found = align_timed(evidence, [replace(word, interval=(0.0, length))], length)
     return within(shifted(found.words[0], first * FRAME_PERIOD), span[1])
 
 
@@ -309,8 +309,8 @@ class ScoredTake:
     @property
     def rank(self) -> tuple[bool, int, float]:
         """What orders takes: the better, the less. Words that are missing or added count before the score."""
-        unheard = self.score is None or self.is_other
-        return unheard, len(self.skipped) + self.n_unknown, self.score if self.score is not None else 0.0
+        unaligned = self.score is None or self.is_other
+        return unaligned, len(self.skipped) + self.n_unknown, self.score if self.score is not None else 0.0
 
 
 def scored_take(path: Path, text: str, utterance: Utterance) -> ScoredTake:

@@ -217,9 +217,9 @@ class Aligner:
         # Settled up to a word that ends well before the end of the section; the rest is aligned again with what
         # follows, so memory holds one section, however long sound and text are.
         while sum(len(part) for part in self._waiting) > STRETCH:
-            heard = joined(self._waiting)
-            n = self._align(heard.part(slice(STRETCH)), last=False)
-            self._waiting = [heard.part(slice(n, None))]
+            evidence = joined(self._waiting)
+            n = self._align(evidence.part(slice(STRETCH)), last=False)
+            self._waiting = [evidence.part(slice(n, None))]
 
     def finish(self, duration: float, language: str = "") -> Utterance:
         """Return where the words are in a sound of `duration` seconds; `language` is that of the text."""
@@ -229,18 +229,18 @@ class Aligner:
         words = (within(word, duration) for word in united(self._found) if word.start < duration)
         return Utterance(tuple(words), duration, language, skipped)
 
-    def _align(self, heard: Evidence, *, last: bool) -> int:
+    def _align(self, evidence: Evidence, *, last: bool) -> int:
         """Align a section, and settle its beginning, or all of it; return how many of its frames are settled."""
         # no more of the text than can be said in a section: the rest would only cost time
         end = int(np.searchsorted(self._n_sounds, self._n_sounds[self._n_words] + MOST_SOUNDS))
         passage = Passage(self._words[self._n_words : end])
         whole = last and end > len(self._words)
-        spoken, first = spoken_in(heard), not self._n_words
+        spoken, first = spoken_in(evidence), not self._n_words
         hurry = max(self._hurry, _hurry_of(passage.words, _n_about(spoken))) if whole else self._hurry
-        shortfalls, least = shortfalls_of(heard), LeastFrames(passage.least_frames(hurry))
+        shortfalls, least = shortfalls_of(evidence), LeastFrames(passage.least_frames(hurry))
         way = cheapest_way(shortfalls, passage.lattice, self._prices, least, whole=whole)
         assert way is not None  # all of it may be strange
-        steps = way.steps if last else settled_steps(way.steps, len(heard) - UNSETTLED, passage)
+        steps = way.steps if last else settled_steps(way.steps, len(evidence) - UNSETTLED, passage)
         n = steps[-1].last if steps else 0
         fit = fit_of(steps, passage, shortfalls, spoken)
         # A short text may fit badly only because the cheapest way skipped what was said: without skips it gets a
@@ -249,7 +249,7 @@ class Aligner:
             strict = cheapest_way(shortfalls, passage.lattice, ONLY_THE_TEXT, least)
             fit = fit if strict is None else min(fit, fit_of(strict.steps, passage, shortfalls, spoken))
         self._fit += fit
-        edges = edges_of(steps, passage, shortfalls, heard)
+        edges = edges_of(steps, passage, shortfalls, evidence)
         self._found += passage.words_in(steps, shortfalls, self._n_frames, edges)
         self._skipped += passage.skipped_in(steps)
         self._n_words += passage.n_words_in(steps)

@@ -94,27 +94,27 @@ class GrowingAligner:
     def _look(self, *, last: bool) -> GrownWords:
         if not self.n_waiting:
             return GrownWords()
-        heard = joined(self._waiting)
-        self._waiting = [heard]
+        given = joined(self._waiting)
+        self._waiting = [given]
         if not self._words:
-            self._forget(0 if last else max(0, len(heard) - LONGEST))
+            self._forget(0 if last else max(0, len(given) - LONGEST))
             return GrownWords()
         # What waits is aligned anew at each look: 2 s of sound and 80 sounds are cheap enough, and nothing of an
         # earlier, worse guess can stick.
         passage = Passage(self._next_words())
-        shortfalls = shortfalls_of(heard)
+        shortfalls = shortfalls_of(given)
         least = LeastFrames(passage.least_frames(HURRY))
         whole = last and len(self._words) == len(passage.words)
         way = cheapest_way(shortfalls, passage.lattice, PRICES, least, whole=whole)
         assert way is not None  # all of it may be strange
-        steps, rest = self._parted(way.steps, len(heard), passage, last=last)
+        steps, rest = self._parted(way.steps, len(given), passage, last=last)
         settled, coming = (
-            united([*passage.words_in(part, shortfalls, self._n_settled, edges_of(part, passage, shortfalls, heard))])
+            united([*passage.words_in(part, shortfalls, self._n_settled, edges_of(part, passage, shortfalls, given))])
             for part in (steps, rest)
         )
         found = GrownWords(tuple(settled), tuple(coming), tuple(passage.skipped_in(steps)))
         n = steps[-1].last if steps else 0
-        self._fit += fit_of(steps, passage, shortfalls, spoken_in(heard))
+        self._fit += fit_of(steps, passage, shortfalls, spoken_in(given))
         del self._words[: passage.n_words_in(steps)]
         self._forget(n)
         return found

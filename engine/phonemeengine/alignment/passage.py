@@ -112,8 +112,8 @@ class Passage:
         first : number of its first frame in the sound.
         edges : where the edges between steps are, in frames, by the number of the frame after them, if not there.
         """
-        heard = (step for step in self._with_closures(steps) if step.kind in {SOUND, STRANGE})
-        for number, said in groupby(heard, lambda step: -1 if step.kind == STRANGE else self._word_at(step)):
+        spoken = (step for step in self._with_closures(steps) if step.kind in {SOUND, STRANGE})
+        for number, said in groupby(spoken, lambda step: -1 if step.kind == STRANGE else self._word_at(step)):
             if number < 0:
                 for step in said:
                     yield from _strange_words(step, shortfalls, first)

@@ -24,7 +24,7 @@ CERTAINTIES = {"core": 1.0, "affricate": 1.0, "diphthong": 0.7, "ambiguous": 0.6
 """How much a frame counts by the certainty of its label; what is not listed counts for nothing."""
 NOT_SAID = 255
 """The code of what no label says."""
-N_HEARD = len(Phoneme) + len(Viseme)
+N_SOFT_LABELS = len(Phoneme) + len(Viseme)
 """Numbers that a teacher gives for a frame: the probabilities of the phonemes, then those of the visemes."""
 
 
@@ -38,7 +38,7 @@ class TrainingExample:
     phonemes : uint8, shape (n_frames,): codes of `Phoneme`.
     visemes : uint8, shape (n_frames,): codes of `Viseme`, or `NO_VISEME` where that is disputed.
     certainties : float16, shape (n_frames,): how much each label counts, 0..1.
-    heard : float16, shape (n_frames, 26): the teacher's probabilities of phonemes and visemes; zeros where
+    soft_labels : float16, shape (n_frames, 26): the teacher's probabilities of phonemes and visemes; zeros where
         there is no teacher.
     """
 
@@ -46,7 +46,7 @@ class TrainingExample:
     phonemes: UInt8Array
     visemes: UInt8Array
     certainties: NDArray[np.float16]
-    heard: NDArray[np.float16]
+    soft_labels: NDArray[np.float16]
 
     def __len__(self) -> int:
         return len(self.phonemes)
@@ -63,22 +63,25 @@ def example_of_recording(utterance: LabelledUtterance) -> TrainingExample:
 
 
 def example_of(
-    samples: Float32Array, labels: tuple[Label, ...], warp: float = 1.0, heard: NDArray[np.float16] | None = None
+    samples: Float32Array,
+    labels: tuple[Label, ...],
+    warp: float = 1.0,
+    soft_labels: NDArray[np.float16] | None = None,
 ) -> TrainingExample:
     """Measure a sound (float32, shape (n,), 44.1 kHz) that is labelled, or that has a teacher's probabilities."""
     bank = _bank(warp)
     parts = [np.log10(mel_powers(block, bank) + np.float32(FLOOR)) for block in windows_of(samples)]
     powers = np.concatenate(parts) if parts else np.zeros((0, bank.shape[1]), np.float32)
-    n = len(powers) if heard is not None else 0
+    n = len(powers) if soft_labels is not None else 0
     unsaid = np.full(n, NOT_SAID, np.uint8)
     phonemes, visemes = unsaid, unsaid
     if labels:
         frames = frame_labels_of(labels)
         n = min(len(powers), len(frames.phonemes))
         phonemes, visemes = frames.phonemes[:n], frames.visemes[:n]
-    soft = np.zeros((n, N_HEARD), np.float16)
-    if heard is not None:
-        soft[: len(heard)] = heard[:n]
+    soft = np.zeros((n, N_SOFT_LABELS), np.float16)
+    if soft_labels is not None:
+        soft[: len(soft_labels)] = soft_labels[:n]
     return TrainingExample(powers[:n].astype(np.float16), phonemes, visemes, certainties_of(labels, n), soft)
 
 

@@ -89,10 +89,10 @@ def fundamental_of(frames: Float32Array, silence: float = SILENCE_LEVEL) -> Floa
     """
     from scipy.fft import rfft  # noqa: PLC0415 - half a second that a window should not wait for
 
-    heard = _decimated(frames)
-    mean: Float32Array = np.add.reduce(heard, axis=1, keepdims=True)
+    decimated = _decimated(frames)
+    mean: Float32Array = np.add.reduce(decimated, axis=1, keepdims=True)
     mean /= np.float32(_LENGTH)
-    slow = heard - mean
+    slow = decimated - mean
     loud = np.maximum.reduce(slow, axis=1) > silence
     bins = rfft(slow * _window(), _PADDED)[:, :_KEPT]
     # One matrix for the few lags and bins that matter is cheaper than an inverse transform of all.

@@ -234,7 +234,7 @@ def _nothing_there(start: float, end: float) -> AudioError:
     return AudioError(f"there is no sound from {start:g} to {end:g} s; choose a segment within the sound")
 
 
-class _HeardStretch(NamedTuple):
+class _Levels(NamedTuple):
     """What the samples of a selection give by themselves: amplitudes, and the formants of its frames."""
 
     rms: float
@@ -244,7 +244,7 @@ class _HeardStretch(NamedTuple):
 
 def _measured(
     reader: SoundReader, frames: FrameRange, times: tuple[float, float], ceiling: float, progress: Progress
-) -> _HeardStretch:
+) -> _Levels:
     """Go through a selection, some seconds at a time."""
     energy, n, peak, formants = 0.0, 0, 0.0, []
     margin, step = math.ceil(WINDOW_SECONDS / FRAME_PERIOD), round(AT_ONCE / FRAME_PERIOD)
@@ -261,7 +261,7 @@ def _measured(
         energy, n = energy + float(part @ part), n + len(part)
         peak = max(peak, float(np.abs(part).max(initial=0.0)))
         report_progress(progress, (last - frames.first) / (frames.last - frames.first))
-    return _HeardStretch(math.sqrt(energy / max(n, 1)), peak, np.concatenate(formants))
+    return _Levels(math.sqrt(energy / max(n, 1)), peak, np.concatenate(formants))
 
 
 def _statistics_of(values: Float32Array) -> Statistics:

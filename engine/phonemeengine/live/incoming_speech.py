@@ -34,7 +34,7 @@ LOOK = 25
 
 
 @dataclass(frozen=True)
-class HeardPiece:
+class RecognisedPiece:
     """What is known since a piece came.
 
     Attributes
@@ -151,7 +151,7 @@ class IncomingSpeech:
         self._aligner.add_words(words)
 
     def pieces(self, data: bytes | bytearray) -> Iterator[Float32Array]:
-        """Take the next bytes, and give pieces of sound to `hear`; see `IncomingSound.pieces`.
+        """Take the next bytes, and give pieces of sound to `push`; see `IncomingSound.pieces`.
 
         Raises
         ------
@@ -159,26 +159,26 @@ class IncomingSpeech:
         """
         return self._sound.pieces(data)
 
-    def hear(self, piece: Float32Array) -> HeardPiece:
+    def push(self, piece: Float32Array) -> RecognisedPiece:
         """Return what is known since the next piece came."""
-        heard = self.known_of(self.analyser.push(piece))
-        return replace(heard, words=self.look()) if self.n_unlooked >= LOOK else heard
+        found = self.known_of(self.analyser.push(piece))
+        return replace(found, words=self.look()) if self.n_unlooked >= LOOK else found
 
-    def finish(self) -> Iterator[HeardPiece]:
+    def finish(self) -> Iterator[RecognisedPiece]:
         """Return what is known of the rest, since the sound has ended.
 
         Raises
         ------
         AudioError : it ends in the midst of a sample or a page.
         """
-        yield self.hear(self._sound.finish())
+        yield self.push(self._sound.finish())
         rest = self.known_of(self.analyser.finish())
         if self._aligner is not None:
             self._take_evidence(self._aligner)
             rest = replace(rest, words=self._aligner.finish(self.seconds))
         yield rest
 
-    def known_of(self, analysis: Analysis) -> HeardPiece:
+    def known_of(self, analysis: Analysis) -> RecognisedPiece:
         """Return what is known since the next frames were analysed, but for words: `look` finds them."""
         if self._aligner is not None and len(analysis):
             self._unlooked.append(analysis)
@@ -186,7 +186,7 @@ class IncomingSpeech:
         weights = None if self._morpher is None else _weights(self._morpher, analysis)
         felt = NO_FEELINGS if self._feeling is None else self._feeling.follow(analysis.frames.windows)
         events = () if self._events is None else self._events.follow(analysis)
-        return HeardPiece(analysis, weights, feelings=felt, events=events)
+        return RecognisedPiece(analysis, weights, feelings=felt, events=events)
 
     def look(self) -> GrownWords | None:
         """Return what is known of the words of the text by now; None where no text was announced."""
@@ -201,7 +201,7 @@ class IncomingSpeech:
         self._unlooked, self.n_unlooked = [], 0
 
 
-def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list[HeardPiece | EngineError]:
+def recognise_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list[RecognisedPiece | EngineError]:
     """Return what is known of several sounds since the next chunk of each came, or why one cannot be analysed.
 
     Words are left out: `IncomingSpeech.look` finds them, whenever there is time. Many sounds at once cost far less
@@ -210,12 +210,12 @@ def hear_together(pieces: Sequence[tuple[IncomingSpeech, Float32Array]]) -> list
     together = [(speech, piece) for speech, piece in pieces if not speech.is_foreign]
     analyses = iter(push_together([(speech.analyser, piece) for speech, piece in together]))
     return [
-        _heard_alone(speech, piece) if speech.is_foreign else speech.known_of(next(analyses))
+        _recognised_alone(speech, piece) if speech.is_foreign else speech.known_of(next(analyses))
         for speech, piece in pieces
     ]
 
 
-def _heard_alone(speech: IncomingSpeech, piece: Float32Array) -> HeardPiece | EngineError:
+def _recognised_alone(speech: IncomingSpeech, piece: Float32Array) -> RecognisedPiece | EngineError:
     """Return what is known by a recogniser of another package, which may fail."""
     try:
         return speech.known_of(speech.analyser.push(piece))
@@ -244,6 +244,6 @@ def _weights(morpher: Morpher, analysis: Analysis) -> Float32Array:
     columns = (analysis.phonemes.tolist(), analysis.intensities.tolist(), analysis.viseme_phones)
     for k, (phoneme, intensity, phone) in enumerate(zip(*columns, strict=True)):
         time = (analysis.start + k) * FRAME_PERIOD
-        morpher.hear(time, phoneme, intensity, phone)
+        morpher.add(time, phoneme, intensity, phone)
         weights[k] = morpher.weights(time)
     return weights

@@ -80,7 +80,7 @@ class MicrophoneAnalyser:
     ) -> None:
         self.source = source
         self.start = start
-        self._n_heard = 0
+        self._n_analysed = 0
         self._spent = self._look_ahead = 0.0
         self._products: Float64Array = np.zeros((1, 1))
         self._columns = slice(channel - 1, channel) if channel else slice(None)
@@ -109,7 +109,7 @@ class MicrophoneAnalyser:
     @property
     def seconds(self) -> float:
         """Where the next sample lies, counted like the frames: frame k begins at 10k ms."""
-        return self.start * FRAME_PERIOD + self._n_heard / self.source.rate
+        return self.start * FRAME_PERIOD + self._n_analysed / self.source.rate
 
     @property
     def lost_seconds(self) -> float:
@@ -133,7 +133,7 @@ class MicrophoneAnalyser:
         self._look_ahead = self.analyser.recogniser.look_ahead * FRAME_PERIOD  # asked here: it may be made now
         spent = time.monotonic() - began
         self._spent = STEADINESS * (self._spent or spent) + (1 - STEADINESS) * spent
-        self._n_heard += len(block)  # last, so that who waits for some seconds of sound finds the latency known
+        self._n_analysed += len(block)  # last, so that who waits for some seconds of sound finds the latency known
         return analysis
 
     def time_of(self, frame: int) -> float:
@@ -159,12 +159,12 @@ class Status:
 NOT_LISTENING = Status(listening=False, words="not listening")
 
 
-def status_of(source: Input, *, heard: bool, silent: float, cancels: bool = False) -> Status:
+def status_of(source: Input, *, analysed: bool, silent: float, cancels: bool = False) -> Status:
     """Return the status of an open microphone, whose last block came `silent` seconds ago, or never yet.
 
     `cancels` says that the channels that are mixed cancel each other.
     """
-    if not heard:
+    if not analysed:
         return Status(listening=False, words=f"waiting for a signal from {source.name}")
     if silent < QUIET and cancels:
         words = f"{source.name}; its channels cancel each other out when mixed, so choose one of them"
@@ -235,7 +235,7 @@ class Listener(Closing):
         self._error: Exception | None = None
         is_card = type(self)._open_input is Listener._open_input
         self._refusal = (missing_library() if is_card else "") or "opening the microphone"
-        self._began = self._heard_at = self.clock()
+        self._began = self._last_sound_at = self.clock()
         self._known_at = 0.0
         self._next_frame = 0
         self._lost_before = 0.0
@@ -251,7 +251,7 @@ class Listener(Closing):
 
     def poll(self) -> Reading:
         """Return the newest phoneme and intensity; silence while nothing comes."""
-        return latest_reading(self._newest if self.clock() - self._heard_at < QUIET else None)
+        return latest_reading(self._newest if self.clock() - self._last_sound_at < QUIET else None)
 
     @property
     def level(self) -> Level:
@@ -284,8 +284,8 @@ class Listener(Closing):
             return Status(listening=False, words=self._refusal)
         return status_of(
             source,
-            heard=analyser is not None,
-            silent=self.clock() - self._heard_at,
+            analysed=analyser is not None,
+            silent=self.clock() - self._last_sound_at,
             cancels=analyser is not None and analyser.cancels,
         )
 
@@ -311,7 +311,7 @@ class Listener(Closing):
     def lost_seconds(self) -> float:
         """Sound that was lost since the beginning: by the device, or while there was none; seconds."""
         analyser = self._analyser
-        away = self.clock() - self._heard_at if self._gap_is_loss else 0.0
+        away = self.clock() - self._last_sound_at if self._gap_is_loss else 0.0
         return self._lost_before + (analyser.lost_seconds if analyser else away)
 
     @property
@@ -424,11 +424,11 @@ class Listener(Closing):
         now, gap = self.clock(), None
         if self._analyser is None:
             began = now - len(block) / source.rate
-            gap = max(0.0, began - self._heard_at)
+            gap = max(0.0, began - self._last_sound_at)
             self._analyser = self._new_analyser(source, began, gap)
-        self._heard_at, analyser = now, self._analyser
+        self._last_sound_at, analyser = now, self._analyser
         block = analyser.pick_channels(block)
-        self._meter.add_samples(block, self._heard_at)
+        self._meter.add_samples(block, self._last_sound_at)
         self._on_sound(block, source.rate)
         recorder = self._recorder
         if recorder is not None:

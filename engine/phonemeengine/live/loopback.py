@@ -33,13 +33,13 @@ class Loopback:
     capture : the part of it from leaving the loudspeaker until the program has it; 0 where the card reports the
         leaving so late that nothing is left to tell.
     spread : from the shortest round trip to the longest.
-    n_heard, n_played : clicks.
+    n_detected, n_played : clicks.
     """
 
     round_trip: float
     capture: float
     spread: float
-    n_heard: int
+    n_detected: int
     n_played: int
 
 
@@ -61,14 +61,14 @@ def measure_loopback(choice: InputChoice) -> Loopback:
             speaker.close()
     finally:
         microphone.close()
-    heard = [times for times in found if times is not None]
-    if len(heard) * 2 < N_CLICKS:
+    caught = [times for times in found if times is not None]
+    if len(caught) * 2 < N_CLICKS:
         raise DeviceError(
-            f"only {len(heard)} of {N_CLICKS} clicks were recorded; turn the loudspeaker up, or move the microphone"
+            f"only {len(caught)} of {N_CLICKS} clicks were recorded; turn the loudspeaker up, or move the microphone"
         )
-    trips = [trip for trip, _ in heard]
-    capture = max(0.0, statistics.median(capture for _, capture in heard))
-    return Loopback(statistics.median(trips), capture, max(trips) - min(trips), len(heard), N_CLICKS)
+    trips = [trip for trip, _ in caught]
+    capture = max(0.0, statistics.median(capture for _, capture in caught))
+    return Loopback(statistics.median(trips), capture, max(trips) - min(trips), len(caught), N_CLICKS)
 
 
 def _wait_for(speaker: Output, microphone: Input) -> None:
@@ -117,11 +117,11 @@ def _burst(rate: int) -> Float32Array:
     return burst
 
 
-def _place_of(click: Float32Array, heard: Float32Array) -> int | None:
+def _place_of(click: Float32Array, recorded: Float32Array) -> int | None:
     """Find where a click begins in the recording; None where nothing stands out."""
-    if len(heard) < len(click):
+    if len(recorded) < len(click):
         return None
-    match = np.abs(np.correlate(heard, click, mode="valid"))
+    match = np.abs(np.correlate(recorded, click, mode="valid"))
     at = int(match.argmax())
     elsewhere = np.delete(match, np.s_[max(0, at - len(click)) : at + len(click)])
     floor = float(np.sqrt(np.mean(elsewhere**2))) if len(elsewhere) else 0.0

@@ -307,7 +307,7 @@ class SampleCapture:
             self._forget()
         return caught, rate
 
-    def heard(self) -> tuple[Float32Array, int]:
+    def so_far(self) -> tuple[Float32Array, int]:
         """Return what was caught so far as one channel, shape (n,), and its rate in Hz."""
         with self._lock:
             if len(self._mono) > 1:

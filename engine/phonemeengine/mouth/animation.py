@@ -185,7 +185,7 @@ def _faces(performer: Performer, speech: Transcript, times: Float64Array) -> Ite
             performer.expect_loudness(*known)
             known = next(expected, None)
         while coming is not None and coming[0] <= time:
-            performer.hear_voice(*coming)
+            performer.add_voice(*coming)
             coming = next(frames, None)
         felt = speech.feelings[n_felt : math.floor(time / FRAME_PERIOD + 1e-6) + 1]
         n_felt += len(felt)

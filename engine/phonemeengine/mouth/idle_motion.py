@@ -44,7 +44,7 @@ class HeadMotion:
         self._speaking = LowPass(1.0)
         self._usual: LowPass | None = None
 
-    def hear(self, time: float, intensity: float, f0: float = 0.0) -> None:
+    def add(self, time: float, intensity: float, f0: float = 0.0) -> None:
         """Take loudness, 0..1, and fundamental frequency, Hz (0 where there is none), from a time on, seconds."""
         self._loudness.set_target(time, min(max(intensity, 0.0), 1.0))
         self._speaking.set_target(time, 1.0 if intensity > 0.05 else 0.0)

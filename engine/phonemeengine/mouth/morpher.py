@@ -143,7 +143,7 @@ class Morpher:
         """The names of the movestates, in the order of the weights."""
         return self.table.movestates
 
-    def hear(self, time: float, phoneme: int, intensity: float, phone: str = "") -> None:
+    def add(self, time: float, phoneme: int, intensity: float, phone: str = "") -> None:
         """Take what sounds from a time on; times, seconds, never go back.
 
         Parameters

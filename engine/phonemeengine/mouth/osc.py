@@ -287,7 +287,7 @@ class OscExpression(Closing):
         from pythonosc.dispatcher import Dispatcher  # noqa: PLC0415 - with asyncio, for which few have a use
         from pythonosc.osc_server import BlockingOSCUDPServer  # noqa: PLC0415
 
-        self._clock, self._heard_at = clock, -math.inf
+        self._clock, self._received_at = clock, -math.inf
         self._shares: dict[str, float] = {}
         self._weights: Float32Array = np.zeros(len(ARKIT), np.float32)
         dispatcher = Dispatcher()
@@ -332,7 +332,7 @@ class OscExpression(Closing):
 
     def _share_kept(self) -> float:
         """Return how much is left of what was sent, 1 while its sender goes on, along half a cosine to 0."""
-        gone = min(max((self._clock() - self._heard_at - KEPT) / FADE, 0.0), 1.0)
+        gone = min(max((self._clock() - self._received_at - KEPT) / FADE, 0.0), 1.0)
         return 0.5 + 0.5 * math.cos(math.pi * gone)
 
     def _take(self, _address: str, *arguments: object) -> None:
@@ -342,4 +342,4 @@ class OscExpression(Closing):
                 wanted = before | {name: min(max(0.0, share), 1.0)}
                 with contextlib.suppress(MouthError):  # of a name that no face has
                     self._weights = held_expression(wanted).weights(0.0)
-                    self._shares, self._heard_at = wanted, self._clock()
+                    self._shares, self._received_at = wanted, self._clock()

@@ -174,7 +174,7 @@ class Performer:
         self.visemes, self._rate = VisemeOverride(table), rate
         self._lock = threading.RLock()
         self._blinker, self._head = Blinker(self.idle.seed), HeadMotion(self.idle.seed, self.idle.gestures)
-        self._heard: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
+        self._latest: deque[TimedFrame] = deque([SILENT], maxlen=REMEMBERED)
         self._coming: deque[TimedFrame] = deque()
         self._loudnesses: deque[tuple[float, float]] = deque()  # from when the mouth goes by which
         self._changes: deque[TimedFrame] = deque(maxlen=REMEMBERED)
@@ -206,7 +206,7 @@ class Performer:
 
     # -- what is said to it -------------------------------------------------------------------------------
 
-    def hear(self, frames: Sequence[TimedFrame], now: float = -math.inf, *, live: bool = False) -> None:
+    def add(self, frames: Sequence[TimedFrame], now: float = -math.inf, *, live: bool = False) -> None:
         """Take the next frames.
 
         Parameters
@@ -255,7 +255,7 @@ class Performer:
         """Take how loud a frame is that will begin at a time, 0..1; given early, since the mouth lags."""
         self._loudnesses.append((time - self.table.motion.loudness, intensity))
 
-    def hear_voice(self, time: float, intensity: float, f0: float) -> None:
+    def add_voice(self, time: float, intensity: float, f0: float) -> None:
         """Take the loudness, 0..1, and the fundamental frequency, Hz, of a frame that begins at a time.
 
         Head and expressions go by these; the mouth goes by what `expect_loudness` has told.
@@ -284,7 +284,7 @@ class Performer:
             self._coming.clear()
             self._loudnesses.clear()
             self._movements.clear()
-            self._inhibition.hear(now, speaks=False)  # unless the sound goes on
+            self._inhibition.add(now, speaks=False)  # unless the sound goes on
             current = self._runs[0]  # the mouth may be ahead of it
             self._runs = [current._replace(time=min(current.time, now))]
 
@@ -292,7 +292,7 @@ class Performer:
         """Close the mouth; what was known of the future does not come."""
         with self._lock:
             self.forget_coming(now)
-            self.hear([TimedFrame(now, Phoneme.SILENCE, 0.0)], now)
+            self.add([TimedFrame(now, Phoneme.SILENCE, 0.0)], now)
 
     def hold(self, now: float, phoneme: Phoneme, phone: str = "") -> None:
         """Hold the shape of a sound, at the loudness that there is; what was known of the future does not come."""
@@ -305,9 +305,9 @@ class Performer:
         """Take at once the pose at the end of these frames."""
         with self._lock:
             self.forget_coming(now)
-            self._heard.clear()
-            self._heard.extend(frames)
-            self._head.hear(now, frames[-1].intensity)
+            self._latest.clear()
+            self._latest.extend(frames)
+            self._head.add(now, frames[-1].intensity)
             self._restart()
 
     def set_phonemes(self, phonemes: Mapping[Phoneme, float], speech: float) -> None:
@@ -333,11 +333,11 @@ class Performer:
         asked for the most.
         """
         with self._lock:
-            asked, heard = self.visemes.phonemes, [*self._changes, self._heard[-1]]
+            asked, frames = self.visemes.phonemes, [*self._changes, self._latest[-1]]
             self._changes.clear()
             if asked:
                 return [(*max(asked.items(), key=lambda entry: entry[1]), "")]
-            return [(frame.phoneme, frame.intensity, frame.phone) for frame in heard]
+            return [(frame.phoneme, frame.intensity, frame.phone) for frame in frames]
 
     @property
     def rests_from(self) -> float:
@@ -377,9 +377,9 @@ class Performer:
         self._runs = [SILENT]
         self._movements.clear()
         self._begun = -math.inf  # when the last movement was to begin
-        self._add_runs([*self._heard, *self._coming])
+        self._add_runs([*self._latest, *self._coming])
         self._plan(-math.inf)
-        for frame in self._heard:
+        for frame in self._latest:
             self._morpher.set_loudness(self._shown_from(frame), frame.intensity)
         self._loudnesses = deque((self._shown_from(frame), frame.intensity) for frame in self._coming)
 
@@ -437,12 +437,12 @@ class Performer:
             self.close_mouth(closes_at)
         while self._coming and self._coming[0].time <= time:
             frame = self._coming.popleft()
-            if not self._alike(frame, self._heard[-1]):
+            if not self._alike(frame, self._latest[-1]):
                 self._changes.append(frame)
-            self._heard.append(frame)
-            self._inhibition.hear(frame.time, speaks=frame.phoneme is not Phoneme.SILENCE)
+            self._latest.append(frame)
+            self._inhibition.add(frame.time, speaks=frame.phoneme is not Phoneme.SILENCE)
             if self.idle.head:
-                self._head.hear(frame.time, frame.intensity, frame.f0)
+                self._head.add(frame.time, frame.intensity, frame.f0)
         while self._loudnesses and self._loudnesses[0][0] <= time:
             self._morpher.set_loudness(*self._loudnesses.popleft())
         while self._movements and self._movements[0][0] <= time:

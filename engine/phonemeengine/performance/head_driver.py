@@ -194,6 +194,6 @@ def _moved_by_sound(sentence: Sentence, times: Float64Array, motion: HeadMotion)
         while coming and coming[-1].start <= time:
             phone = coming.pop()
             loudness = 0.0 if phone.name == SILENCE else 0.5 + (phone.energy - mean) / LOUD_RANGE
-            motion.hear(phone.start, loudness, phone.pitch)
+            motion.add(phone.start, loudness, phone.pitch)
         turns[k] = motion.pose(time)
     return turns

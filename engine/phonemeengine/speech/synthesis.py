@@ -120,12 +120,12 @@ def speak_tokens(tokens: Sequence[Token], language: Language, voice: str, words_
     blocks = [np.zeros(0, np.int16)]
     events: list[Event] = []
 
-    def hear(samples: Int16Array, begun: tuple[Event, ...]) -> bool:
+    def take_sound(samples: Int16Array, begun: tuple[Event, ...]) -> bool:
         blocks.append(samples)
         events.extend(begun)
         return True
 
-    synthesise(text, language, hear, voice=voice, rate=words_a_minute, phonemes=PHONEMES in text)
+    synthesise(text, language, take_sound, voice=voice, rate=words_a_minute, phonemes=PHONEMES in text)
     samples = np.concatenate(blocks)
     longest_gap = round(LONGEST_GAP * NORMAL_RATE / min(words_a_minute, NORMAL_RATE) * VOICE_RATE)
     phones = list(_without_gaps([event for event in events if event.kind is EventKind.PHONE], longest_gap))

@@ -80,7 +80,7 @@ class Event:
     name: str
 
 
-Hear = Callable[[Int16Array, tuple[Event, ...]], bool]
+TakeSound = Callable[[Int16Array, tuple[Event, ...]], bool]
 """Takes the next samples, mono at `VOICE_RATE`, and what begins in them; returns whether to go on."""
 
 
@@ -251,7 +251,13 @@ def stress_of(name: str) -> int:
 
 
 def synthesise(
-    text: str, language: Language, hear: Hear, *, voice: str = "", rate: int = NORMAL_RATE, phonemes: bool = False
+    text: str,
+    language: Language,
+    take: TakeSound,
+    *,
+    voice: str = "",
+    rate: int = NORMAL_RATE,
+    phonemes: bool = False,
 ) -> None:
     """Speak a text; every event comes with the samples that it begins in.
 
@@ -259,7 +265,7 @@ def synthesise(
     ----------
     text : cleaned.
     language : of the text.
-    hear : takes the sound, a few hundredths of a second at a time.
+    take : takes the sound, a few hundredths of a second at a time.
     voice : one of `voices`; the language's own where it is empty.
     rate : words a minute, 80..450.
     phonemes : ``[[...]]`` in the text holds the library's names of phonemes.
@@ -272,7 +278,7 @@ def synthesise(
     library = _library()
     with library.lock:
         library.choose(f"{language.identifier}+{voice}" if voice else language.identifier)
-        library.speak(text, hear, rate, phonemes=phonemes)
+        library.speak(text, take, rate, phonemes=phonemes)
 
 
 class _VoiceEntry(ctypes.Structure):
@@ -354,18 +360,18 @@ class _Library:
             names = self._library.espeak_TextToPhonemes(ctypes.byref(rest), _UTF8, mode)
             yield names.decode().translate(self._names) if names else ""
 
-    def speak(self, text: str, hear: Hear, rate: int, *, phonemes: bool) -> None:
-        """Have `hear` take the sound of a text; what it raises is raised here."""
+    def speak(self, text: str, take: TakeSound, rate: int, *, phonemes: bool) -> None:
+        """Have `take` take the sound of a text; what it raises is raised here."""
         failures: list[BaseException] = []
 
-        def take(samples: Any, n: int, events: Any) -> int:
+        def receive(samples: Any, n: int, events: Any) -> int:
             try:
-                return 0 if hear(_copied(samples, n), tuple(_events(events, self._names))) else 1
+                return 0 if take(_copied(samples, n), tuple(_events(events, self._names))) else 1
             except BaseException as error:  # noqa: BLE001 - it must not be lost in the library
                 failures.append(error)
                 return 1
 
-        callback, content = _Callback(take), text.encode()
+        callback, content = _Callback(receive), text.encode()
         self._reads_phonemes = phonemes
         self._library.espeak_SetParameter(_RATE_PARAMETER, min(max(rate, SLOWEST), FASTEST), 0)
         self._library.espeak_SetSynthCallback(callback)

@@ -59,9 +59,9 @@ class Script:
                 "the name of a sound, a tab and its words"
             )
         unsaid = [sound.name for sound in sounds if keys[sound] is None]
-        unheard = [key for key in self.texts if key not in keys.values()]
+        soundless = [key for key in self.texts if key not in keys.values()]
         notes = [f"there is no text for {_listed(unsaid)}; add a line for each"] if unsaid else []
-        notes += [f"there is no sound {_listed(unheard)}; name them as the sounds are"] if unheard else []
+        notes += [f"there is no sound {_listed(soundless)}; name them as the sounds are"] if soundless else []
         return texts, tuple(notes)
 
     def _only(self, sounds: Sequence[Path]) -> dict[Path, str]:

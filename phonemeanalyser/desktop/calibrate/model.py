@@ -75,7 +75,7 @@ class CalibrationModel(QObject):
         self.workbench.measured.connect(self._show_loaded)
         self.guide.changed.connect(self._load_sentences)
         session.opened.connect(self._forget_selection)
-        session.heard.connect(self._follow)
+        session.analysed.connect(self._follow)
 
     def _tell_measuring(self) -> None:
         self.session.score.show_measuring(on=self.workbench.measuring.busy)

@@ -17,9 +17,9 @@ from phonemeengine.audio.journal import InterruptedRecording, interrupted_record
 from phonemeengine.audio.level import Level
 from phonemeengine.audio.stream import devices
 from phonemeengine.errors import EngineError
-from phonemeengine.live.heard_sound import HeardSound
 from phonemeengine.live.listener import NOT_LISTENING, Latency, Listener
 from phonemeengine.live.loopback import Loopback, measure_loopback
+from phonemeengine.live.recorded_sound import RecordedSound
 from phonemeengine.live.recorder import Recorder, SampleCapture
 from phonemeengine.presets.preset import Preset
 from phonemeengine.storage.paths import journal_folder, new_recording_path, recordings_folder
@@ -79,10 +79,10 @@ def _sentence_of(found: Loopback) -> str:
     if not found.capture:
         share = tr("The audio device does not report which part of it the input takes.")
     return tr(
-        "Round-trip latency {ms:.0f} ms ({n_heard} of {n_played} clicks detected, spread {spread:.0f} ms). {share}"
+        "Round-trip latency {ms:.0f} ms ({n_detected} of {n_played} clicks detected, spread {spread:.0f} ms). {share}"
     ).format(
         ms=1000 * found.round_trip,
-        n_heard=found.n_heard,
+        n_detected=found.n_detected,
         n_played=found.n_played,
         spread=1000 * found.spread,
         share=share,
@@ -163,7 +163,7 @@ class Microphone(QObject):
     ----------
     listener : what is recognised, how loud, and what was lost of it.
     capture : the samples, while a take is recorded.
-    heard : everything that was recorded since Clear; None before the first listening.
+    since_clear : everything that was recorded since Clear; None before the first listening.
 
     Signals
     -------
@@ -195,7 +195,7 @@ class Microphone(QObject):
         self._cards, self._files = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
         self.latency_test = LatencyTest(self._cards, measure)
         self.capture = SampleCapture()
-        self.heard: HeardSound | None = None
+        self.since_clear: RecordedSound | None = None
         self.folder = self._rescue = folder or recordings_folder()
         self.suffix = ".wav"
         self.with_phonemes = False
@@ -282,20 +282,20 @@ class Microphone(QObject):
         if self.latency_test.running:
             self._goes_on = True
         elif not self.active:
-            self.heard = self.heard or HeardSound()
+            self.since_clear = self.since_clear or RecordedSound()
             self.listener = self._make_listener(preset, self.choice, pitch=True, on_sound=self._take_samples)
             self._watch.start()
             self.changed.emit()
 
     def _take_samples(self, block: Float32Array, rate: int) -> None:
         self.capture.add_samples(block, rate)
-        if self.heard is not None:
-            self.heard.add_samples(block, rate)
+        if self.since_clear is not None:
+            self.since_clear.add_samples(block, rate)
 
-    def forget_heard(self) -> None:
+    def forget_recorded(self) -> None:
         """Forget what was recorded so far."""
-        if self.heard is not None:
-            self.heard.clear()
+        if self.since_clear is not None:
+            self.since_clear.clear()
 
     def stop(self) -> None:
         """Let the microphone go, and end the recording."""
@@ -375,8 +375,8 @@ class Microphone(QObject):
     def close(self) -> None:
         """Let everything go; waits until recordings are complete."""
         self.stop()
-        if self.heard is not None:
-            self.heard.close()
+        if self.since_clear is not None:
+            self.since_clear.close()
         for queue in (self._cards, self._files):
             queue.finish(CLOSE_TIMEOUT)
 

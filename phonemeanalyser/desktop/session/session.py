@@ -37,7 +37,7 @@ class Session(QObject):
     transport_changed : playing, pausing, stopping, recording, the channel, or how sound is played.
     cleared : everything gathered was forgotten.
     rewritten : the columns of the history from this one on are others now.
-    heard : a list of the blocks that were played since the last tick; see `phonemeengine.analyser.Analysis`.
+    analysed : a list of the blocks that were played since the last tick; see `phonemeengine.analyser.Analysis`.
     sought : the file, or the spoken text, stands elsewhere.
     error : a sentence for the user.
 
@@ -62,7 +62,7 @@ class Session(QObject):
     """
 
     opened = Signal()
-    heard = Signal(list)
+    analysed = Signal(list)
     sought = Signal()
     transport_changed = Signal()
     cleared = Signal()
@@ -193,10 +193,10 @@ class Session(QObject):
             if self.seen.looks_back:
                 self.seen.leave()
             return
-        heard = self.microphone.heard if self.source.kind is SourceKind.MICROPHONE else None
-        past = None if heard is None else heard.snapshot()
+        recorded = self.microphone.since_clear if self.source.kind is SourceKind.MICROPHONE else None
+        past = None if recorded is None else recorded.snapshot()
         if past is None:
-            failure = None if heard is None else heard.failure
+            failure = None if recorded is None else recorded.failure
             self.error.emit(
                 failure
                 or tr(
@@ -306,7 +306,7 @@ class Session(QObject):
     def clear(self) -> None:
         """Forget spectra, averages, sonagram and extremes."""
         self.look_back(False)
-        self.microphone.forget_heard()
+        self.microphone.forget_recorded()
         self.results.clear(tr_noop("Clear"), self.source.name)
 
     def close(self) -> None:
@@ -332,7 +332,7 @@ class Session(QObject):
         for analysis in blocks:
             self.results.add(analysis)
         if blocks:
-            self.heard.emit(blocks)
+            self.analysed.emit(blocks)
         player = self.source.player
         if player is not None and player.playing and player.finished:
             if player.stretch is None:

@@ -106,7 +106,7 @@ class TalkModel(QObject):
         self.beside = MovingHead(FaceModel(), self.table, self.idle)
         self.performer = self.head.performer
         self._tracks: dict[Performer, MouthTrack] = {}
-        self._heard: list[Analysis] = []
+        self._analysed: list[Analysis] = []
         self._last: Analysis | None = None
         self._work = TaskQueue(self.error.emit)
         self.keys = KeyModel(session, lambda: self.in_use, lambda: self.picture_rate)
@@ -248,12 +248,12 @@ class TalkModel(QObject):
     def tick(self) -> None:
         """Follow what is playing, and move the face there if it is in view; call it after the session's `poll`."""
         self.text.tick()
-        heard, self._heard = self._heard, []
+        analysed, self._analysed = self._analysed, []
         if not (self.watched or self.osc.on):
             self._last = None
             return
         now = self._now()
-        self._listen(heard, now)
+        self._listen(analysed, now)
         self._play_tracks(now)
         if self.watched:
             for head in (self.head, self.beside) if self.comparing else (self.head,):
@@ -274,10 +274,10 @@ class TalkModel(QObject):
         """Return the time that performers and the network share, seconds."""
         return self._clock() - self._began
 
-    def _listen(self, heard: list[Analysis], now: float) -> None:
+    def _listen(self, analysed: list[Analysis], now: float) -> None:
         """Give the performers the blocks that they do not know yet."""
-        end = now - FRAME_PERIOD * sum(map(len, heard))
-        known = [(end := end + FRAME_PERIOD * len(block), block) for block in heard]
+        end = now - FRAME_PERIOD * sum(map(len, analysed))
+        known = [(end := end + FRAME_PERIOD * len(block), block) for block in analysed]
         if self.session.source.playing:
             known += [(now + seconds + HALF_FRAME, block) for seconds, block in self.session.source.upcoming()]
         places = [k for k, (_, block) in enumerate(known) if block is self._last]
@@ -287,7 +287,7 @@ class TalkModel(QObject):
             for performer in self._performers:
                 said = self._known_to(performer)
                 frames = [frame for end, block in new for frame in timed_frames(block, end, said)]
-                performer.hear(frames, now, live=self.session.source.live)
+                performer.add(frames, now, live=self.session.source.live)
             self.expression.feel(new, self._performers)
 
     def _known_to(self, performer: Performer) -> Transcript | None:
@@ -351,7 +351,7 @@ class TalkModel(QObject):
         """Have the second head begin where the first one is, or leave it alone."""
         if self.comparing and self.beside.face.morph_mesh is not self.face.morph_mesh:
             self.beside.face.share(self.face)
-        self._hear_again()
+        self._analyse_again()
 
     def _take_original(self) -> None:
         """Show a recording, or what is said again."""
@@ -362,13 +362,13 @@ class TalkModel(QObject):
 
     def _connect(self) -> None:
         session = self.session
-        session.heard.connect(self._take_blocks)
+        session.analysed.connect(self._take_blocks)
         for follow in (self._close_mouth, self.text.follow_sound, self.expression.forget_voice):
             session.opened.connect(follow)
         session.sought.connect(self._seek)
         session.rewritten.connect(self._seek)
         session.transport_changed.connect(self._hold)
-        self.text.known_changed.connect(self._hear_again)
+        self.text.known_changed.connect(self._analyse_again)
         self.text.drivers.changed.connect(self._take_drivers)
         self.text.drivers.compared_changed.connect(self._take_compared)
         self.text.original.changed.connect(self._take_original)
@@ -380,26 +380,26 @@ class TalkModel(QObject):
             for made_anew in (self.keys.generate_soon, self.comparison.compare_soon):
                 changed.connect(made_anew)
         self.keys.info.connect(self.text.info)
-        self.comparison.known_changed.connect(self._hear_again)
+        self.comparison.known_changed.connect(self._analyse_again)
         for part in (self.face, self.osc, self.text, self.expression, self.keys, self.comparison):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
         """Take what was played; once the sound has been stopped, what still arrives of it has no effect."""
         if self.session.source.playing or self.session.source.position or self.session.source.live:
-            self._heard += blocks
+            self._analysed += blocks
 
     def _share_visemes(self) -> None:
         for performer in (self.osc.performer, self.beside.performer):
             performer.set_phonemes(self.visemes.phonemes, self.visemes.speech)
 
-    def _hear_again(self) -> None:
+    def _analyse_again(self) -> None:
         """Give the performers again what is known before it plays."""
         self._last = None
         self._seek()
 
     def _close_mouth(self) -> None:
-        self._heard.clear()
+        self._analysed.clear()
         self._last = None
         for performer in self._performers:
             performer.close_mouth(self._now())

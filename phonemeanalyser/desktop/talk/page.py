@@ -63,11 +63,11 @@ class PhonemeChip(QWidget):
         session = self._talking.session
         rests = not session.source.playing and (session.source.live or not session.source.position)
         newest = None if rests or session.microphone.silent else session.history.newest
-        heard = (Phoneme.SILENCE, 0.0)
+        latest = (Phoneme.SILENCE, 0.0)
         if newest is not None:
-            heard = Phoneme(int(newest.phonemes[-1])), round(float(newest.intensities[-1]), 2)
-        if heard != (self.phoneme, self.intensity):
-            self.phoneme, self.intensity = heard
+            latest = Phoneme(int(newest.phonemes[-1])), round(float(newest.intensities[-1]), 2)
+        if latest != (self.phoneme, self.intensity):
+            self.phoneme, self.intensity = latest
             self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -191,7 +191,7 @@ class TalkPage(QWidget):
         self.comparisons = ComparisonMenu(talking.text.drivers, talking.comparison, self)
         self.differences = DifferenceBar(talking)
         open_without_arrow(self.compare, self.comparisons)
-        self.heard = PhonemeChip(talking, theme)
+        self.chip = PhonemeChip(talking, theme)
         self.pictures = PictureCounter(talking)
         self.tabs = QTabWidget()
         self.split, self.stack = QSplitter(Qt.Orientation.Horizontal), QSplitter(Qt.Orientation.Vertical)
@@ -237,7 +237,7 @@ class TalkPage(QWidget):
         self.text.refresh()
         self._ticks += 1
         if self._ticks % BARS_EVERY == 0:
-            for part in (self.bars, self.expression, self.heard, self.osc, self.pictures):
+            for part in (self.bars, self.expression, self.chip, self.osc, self.pictures):
                 part.refresh()
 
     def _connect(self) -> None:
@@ -266,7 +266,7 @@ class TalkPage(QWidget):
 
     def _lay_out(self) -> None:
         where, looks = (
-            row(self.heard, self.pictures, self.show_keys, 1, spacing=6),
+            row(self.chip, self.pictures, self.show_keys, 1, spacing=6),
             row(1, self.compare, *self.heads.looks, spacing=6),
         )
         bar = Wrapping(where, looks, (8, 4, 8, 4))

@@ -160,8 +160,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
-            <source>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme was recognised.&lt;p&gt;Version {version}, MIT licence; &lt;i&gt;Help &amp;gt; Licences&lt;/i&gt; lists all components. The demo is a synthetic voice of the Festival project (CMU slt). The heads are made from MakeHuman's mesh and targets, and face units by Mika Suominen (CC0).&lt;p&gt;&lt;b&gt;The preset Learned.&lt;/b&gt; {notes}</source>
-            <translation>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Kalibriert die Phonemerkennung in Echtzeit für Lippensynchronisation und zeigt, warum ein Phonem erkannt wurde.&lt;p&gt;Version {version}, MIT-Lizenz; &lt;i&gt;Hilfe &amp;gt; Lizenzen&lt;/i&gt; nennt alle Bestandteile. Die Demo ist eine künstliche Stimme des Festival-Projekts (CMU slt). Die Köpfe sind aus Netz und Targets von MakeHuman und Gesichtseinheiten von Mika Suominen gemacht (CC0).&lt;p&gt;&lt;b&gt;Das Preset Learned.&lt;/b&gt; {notes}</translation>
+            <source>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Calibrates real-time phoneme recognition for lip sync, and shows why a phoneme was recognised.&lt;p&gt;Version {version}, MIT licence; &lt;i&gt;Help &amp;gt; Licences&lt;/i&gt; lists all components. The demo is a synthetic voice of the Festival project (CMU slt). The heads are made from MakeHuman's mesh and targets, and face units by Mika Suominen (CC0).&lt;p&gt;&lt;b&gt;The preset Learned.&lt;/b&gt; {summary}</source>
+            <translation>&lt;b&gt;PhonemeAnalyser&lt;/b&gt;&lt;p&gt;Kalibriert die Phonemerkennung in Echtzeit für Lippensynchronisation und zeigt, warum ein Phonem erkannt wurde.&lt;p&gt;Version {version}, MIT-Lizenz; &lt;i&gt;Hilfe &amp;gt; Lizenzen&lt;/i&gt; nennt alle Bestandteile. Die Demo ist eine künstliche Stimme des Festival-Projekts (CMU slt). Die Köpfe sind aus Netz und Targets von MakeHuman und Gesichtseinheiten von Mika Suominen gemacht (CC0).&lt;p&gt;&lt;b&gt;Das Preset Learned.&lt;/b&gt; {summary}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -1001,7 +1001,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Add…</source>
-            <translation>Anlegen…</translation>
+            <translation>Neu…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -2222,6 +2222,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
             <source>Comparison tabs</source>
             <translation>Reiter des Vergleichs</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <source>Component</source>
+            <translation>Bestandteil</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
@@ -4025,6 +4030,11 @@
             <translation>Mitzählen von {take}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <source>Includes</source>
+            <translation>Enthält</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Indonesian</source>
             <translation>Indonesisch</translation>
@@ -4765,6 +4775,11 @@
             <translation>Lexikon…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/manual.py" />
+            <source>Licence</source>
+            <translation>Lizenz</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Licences</source>
             <translation>Lizenzen</translation>
@@ -5207,7 +5222,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>Make a frequency range a variable of your own (V): drag in the plot, then press Add</source>
-            <translation>Einen Frequenzbereich als eigene Variable anlegen (V): im Diagramm ziehen, dann Anlegen drücken</translation>
+            <translation>Einen Frequenzbereich als eigene Variable anlegen (V): im Diagramm ziehen, dann Neu drücken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
@@ -5886,8 +5901,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/score.py" />
-            <source>No file is open whose labels could be compared.</source>
-            <translation>Keine Datei ist offen, deren Beschriftung verglichen werden könnte.</translation>
+            <source>No file is open.</source>
+            <translation>Keine Datei ist offen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_model.py" />
@@ -5918,6 +5933,11 @@
             <location filename="../../../engine/phonemeengine/calibration/scores/corpus.py" />
             <source>no labelled sound was found here</source>
             <translation>Hier wurde keine Audiodatei mit Beschriftungen gefunden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/session/score.py" />
+            <source>No labels yet.</source>
+            <translation>Keine Beschriftungen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/devices.py" />
@@ -6321,8 +6341,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/live/loopback.py" />
-            <source>only {heard} of {n_clicks} clicks were recorded; turn the loudspeaker up, or move the microphone</source>
-            <translation>Nur {heard} von {n_clicks} Klicks wurden aufgenommen; Lautsprecher lauter stellen oder Mikrofon näher rücken</translation>
+            <source>only {caught} of {n_clicks} clicks were recorded; turn the loudspeaker up, or move the microphone</source>
+            <translation>Nur {caught} von {n_clicks} Klicks wurden aufgenommen; Lautsprecher lauter stellen oder Mikrofon näher rücken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
@@ -6351,8 +6371,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
-            <source>Open a recording with Ctrl+O, or write a text above and press Say</source>
-            <translation>Mit Strg+O eine Aufnahme öffnen oder oben einen Text schreiben und „Vorlesen“ klicken</translation>
+            <source>Open a recording with Ctrl+O, or write a text above and press Speak</source>
+            <translation>Mit Strg+O eine Aufnahme öffnen oder oben einen Text schreiben und „Vorlesen“ drücken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/welcome.py" />
@@ -7536,8 +7556,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/microphone.py" />
-            <source>Round-trip latency {ms:.0f} ms ({n_heard} of {n_played} clicks detected, spread {spread:.0f} ms). {share}</source>
-            <translation>Latenz von Ausgang zu Eingang {ms:.0f} ms ({n_heard} von {n_played} Klicks erkannt, Streuung {spread:.0f} ms). {share}</translation>
+            <source>Round-trip latency {ms:.0f} ms ({n_detected} of {n_played} clicks detected, spread {spread:.0f} ms). {share}</source>
+            <translation>Latenz von Ausgang zu Eingang {ms:.0f} ms ({n_detected} von {n_played} Klicks erkannt, Streuung {spread:.0f} ms). {share}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -7565,11 +7585,6 @@
             <translation>Regeln</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/calibration/fits/rule_finding.py" />
-            <source>rules divide at least two sounds, and the recordings have no two with labels{only}; load some that do</source>
-            <translation>Regeln trennen mindestens zwei Laute, in den Aufnahmen sind aber keine zwei beschriftet{only}; andere Aufnahmen laden</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
             <source>Rules found</source>
             <translation>Gefundene Regeln</translation>
@@ -7583,6 +7598,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
             <source>Rules from Takes…</source>
             <translation>Regeln aus Takes…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>rules need labels of at least two sounds, and the recordings have only {only}; load some with others</source>
+            <translation>Regeln brauchen Beschriftungen von mindestens zwei Lauten, die Aufnahmen haben nur {only}; welche mit anderen laden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -7898,11 +7918,6 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Saving spoken text…</source>
             <translation>Gesprochener Text wird gespeichert …</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Say</source>
-            <translation>Vorlesen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
@@ -8475,6 +8490,11 @@
             <translation>Spanisch (Spanien)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
+            <source>Speak</source>
+            <translation>Vorlesen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/welcome.py" />
             <source>Speak and watch the phonemes; nothing is recorded until you press R.</source>
             <translation>Sprechen und die Phoneme mitlesen; aufgenommen wird erst mit der Taste R.</translation>
@@ -8592,7 +8612,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Split Word or Phone at Cursor (Enter)</source>
-            <translation>Wort oder Phon am Cursor teilen (Enter)</translation>
+            <translation>Wort oder Phon am Cursor teilen (Eingabetaste)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
@@ -9140,7 +9160,7 @@
             <translation>Der Verlauf ist leer, da das Mikrofon noch nicht benutzt wurde. Mit der Leertaste zuhören, dann noch einmal versuchen.</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/live/heard_sound.py" />
+            <location filename="../../../engine/phonemeengine/live/recorded_sound.py" />
             <source>The history is not kept any more ({reason}); free some space on the disk.</source>
             <translation>Der Verlauf wird nicht mehr gespeichert ({reason}); Platz auf dem Laufwerk schaffen.</translation>
         </message>
@@ -9471,13 +9491,13 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
-            <source>The recogniser {name} cannot use custom variables: this one would be measured and drawn, but would not change any phoneme. The recogniser rules can use it.</source>
-            <translation>Der Erkenner {name} kann eigene Variablen nicht verwenden: Diese würde gemessen und gezeichnet, änderte aber kein Phonem. Der Erkenner rules kann sie verwenden.</translation>
+            <source>The recogniser {name} cannot use custom variables: this one would be measured and drawn, but would not change any phoneme. A preset with rules of its own can use it.</source>
+            <translation>Der Erkenner {name} kann keine eigenen Variablen verwenden: Diese würde gemessen und gezeichnet, aber kein Phonem ändern. Ein Preset mit eigenen Regeln kann sie verwenden.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
-            <source>The recogniser {name} does not use these numbers. Choose the recogniser thesis.</source>
-            <translation>Der Erkenner {name} verwendet diese Zahlen nicht. Den Erkenner thesis wählen.</translation>
+            <source>The recogniser {name} does not use these numbers. Choose the preset Thesis.</source>
+            <translation>Der Erkenner {name} verwendet diese Zahlen nicht. Das Preset Thesis wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
@@ -9522,7 +9542,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/calibration/fits/fitting.py" />
             <source>the recogniser {recogniser} has no thresholds to fit; choose a preset with thesis rules or rules of its own</source>
-            <translation>Der Erkenner {recogniser} hat keine anpassbaren Schwellen; ein Preset mit Regeln der Diplomarbeit oder eigenen Regeln wählen</translation>
+            <translation>Der Erkenner {recogniser} hat keine anpassbaren Schwellen; ein Preset mit Regeln der Thesis oder eigenen Regeln wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/sections.py" />
@@ -9582,7 +9602,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
             <source>The rules of the thesis are fixed; their numbers can be edited.</source>
-            <translation>Die Regeln der Arbeit stehen fest; ihre Zahlen lassen sich ändern.</translation>
+            <translation>Die Regeln der Thesis stehen fest; ihre Zahlen lassen sich ändern.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -10555,7 +10575,7 @@
             <translation>Usbekisch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/lanes/scroll_view.py" />
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Variable</source>
             <translation>Variable</translation>
         </message>
@@ -11498,11 +11518,6 @@
             <location filename="../../../engine/phonemeengine/labels/tiers.py" />
             <source>{name} has no label there to merge with; choose one that has a neighbour</source>
             <translation>{name} hat dort keine Beschriftung, mit der sie sich verbinden lässt; eine mit Nachbarn wählen</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/session/score.py" />
-            <source>{name} has no labels.</source>
-            <translation>{name} hat keine Beschriftung.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/key_layer.py" />

@@ -39,7 +39,7 @@ def test_a_slow_sound_is_heard_to_its_end_and_recognised_as_a_fast_one(desktop, 
     session.playback.set_speed(0.5)
     session.seek(session.source.duration - 0.3)
     seen = []
-    session.heard.connect(lambda blocks: seen.extend(p for b in blocks for p in b.phonemes.tolist()))
+    session.analysed.connect(lambda blocks: seen.extend(p for b in blocks for p in b.phonemes.tolist()))
     session.play()
     qtbot.waitUntil(lambda: not session.source.playing, timeout=20_000)
     assert len(seen) >= 29

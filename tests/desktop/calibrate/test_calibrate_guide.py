@@ -242,7 +242,7 @@ def test_the_head_says_the_sentence_with_the_old_and_the_new_preset_and_the_new_
     assert view.head.isVisibleTo(view)
     assert alone in view.advice.text()
     heard: list[object] = []
-    session.heard.connect(heard.extend)
+    session.analysed.connect(heard.extend)
     for button, hears in ((view.play_old, before), (view.play_new, better)):
         click(button)
         assert session.path == guide.spoken.path
@@ -306,7 +306,7 @@ def test_a_room_that_is_not_quiet_is_measured_again(open_booth: Open, mic: HandD
     calibrator.until(lambda: calibrator.booth.studio.model.listening, silently=False)
     guide = calibrator.model.guide
     click(calibrator.page.guide.start)
-    calibrator.until(lambda: guide.phase is Phase.HEARING, silently=False)
+    calibrator.until(lambda: guide.phase is Phase.RECORDING, silently=False)
     give(calibrator, np.concatenate((silence(0.5), tone(440, 0.4, 0.3), silence(1.6))))
     calibrator.until(lambda: guide.phase is Phase.SHOWING, silently=False)
     assert "quiet" in guide.advice
@@ -346,7 +346,7 @@ def test_nothing_is_recorded_before_the_user_is_ready_and_the_countdown_is_over(
     click(view.start)
     assert guide.phase is Phase.COUNTING
     give(calibrator, tone(440, 1.0, 0.3))  # the rest of a word, or a key, which is not the room
-    calibrator.until(lambda: guide.phase is Phase.HEARING, silently=False)
+    calibrator.until(lambda: guide.phase is Phase.RECORDING, silently=False)
     calibrator.until(lambda: guide.index == 1, silently=False)
     assert guide.room is not None
     assert guide.room.level < 0.001

@@ -451,7 +451,7 @@ def test_return_plays_what_counts_of_a_take_and_stops_there(calibrator: Calibrat
     click_row(calibrator, 0)
     session, (take,) = calibrator.booth.desktop.session, calibrator.takes
     heard: list[Analysis] = []
-    session.heard.connect(heard.extend)
+    session.analysed.connect(heard.extend)
     press(calibrator.booth.window, Qt.Key.Key_Return)
     assert session.path == calibrator.model.takes.path_of(take)
     assert session.source.playing

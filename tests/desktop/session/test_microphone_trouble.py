@@ -16,7 +16,7 @@ from tests.fakes.recorders import hops_of_16_bits as known
 from tests.fakes.recorders import samples_in
 from tests.sounds import noise
 
-MEASURED = Loopback(round_trip=0.12, capture=0.031, spread=0.002, n_heard=8, n_played=8)
+MEASURED = Loopback(round_trip=0.12, capture=0.031, spread=0.002, n_detected=8, n_played=8)
 
 
 # -- trouble ------------------------------------------------------------------------------------------

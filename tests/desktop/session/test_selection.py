@@ -67,7 +67,7 @@ def test_it_is_looped_on_demand(session, selection, outputs, qtbot):
     selection.play(loop=True)
     assert session.playback.loop
     heard = []
-    session.heard.connect(heard.extend)
+    session.analysed.connect(heard.extend)
 
     def heard_enough() -> bool:
         outputs.last.move(2205)

@@ -90,10 +90,10 @@ def test_the_mouth_closes_after_a_file_that_ends_in_the_middle_of_an_a(stage: St
 
 def test_what_is_heard_too_late_does_not_open_a_mouth_that_was_stopped(stage: Stage, qtbot: QtBot) -> None:
     late: list[Analysis] = []
-    stage.session.heard.connect(late.extend)
+    stage.session.analysed.connect(late.extend)
     stage.play(0.9)
     stage.session.stop()
-    stage.session.heard.emit(late[-2:])  # as the analysis thread may give them before it knows
+    stage.session.analysed.emit(late[-2:])  # as the analysis thread may give them before it knows
     settled(stage.session, qtbot)
     stage.wait(0.6)
     assert stage.jaw < 1

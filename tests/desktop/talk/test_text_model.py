@@ -410,7 +410,7 @@ def test_a_word_that_is_played_ends_where_it_ends(desk, tmp_path):
     desk.open(tmp_path)
     desk.align()
     heard: list[Analysis] = []
-    desk.session.heard.connect(heard.extend)
+    desk.session.analysed.connect(heard.extend)
     desk.texts.edits.play(0.6, 0.9)
     assert desk.session.source.playing
     desk.stage.play(2.0)

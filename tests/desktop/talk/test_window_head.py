@@ -232,7 +232,7 @@ def test_stop_closes_the_mouth(window, desktop, qtbot):
 
 def test_the_page_names_the_phoneme_that_is_heard(window, desktop, qtbot):
     press(window, Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: window.talk.heard.phoneme.label == "a")
+    qtbot.waitUntil(lambda: window.talk.chip.phoneme.label == "a")
 
 
 def test_a_key_holds_its_mouth_shape_until_it_is_let_go(window, desktop, qtbot):

@@ -7,7 +7,7 @@ import soundfile
 from phonemeengine.analyser import Analyser, concatenate_analyses, push_together
 from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.errors import EngineError
-from phonemeengine.live.incoming_speech import MOST_LATE, WORK, IncomingSpeech, hear_together, in_time
+from phonemeengine.live.incoming_speech import MOST_LATE, WORK, IncomingSpeech, in_time, recognise_together
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.model_choice import for_live_use
 from phonemeengine.presets.preset import Preset
@@ -37,7 +37,7 @@ def test_a_frame_is_known_55_ms_after_its_sound_has_come(name: str, rate: int) -
     block, n, slowest = max(1, rate // 500), 0, 0.0
     for _ in range(250):
         for piece in speech.pieces(np.zeros(block, np.float32).tobytes()):
-            n += len(speech.hear(piece).analysis)
+            n += len(speech.push(piece).analysis)
         slowest = max(slowest, speech.seconds - (n + 1) * 0.01)  # the next frame is not known yet
     assert slowest <= speech.latency + 1e-6
     assert n > 0
@@ -73,7 +73,7 @@ def test_a_recogniser_of_others_that_fails_stops_its_own_sound_alone(shelf: Shel
     shelf.offer(BROKEN)
     form = StreamFormat(Encoding.F32)
     broken, whole = IncomingSpeech(Preset(recogniser="own"), form), IncomingSpeech(load_preset("thesis"), form)
-    failed, heard = hear_together([(broken, voices[0][:20_000]), (whole, voices[0][:20_000])])
+    failed, heard = recognise_together([(broken, voices[0][:20_000]), (whole, voices[0][:20_000])])
     assert isinstance(failed, EngineError)
     assert not isinstance(heard, EngineError)
     assert len(heard.analysis) > 40

@@ -54,9 +54,9 @@ def pose_after(voice: tuple[float, float], before: tuple[float, float], time: fl
     """Give the pose half a second after the voice changed from `before` (intensity, pitch) to `voice`."""
     motion = HeadMotion(seed=5)
     for k in range(round(time * 100)):
-        motion.hear(k / 100, *before)
+        motion.add(k / 100, *before)
     for k in range(50):
-        motion.hear(time + k / 100, *voice)
+        motion.add(time + k / 100, *voice)
     pose = motion.pose(time + 0.5)
     return pose.yaw, pose.pitch, pose.roll
 
@@ -77,7 +77,7 @@ def test_the_head_sinks_with_the_loudness() -> None:
 def test_the_head_never_turns_far_and_never_jumps() -> None:
     generator, motion, poses = np.random.default_rng(0), HeadMotion(1), []
     for k in range(60_00):
-        motion.hear(k / 100, float(generator.random()), float(generator.choice([0, 80, 400])))
+        motion.add(k / 100, float(generator.random()), float(generator.choice([0, 80, 400])))
         pose = motion.pose(k / 100)
         poses.append((pose.yaw, pose.pitch, pose.roll))
     found = np.array(poses)
@@ -91,7 +91,7 @@ def test_the_pose_does_not_depend_on_how_often_anybody_looks() -> None:
     for every in (1, 7):
         motion, found = HeadMotion(2), []
         for k in range(700):
-            motion.hear(k / 100, k % 50 / 50, 100 + k % 30)
+            motion.add(k / 100, k % 50 / 50, 100 + k % 30)
             if k % every == 0:
                 found.append(motion.pose(k / 100).pitch)
         shown.append(found[:: 7 // every])

@@ -39,7 +39,7 @@ def mouth_of(table: MouthTable, heard: Heard, times: NDArray[np.float64], **opti
     morpher, found, waiting = Morpher(table, **options), [], list(heard)
     for time in times:
         while waiting and waiting[0][0] <= time + 1e-9:
-            morpher.hear(*waiting.pop(0))
+            morpher.add(*waiting.pop(0))
         found.append(morpher.weights(time))
     return np.array(found)
 
@@ -220,7 +220,7 @@ def test_a_mouth_of_two_states_is_open_or_shut() -> None:
 def test_old_movements_are_forgotten() -> None:
     morpher = Morpher(ARKIT)
     for k, (_, phoneme, intensity) in enumerate(babble(60.0)):
-        morpher.hear(k / 100, phoneme, intensity)
+        morpher.add(k / 100, phoneme, intensity)
         morpher.weights(k / 100)
     assert len(morpher._movements) < 30
 

@@ -43,7 +43,7 @@ def mouth_to(receiver: Receiver, table: str = "vrm") -> Iterator[Performer]:
 
 def hear(performer: Performer, phoneme: Phoneme, intensity: float = 1.0) -> None:
     now = time.monotonic()
-    performer.hear([TimedFrame(now - FRAME_PERIOD, phoneme, intensity)], now, live=True)
+    performer.add([TimedFrame(now - FRAME_PERIOD, phoneme, intensity)], now, live=True)
 
 
 @contextmanager
@@ -76,7 +76,7 @@ def test_a_receiver_sees_the_shapes_of_phones_once_they_are_known(receiver: Rece
         wait_for(lambda: "PP" in receiver.weights(), "the first picture")
         assert "FF" not in receiver.weights()
         now = time.monotonic()
-        mouth.hear([TimedFrame(now, Phoneme.UNIDENTIFIED, 1.0, phone="f")], now)
+        mouth.add([TimedFrame(now, Phoneme.UNIDENTIFIED, 1.0, phone="f")], now)
         wait_for(lambda: ("FF", 1.0) in receiver.of("/viseme"), "the shape")
         wait_for(lambda: receiver.weights().get("FF", 0) > 0.9, "teeth on the lip")
     wait_for(lambda: receiver.weights()["FF"] == 0, "a shut mouth")

@@ -61,7 +61,7 @@ def played(
     for k in range(round((frames[-1].time - start) * rate)):
         now = start + k / rate
         while waiting and waiting[0].time + FRAME_PERIOD <= now + ahead:
-            performer.hear(waiting[:2], now)
+            performer.add(waiting[:2], now)
             del waiting[:2]
         shown.append(performer.at(now))
     return shown
@@ -77,7 +77,7 @@ def test_who_knows_all_beforehand_moves_as_the_film_does(seed: int, detail: Deta
     utterance, idle = babble(seed), IdleMotion(seed=seed, detail=detail)
     film, performer = film_of(utterance, idle), Performer(ARKIT, idle, rate=RATE)
     frames = said(utterance)
-    performer.hear([*frames, frames[-1]._replace(time=utterance.duration, phoneme=Phoneme.SILENCE)])
+    performer.add([*frames, frames[-1]._replace(time=utterance.duration, phoneme=Phoneme.SILENCE)])
     faces = [performer.at(time) for time in film.times.tolist()]
     lids = np.array([face.blink for face in faces], np.float32)
     shown = weights_of(faces)
@@ -118,7 +118,7 @@ def test_it_does_not_matter_how_often_anybody_looks(ahead: float) -> None:
         for k in range(150):
             now = k / RATE
             due = [frame for frame in waiting if frame.time + FRAME_PERIOD <= now + ahead]
-            performer.hear(due, now)
+            performer.add(due, now)
             waiting = waiting[len(due) :]
             found.append(performer.at(now).weights)
             for look in range(1, looks):
@@ -141,7 +141,7 @@ def saying_a(until: float, idle: IdleMotion = MOUTH_ALONE) -> Performer:
     performer = Performer(ARKIT, idle)
     n = round(until / FRAME_PERIOD)
     frames = [TimedFrame(k * FRAME_PERIOD, Phoneme.A if k < n else Phoneme.U, 1.0) for k in range(2 * n)]
-    performer.hear(frames, 0.0)
+    performer.add(frames, 0.0)
     return performer
 
 
@@ -170,7 +170,7 @@ def test_what_was_known_of_the_future_does_not_come_after_it_was_stopped(act: Ac
 @pytest.mark.parametrize("before", [0.0, 0.01, 0.06, 0.08])
 def test_a_mouth_that_is_ahead_of_a_vowel_closes_when_it_is_stopped_before_that(before: float) -> None:
     performer = Performer(ARKIT, MOUTH_ALONE)
-    performer.hear([TimedFrame(k * FRAME_PERIOD, Phoneme.A if k >= 50 else Phoneme.SILENCE, 1.0) for k in range(99)])
+    performer.add([TimedFrame(k * FRAME_PERIOD, Phoneme.A if k >= 50 else Phoneme.SILENCE, 1.0) for k in range(99)])
     stopped = 0.5 - before
     assert performer.at(stopped).weights[JAW] > 0
     performer.hold(stopped, Phoneme.SILENCE)
@@ -182,7 +182,7 @@ def test_who_jumps_stands_as_somebody_who_has_said_what_comes_before() -> None:
     frames = said(speech())[:140]
     now = frames[-1].time + FRAME_PERIOD
     followed, jumped = Performer(ARKIT, MOUTH_ALONE), saying_a(0.5)
-    followed.hear(frames)
+    followed.add(frames)
     jumped.at(0.4)
     jumped.jump_to(frames[-100:], now)
     spread = ARKIT.motion.randomness  # they vary shapes and times in their own ways
@@ -194,7 +194,7 @@ def test_a_live_mouth_closes_when_nothing_comes_any_more_and_another_one_waits()
     for live in (True, False):
         performer = Performer(ARKIT, MOUTH_ALONE)
         for k in range(50):
-            performer.hear([TimedFrame(k * FRAME_PERIOD, Phoneme.A, 1.0)], (k + 1) * FRAME_PERIOD, live=live)
+            performer.add([TimedFrame(k * FRAME_PERIOD, Phoneme.A, 1.0)], (k + 1) * FRAME_PERIOD, live=live)
         assert performer.at(0.5 + 0.9 * CLOSE_AFTER).weights[JAW] > 0.2
         shut[live] = bool(performer.at(0.5 + CLOSE_AFTER + 1.0).weights[JAW] < 1e-6)
     assert shut == {True: True, False: False}
@@ -203,7 +203,7 @@ def test_a_live_mouth_closes_when_nothing_comes_any_more_and_another_one_waits()
 def test_another_table_goes_on_from_where_such_a_mouth_would_be() -> None:
     vrm = load_table("vrm")
     performer, other = saying_a(1.0), Performer(vrm, MOUTH_ALONE)
-    other.hear([TimedFrame(k * FRAME_PERIOD, Phoneme.A, 1.0) for k in range(80)])
+    other.add([TimedFrame(k * FRAME_PERIOD, Phoneme.A, 1.0) for k in range(80)])
     performer.at(0.79)
     performer.configure(vrm, MOUTH_ALONE)
     np.testing.assert_allclose(performer.at(0.79).weights, other.at(0.79).weights, atol=1e-6)
@@ -265,7 +265,7 @@ def test_a_head_that_a_track_leaves_alone_goes_with_what_is_heard() -> None:
     performer, other = Performer(ARKIT), Performer(ARKIT)
     performer.play(Nodding(turns=False))
     for each in (performer, other):
-        each.hear([TimedFrame(0.0, Phoneme.A, 1.0, 120.0)])
+        each.add([TimedFrame(0.0, Phoneme.A, 1.0, 120.0)])
     assert performer.at(0.5).head == other.at(0.5).head != HeadPose()
     performer.play(None)
     assert performer.at(0.5).weights == pytest.approx(other.at(0.5).weights)

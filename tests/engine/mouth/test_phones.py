@@ -248,9 +248,9 @@ def test_t_d_k_and_n_leave_the_lips_open_when_they_are_heard_live(viseme: str) -
     lips = [STILL.movestates.index(f"mouth{lip}Left") for lip in ("UpperUp", "LowerDown")]
     for phone in (VISEME_PHONES[Viseme[viseme]], ""):
         mouth = Morpher(STILL)
-        mouth.hear(0.0, Phoneme.A, 0.5)
-        mouth.hear(0.3, Phoneme.UNIDENTIFIED, 0.5, phone)
-        mouth.hear(0.45, Phoneme.A, 0.5)
+        mouth.add(0.0, Phoneme.A, 0.5)
+        mouth.add(0.3, Phoneme.UNIDENTIFIED, 0.5, phone)
+        mouth.add(0.45, Phoneme.A, 0.5)
         assert min(mouth.weights(0.25 + k / 200)[lips].sum() for k in range(60)) > 0.2
 
 
@@ -310,14 +310,14 @@ def test_a_performer_that_hears_phones_moves_as_the_film_does() -> None:
     )
     film = animation_of(said, ARKIT, RATE, MOUTH_ALONE)
     performer = Performer(ARKIT, MOUTH_ALONE, rate=RATE)
-    performer.hear(list(frames_of(said)))
+    performer.add(list(frames_of(said)))
     faces = np.array([performer.at(time).weights for time in film.times.tolist()])
     np.testing.assert_allclose(faces, film.weights, atol=1e-5)
 
 
 def test_a_performer_tells_the_phone_that_it_says_and_holds_it_in_a_pause() -> None:
     performer = Performer(STILL, MOUTH_ALONE)
-    performer.hear([TimedFrame(k * FRAME_PERIOD, Phoneme.UNIDENTIFIED, 1.0, phone="kf"[k >= 20]) for k in range(40)])
+    performer.add([TimedFrame(k * FRAME_PERIOD, Phoneme.UNIDENTIFIED, 1.0, phone="kf"[k >= 20]) for k in range(40)])
     performer.at(0.39)
     assert [phone for _, _, phone in performer.pop_said()] == ["k", "f", "f"]
     performer.hold(0.4, Phoneme.UNIDENTIFIED, "f")
@@ -327,7 +327,7 @@ def test_a_performer_tells_the_phone_that_it_says_and_holds_it_in_a_pause() -> N
 
 def test_a_morpher_is_told_phones_as_they_come() -> None:
     morpher = Morpher(STILL)
-    morpher.hear(0.0, Phoneme.UNIDENTIFIED, 1.0, "l")
+    morpher.add(0.0, Phoneme.UNIDENTIFIED, 1.0, "l")
     expected = STILL.shape_weights()[list(STILL.shapes).index("l")]
     np.testing.assert_allclose(morpher.weights(1.0), expected, atol=1e-6)
 
@@ -355,5 +355,5 @@ def test_where_only_phonemes_are_known_phones_change_no_bit(name: str, detail: D
     np.testing.assert_array_equal(*films)
     live = [Performer(one, idle) for one in (table, other)]
     for performer in live:
-        performer.hear(list(frames_of(said)), 0.0)
+        performer.add(list(frames_of(said)), 0.0)
     np.testing.assert_array_equal(*([one.at(k / 60).weights for k in range(150)] for one in live))

@@ -414,6 +414,6 @@ def test_a_mouth_closes_teeth_on_lip_where_an_f_is_heard(tmp_path):
     ]
     table = load_table("oculus")
     performer = Performer(table, MOUTH_ALONE)
-    performer.hear(timed_frames(concatenate_analyses(heard(preset)), len(SOUND) / SAMPLE_RATE))
+    performer.add(timed_frames(concatenate_analyses(heard(preset)), len(SOUND) / SAMPLE_RATE))
     weights = performer.at(0.4).weights
     assert weights.argmax() == table.movestates.index("FF")

@@ -80,7 +80,7 @@ def weights_of(frames: Frames) -> np.ndarray:
     for frame in frames:
         time, viseme = int(frame["number"]) / 100, int(frame["viseme"])
         phone = "" if viseme == NO_VISEME else VISEME_PHONES.get(Viseme(viseme), "")
-        morpher.hear(time, Phoneme(int(frame["phoneme"])), float(frame["intensity"]), phone)
+        morpher.add(time, Phoneme(int(frame["phoneme"])), float(frame["intensity"]), phone)
         found.append(morpher.weights(time))
     return np.array(found)
 

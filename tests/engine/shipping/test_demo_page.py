@@ -95,7 +95,7 @@ def microphone(tmp_path: Path, sound: Sound) -> tuple[str, ...]:
 
 def shown(page: Page) -> np.ndarray:
     """Give the phoneme that the page shows for each frame."""
-    rows = page.eval_on_selector_all("#heard tr", "rows => rows.map(row => [...row.cells].map(c => c.textContent))")
+    rows = page.eval_on_selector_all("#phonemes tr", "rows => rows.map(r => [...r.cells].map(c => c.textContent))")
     frames: list[int] = []
     for start, end, name in rows:
         assert round(100 * float(start)) == len(frames)
@@ -118,7 +118,9 @@ def likeness(found: np.ndarray, sound: Sound) -> float:
 
 
 def wait_for_frames(page: Page, n: int) -> None:
-    words = f"() => Number(document.querySelector('#heard tr:last-child td:nth-child(2)')?.textContent) * 100 >= {n}"
+    words = (
+        f"() => Number(document.querySelector('#phonemes tr:last-child td:nth-child(2)')?.textContent) * 100 >= {n}"
+    )
     page.wait_for_function(words, timeout=120_000)
 
 

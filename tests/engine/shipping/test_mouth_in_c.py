@@ -40,9 +40,9 @@ def weights_of(mouth: CMouth | Morpher, sounds: Sequence[Heard]) -> np.ndarray:
         time += passed
         found.append(mouth.weights(time))
         if isinstance(mouth, CMouth):
-            mouth.hear(time, phoneme, look, intensity)
+            mouth.add(time, phoneme, look, intensity)
         else:
-            mouth.hear(time, phoneme, intensity, phone_of(phoneme, look))
+            mouth.add(time, phoneme, intensity, phone_of(phoneme, look))
         found += [mouth.weights(time), mouth.weights(time + passed / 3)]
     return np.array([*found, mouth.weights(time + 1.0), mouth.weights(time + 5.0)])
 

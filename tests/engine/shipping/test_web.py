@@ -77,7 +77,7 @@ def test_the_mouth_moves_as_the_morpher_does(folder: Path) -> None:
     morpher, expected = Morpher(load_table("arkit"), seed=7), []
     for time, phoneme, viseme, intensity in zip(times, phonemes, visemes, loud, strict=True):
         phone = VISEME_PHONES.get(Viseme(viseme), "")
-        morpher.hear(float(time), Phoneme(phoneme), float(intensity), phone)
+        morpher.add(float(time), Phoneme(phoneme), float(intensity), phone)
         expected.append(morpher.weights(float(time)))
     found = in_node(folder, "move", given.ravel())[0].reshape(len(times), -1)
     assert np.abs(found - np.array(expected)).max() < 1e-5

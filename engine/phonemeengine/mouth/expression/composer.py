@@ -75,7 +75,7 @@ class Inhibition:
         self._knows_all = True
         self._coming = deque((time, goal) for start, end in joined for time, goal in ((start, 1.0), (end, 0.0)))
 
-    def hear(self, time: float, *, speaks: bool) -> None:
+    def add(self, time: float, *, speaks: bool) -> None:
         """Take whether there is speech from a time on: speech has ended once there was none for a pause."""
         if self._knows_all:
             return

@@ -25,7 +25,7 @@ namespace PhonemeEar
     }
 
 #pragma warning disable 0649 // the library writes these
-    /// <summary>What was heard in 10 ms.</summary>
+    /// <summary>What was recognised in 10 ms.</summary>
     [StructLayout(LayoutKind.Sequential, Size = Bytes)]
     public struct Frame
     {
@@ -130,7 +130,7 @@ namespace PhonemeEar
             return names;
         }
 
-        /// <summary>Which of a table's shapes goes with what was heard.</summary>
+        /// <summary>Which of a table's shapes goes with a frame.</summary>
         public int ShapeOf(int table, in Frame frame) =>
             Native.ear_table_shape(Handle, table, (int)frame.Phoneme, (int)frame.Viseme);
 
@@ -143,8 +143,8 @@ namespace PhonemeEar
             var n = Native.ear_table_movestates(Handle, table);
             if (weights.Length < n)
                 throw new EarException($"a table of {n} movestates needs as much room, got {weights.Length}");
-            var heard = frame;
-            Native.Check(Native.ear_table_blend(Handle, table, ref heard, weights));
+            var copy = frame;
+            Native.Check(Native.ear_table_blend(Handle, table, ref copy, weights));
         }
 
         public void Dispose()
@@ -233,7 +233,7 @@ namespace PhonemeEar
             Native.Check(Native.ear_mouth_open(model.Handle, table, (uint)seed, IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
-        /// <summary>Take what is heard from a time on, seconds of a clock of yours, which never goes back.</summary>
+        /// <summary>Take a frame that holds from a time on, seconds of a clock of yours, which never goes back.</summary>
         public void Hear(double time, in Frame frame) =>
             Native.ear_mouth_hear(Handle, time, (int)frame.Phoneme, (int)frame.Viseme, frame.Intensity);
 

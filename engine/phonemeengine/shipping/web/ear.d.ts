@@ -2,7 +2,7 @@
 /** What a frame's viseme is where nobody knows it. */
 export const NO_VISEME = 255;
 
-/** What was heard in 10 ms. */
+/** What was recognised in 10 ms. */
 export interface Frame {
   /** It lasts from number x 10 ms of the sound to 10 ms later. */
   readonly number: number;
@@ -97,9 +97,9 @@ export class EarModel {
   /** The blend shapes that a table moves. */
   movestates(table: string): string[];
   /** The name of the shape that a table has for a frame, such as "B". */
-  shapeOf(table: string, heard: Pick<Frame, "phoneme" | "viseme">): string;
+  shapeOf(table: string, frame: Pick<Frame, "phoneme" | "viseme">): string;
   /** The weights of a table's movestates for a frame: all visemes, each by how likely it is; not smoothed. */
-  blend(table: string, heard: Pick<Frame, "phoneme" | "intensity" | "scores" | "visemeScores">): Float32Array;
+  blend(table: string, frame: Pick<Frame, "phoneme" | "intensity" | "scores" | "visemeScores">): Float32Array;
 }
 
 /** The module, and a memory in which a recogniser is open: `ear` and what follows are places in it, `room` is in frames. */
@@ -139,7 +139,9 @@ export class Mouth {
   private constructor();
   readonly movestates: readonly string[];
   /** Take a frame that holds from a time on, seconds of a clock of yours, which never goes back. */
-  hear(time: number, heard: Pick<Frame, "phoneme" | "viseme" | "intensity">): void;
+  add(time: number, frame: Pick<Frame, "phoneme" | "viseme" | "intensity">): void;
+  /** @deprecated The former name of `add`, for one release. */
+  hear(time: number, frame: Pick<Frame, "phoneme" | "viseme" | "intensity">): void;
   /** The weights of its movestates at a time, 0..1; times never go back. */
   weights(time: number): Float32Array;
   /** Give its memory back; it is of no use any more. */
@@ -154,13 +156,13 @@ export interface EarNode extends AudioWorkletNode {
 
 /**
  * Make a node that recognises in the audio thread. Connect a source to it; it is silent itself.
- * `hear` is called with each frame, in the thread of the page. `worklet`: the address of ear-worklet.js, for pages whose
+ * `onFrame` is called with each frame, in the thread of the page. `worklet`: the address of ear-worklet.js, for pages whose
  * security policy forbids scripts from blob: addresses.
  */
 export function earNode(
   context: BaseAudioContext,
   model: EarModel,
-  hear: (frame: Frame) => void,
+  onFrame: (frame: Frame) => void,
   worklet?: string | URL,
 ): Promise<EarNode>;
 

@@ -120,7 +120,7 @@ export class EarModel {
     return this.#list(n, (k) => this.#c.ear_table_movestate(this.#model, number, k));
   }
 
-  /** The name of the shape that a table has for what was heard, such as "B". */
+  /** The name of the shape that a table has for a frame, such as "B". */
   shapeOf(table, { phoneme, viseme }) {
     const number = this.#numberOf(table);
     const shape = this.#c.ear_table_shape(this.#model, number, phoneme, viseme);
@@ -284,10 +284,15 @@ export class Mouth {
     this.movestates = movestates;
   }
 
-  /** Take what is heard from a time on, seconds of a clock of yours, which never goes back. */
-  hear(time, { phoneme, viseme, intensity }) {
+  /** Take a frame that holds from a time on, seconds of a clock of yours, which never goes back. */
+  add(time, { phoneme, viseme, intensity }) {
     checkOpen(this.#mouth, "mouth");
     this.#c.ear_mouth_hear(this.#mouth, time, phoneme, viseme, intensity);
+  }
+
+  /** The former name of `add`, for one release. */
+  hear(time, frame) {
+    this.add(time, frame);
   }
 
   /** The weights of its movestates at a time, 0..1; times never go back. */
@@ -315,10 +320,10 @@ let workletPlace; // one for all nodes: a browser runs each address once
 
 /**
  * Make a node that recognises in the audio thread. Connect a source to it; it is silent itself.
- * `hear` is called with each frame, in the thread of the page. `close()` ends the node. `worklet`: the address of
+ * `onFrame` is called with each frame, in the thread of the page. `close()` ends the node. `worklet`: the address of
  * ear-worklet.js, for pages whose security policy forbids scripts from blob: addresses.
  */
-export async function earNode(context, model, hear, worklet) {
+export async function earNode(context, model, onFrame, worklet) {
   if (!context.audioWorklet) {
     throw new EarError("this page may not listen; open it by https or from localhost, in a current browser");
   }
@@ -330,7 +335,7 @@ export async function earNode(context, model, hear, worklet) {
     channelCountMode: "explicit",
     processorOptions,
   });
-  node.port.onmessage = ({ data }) => hear(readFrame(data, model.visemes.length));
+  node.port.onmessage = ({ data }) => onFrame(readFrame(data, model.visemes.length));
   node.connect(context.destination); // what leads nowhere is not asked to listen
   node.close = () => {
     node.port.postMessage("close");
@@ -371,11 +376,11 @@ export async function createRecogniser(options = {}) {
     const mouth = model.tables.includes(table) ? model.mouth(table) : null;
     undo.push(() => mouth?.close());
     const recogniser = new Recogniser(model, context, mouth, table, close);
-    const hear = (frame) => {
+    const onFrame = (frame) => {
       recogniser.take(frame);
       onFrame?.(frame);
     };
-    const node = (recogniser.node = await earNode(context, model, hear, worklet));
+    const node = (recogniser.node = await earNode(context, model, onFrame, worklet));
     undo.push(() => node.close());
     const stream = isNode ? null : (source ?? (await openMicrophone()));
     if (stream && !source) undo.push(() => stream.getTracks().forEach((track) => track.stop()));
@@ -437,7 +442,7 @@ class Recogniser {
 
   take(frame) {
     this.frame = frame;
-    this.#mouth?.hear(frame.time, frame);
+    this.#mouth?.add(frame.time, frame);
   }
 
   /** The weights of the blend shapes now, 0..1, by name. */

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* Joins the page: a microphone or a file is heard by the ear, and shown as phonemes, as a spectrum, and by the head. */
+/* Joins the page: a microphone or a file is recognised, and shown as phonemes, as a spectrum, and by the head. */
 import { NO_VISEME, earNode, loadModel, openMicrophone } from "../ear.js";
 import { Head } from "./head.js";
 import { Spectrum } from "./spectrum.js";
@@ -87,7 +87,7 @@ async function soundFile(file, context) {
 async function begin(words, open) {
   end();
   complain("");
-  element("heard").replaceChildren();
+  element("phonemes").replaceChildren();
   try {
     listening = await Listening.begin(open);
     element("state").textContent = words;
@@ -123,7 +123,7 @@ function draw(milliseconds) {
   }
   if (listening?.mouth) {
     const now = milliseconds / 1000; // the mouth moves on between frames, too
-    frames.forEach((frame) => listening.mouth.hear(now, frame));
+    frames.forEach((frame) => listening.mouth.add(now, frame));
     const values = listening.mouth.weights(now);
     weights = new Map(listening.mouth.movestates.map((name, k) => [name, values[k]]));
   }
@@ -138,7 +138,7 @@ function tell({ phoneme, viseme, confidence }) {
 
 /* Lengthen the last row of the table, or begin a new one. */
 function list({ number, phoneme }) {
-  const rows = element("heard");
+  const rows = element("phonemes");
   const last = rows.lastElementChild;
   if (last?.cells[2].textContent === model.phonemes[phoneme]) {
     last.cells[1].textContent = seconds(number + 1);

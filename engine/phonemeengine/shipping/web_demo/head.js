@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/* A head in a GLB file, whose morph targets say what is heard. */
+/* A head in a GLB file, whose morph targets say what is recognised. */
 import * as THREE from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 

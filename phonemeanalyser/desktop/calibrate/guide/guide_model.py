@@ -119,7 +119,7 @@ class Phase(StrEnum):
     READY = "ready"
     COUNTING = "counting"
     WAITING = "waiting"
-    HEARING = "hearing"
+    RECORDING = "recording"
     CHECKING = "checking"
     SHOWING = "showing"
     LEARNING = "learning"
@@ -173,7 +173,7 @@ class GuideModel(QObject):
         takes.added.connect(self._note_take)
         takes.error.connect(self._note_refusal)
         takes.idle.connect(self._learn)
-        session.heard.connect(self._follow)
+        session.analysed.connect(self._follow)
 
     # -- how far it is ------------------------------------------------------------------------------------
 
@@ -195,7 +195,7 @@ class GuideModel(QObject):
     @property
     def asking(self) -> bool:
         """Whether a sound or a sentence is asked for, or was just said."""
-        return self.phase in {Phase.WAITING, Phase.HEARING, Phase.CHECKING, Phase.SHOWING}
+        return self.phase in {Phase.WAITING, Phase.RECORDING, Phase.CHECKING, Phase.SHOWING}
 
     @property
     def seconds_left(self) -> float:
@@ -245,7 +245,7 @@ class GuideModel(QObject):
             return 1.0 - self.seconds_left / COUNTDOWN
         if self.phase is Phase.SHOWING:
             return 0.0 if self.advice else 1.0
-        if self.phase is not Phase.HEARING or self._voice_at is None:
+        if self.phase is not Phase.RECORDING or self._voice_at is None:
             return 0.0
         return min(1.0, (self._capture.seconds - self._voice_at) / self.step.seconds)
 
@@ -263,7 +263,7 @@ class GuideModel(QObject):
     def start(self) -> None:
         """Count down, and begin with the silence."""
         if self.phase is Phase.READY:
-            self._hear()
+            self._capture_from_now()
             self._show(Phase.COUNTING)
 
     def back(self) -> None:
@@ -334,7 +334,7 @@ class GuideModel(QObject):
         """Look whether what is awaited was said."""
         if self.phase is Phase.WAITING:
             self._look_for_voice()
-        elif self.phase is Phase.HEARING and self._voice_at is not None:
+        elif self.phase is Phase.RECORDING and self._voice_at is not None:
             if self._has_ended(self._voice_at):
                 self._check()
         elif self.phase is Phase.COUNTING and self.seconds_left == 0.0:
@@ -349,26 +349,26 @@ class GuideModel(QObject):
             self._show(Phase.LEARNING)
             self._learn()
             return
-        self._hear()
+        self._capture_from_now()
         if self.step.phoneme is Phoneme.SILENCE:
             self._voice_at = 0.0
-            self._show(Phase.HEARING)
+            self._show(Phase.RECORDING)
         else:
             self._show(Phase.WAITING)
 
-    def _hear(self) -> None:
+    def _capture_from_now(self) -> None:
         """Keep the microphone's samples from now on."""
         if not self._session.microphone.active:
             self._session.play()
         self._capture.begin()
 
     def _look_for_voice(self) -> None:
-        sound, rate = self._capture.heard()
+        sound, rate = self._capture.so_far()
         found = onset_in(sound, rate, self._least_voice)
         if found is not None:
             self._voice_at = found
             self.advice = ""
-            self._show(Phase.HEARING)
+            self._show(Phase.RECORDING)
         elif len(sound) >= PATIENCE * rate:
             self._go_to(
                 self.index,
@@ -381,7 +381,7 @@ class GuideModel(QObject):
         capture = self._capture
         if self.step.sentence is None:
             return capture.seconds >= voice_at + self.step.seconds
-        sound, rate = capture.heard()
+        sound, rate = capture.so_far()
         quiet = quiet_at_end(sound, rate, self._least_voice)
         return quiet >= AFTER_SENTENCE or capture.seconds >= voice_at + LONGEST_SENTENCE
 

@@ -149,7 +149,7 @@ class GuideView(QWidget):
             lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
         )
         self.play_old, self.play_new = (
-            spoken_button(words, tip, partial(self._hear, new=new))
+            spoken_button(words, tip, partial(self._play, new=new))
             for words, tip, new in (
                 (
                     tr("▶ Old preset"),
@@ -241,7 +241,7 @@ class GuideView(QWidget):
             shortcut.activated.connect(lambda buttons=buttons: _click(*buttons))
         guide.changed.connect(self._show)
 
-    def _hear(self, *, new: bool) -> None:
+    def _play(self, *, new: bool) -> None:
         """Play the sentence; the button of what is playing stays down."""
         self._calibration.play_sentence(new=new)
         self.play_old.setChecked(not new)

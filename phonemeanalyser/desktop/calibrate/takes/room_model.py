@@ -45,7 +45,7 @@ class RoomModel(QObject):
         self._preset = preset
         self._takes = takes
         self._work = TaskQueue(self.error.emit)
-        session.heard.connect(self._look_for_end)
+        session.analysed.connect(self._look_for_end)
         session.microphone.changed.connect(self._look_for_end)
 
     def begin(self) -> None:

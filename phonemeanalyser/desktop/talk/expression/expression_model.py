@@ -48,7 +48,7 @@ class ExpressionInput(OscConnection):
         return tr("Receiving {name} and {n} more").format(name=names[0], n=len(names) - 1)
 
     @property
-    def hears(self) -> bool:
+    def receives(self) -> bool:
         """Whether another program sends an expression."""
         return self.stream is not None and bool(self.stream.names)
 

@@ -121,7 +121,7 @@ class ExpressionPanel(QWidget):
         if words != self.state.text():
             self.state.setText(words)
             self.state.setToolTip(words)
-            colour = self._theme.good if self._model.input.hears else self._theme.faint
+            colour = self._theme.good if self._model.input.receives else self._theme.faint
             self.state.setStyleSheet(f"color: {colour}")
 
     def _lay_out(self, theme: Theme) -> None:
@@ -186,15 +186,15 @@ class ExpressionPanel(QWidget):
         with silent(self.priority):
             self.priority.setValue(round(100 * self._model.priority))
         self.neutral.setEnabled(any((*self._model.shares.values(), *self._model.feeling.values())))
-        path, heard = self._model.path, self._model.input
+        path, received = self._model.path, self._model.input
         if path is None:
             named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load face capture…"))
         else:
             show_removable(self.file, path.name, tr("Remove the face capture {path}").format(path=path))
         with silent(self.switch):
-            self.switch.setChecked(heard.on)
+            self.switch.setChecked(received.on)
         if not self.address.hasFocus() or not self.address.isModified():
-            self.address.setText(heard.address)
+            self.address.setText(received.address)
         self.refresh()
 
 

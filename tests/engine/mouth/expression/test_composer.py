@@ -172,7 +172,7 @@ def test_a_live_smile_gives_way_to_what_is_heard():
     for k in range(300):
         time = k / 100
         phoneme = Phoneme.M if 50 <= k < 150 else Phoneme.SILENCE
-        performer.hear([TimedFrame(time, phoneme, 1.0)], time, live=True)
+        performer.add([TimedFrame(time, phoneme, 1.0)], time, live=True)
         seen[k] = float(performer.at(time).weights[SMILE]), performer.inhibition
     assert seen[40] == (1, 0)
     assert seen[100][1] == 1
@@ -185,7 +185,7 @@ def test_a_live_smile_gives_way_to_what_is_heard():
 def test_sliders_go_on_from_where_speech_holds_them():
     performer = Performer(load_table("arkit"), IdleMotion(expression=smiling()))
     for k in range(50):
-        performer.hear([TimedFrame(k / 100, Phoneme.A, 1.0)], k / 100, live=True)
+        performer.add([TimedFrame(k / 100, Phoneme.A, 1.0)], k / 100, live=True)
         performer.at(k / 100)
     performer.configure(performer.table, IdleMotion(expression=smiling(0.3)))
     performer.at(0.5)
@@ -208,7 +208,7 @@ def test_an_expression_of_nothing_is_refused():
 @pytest.mark.parametrize("stop", [Performer.close_mouth, Performer.forget_coming])
 def test_nothing_is_reduced_after_speech_was_stopped(stop):
     performer = Performer(load_table("arkit"), IdleMotion(blinks=False, head=False, expression=smiling()))
-    performer.hear([TimedFrame(k / 100, Phoneme.A, 1.0) for k in range(300)], 0.0)
+    performer.add([TimedFrame(k / 100, Phoneme.A, 1.0) for k in range(300)], 0.0)
     performer.at(1.0)
     assert performer.inhibition == pytest.approx(1.0)
     stop(performer, 1.0)

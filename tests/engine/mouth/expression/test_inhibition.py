@@ -31,7 +31,7 @@ def test_it_turns_back_from_wherever_it_stands():
 def test_live_speech_ends_once_nobody_has_spoken_for_a_pause():
     inhibition = Inhibition()
     for k in range(200):
-        inhibition.hear(k / 100, speaks=k < 50)
+        inhibition.add(k / 100, speaks=k < 50)
     assert inhibition.at(0.99) == 1
     assert inhibition.at(1.25) == pytest.approx(0.5, abs=0.02)
     assert inhibition.at(1.6) == 0
@@ -41,5 +41,5 @@ def test_what_is_heard_of_speech_that_is_known_says_nothing_new():
     inhibition = Inhibition()
     inhibition.expect([(0.0, 1.0)])
     for k in range(150):
-        inhibition.hear(k / 100, speaks=True)
+        inhibition.add(k / 100, speaks=True)
     assert inhibition.at(1.5) == 0

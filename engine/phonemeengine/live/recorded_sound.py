@@ -33,7 +33,7 @@ class _Begin(NamedTuple):
 _Order = tuple[Float32Array, int] | _Begin | threading.Event
 
 
-class HeardSound(Closing):
+class RecordedSound(Closing):
     """Writes what comes into a file of its own, mono at 44.1 kHz and 24 bits; memory stays as it is.
 
     Blocks may come from another thread, which never waits for the disk.
@@ -53,7 +53,7 @@ class HeardSound(Closing):
         self._rate = 0
         self._resampler: Resampler | None = None
         self._orders: queue.Queue[_Order | None] = queue.Queue(MOST_WAITING)
-        self._thread = threading.Thread(target=self._run, name="heard sound", daemon=True)
+        self._thread = threading.Thread(target=self._run, name="recorded sound", daemon=True)
         self._thread.start()
 
     def add_samples(self, block: Float32Array, rate: int) -> None:
@@ -112,7 +112,7 @@ class HeardSound(Closing):
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(prefix="phonemeanalyser-", ignore_cleanup_errors=True)
         self._n_files += 1
-        self._path = Path(self._folder.name) / f"heard {self._n_files}.wav"
+        self._path = Path(self._folder.name) / f"recorded {self._n_files}.wav"
         self._file = self._path.open("w+b", buffering=0)
         self._encoder = WavEncoder(self._file, SAMPLE_RATE, 1)
 
