@@ -15,6 +15,14 @@ HEAD = [
     (tr_noop("Move light"), tr_noop("Comma, full stop")),
     (tr_noop("Hold mouth shape"), "Q S H M P I A E U O"),
 ]
+KEYS = [
+    (tr_noop("Raise, lower key; with Shift, farther"), tr_noop("Up, Down")),
+    (tr_noop("Move key by one picture"), tr_noop("Left, Right")),
+    (tr_noop("Mark range"), tr_noop("Shift+Left, Shift+Right")),
+    (tr_noop("Smooth, raise or lower range"), tr_noop("Menu key")),
+    (tr_noop("Previous, next key; with Ctrl, curve"), tr_noop("Page Up, Page Down")),
+    (tr_noop("Delete key"), tr_noop("Del")),
+]
 CALIBRATE = [
     (tr_noop("Guided calibration"), "G"),
     (tr_noop("Record take while held"), "Q S H M P I A E U O"),
@@ -54,6 +62,7 @@ class ShortcutsDialog(QDialog):
         blocks.append(_block(tr("Calibrate page"), CALIBRATE))
         blocks.append(_block(tr("Guided calibration"), GUIDE))
         blocks.append(_block(tr("Head, while it has the focus"), HEAD))
+        blocks.append(_block(tr("Keys of blend shapes, while they have the focus"), KEYS))
         room = self.screen().availableSize().width() - EDGES
         for n_columns in N_COLUMNS:
             self.list = QLabel(_side_by_side([block for block in blocks if block], n_columns))

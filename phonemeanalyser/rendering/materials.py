@@ -1,7 +1,7 @@
 """What the triangles of a mesh are made of: in which order they are drawn, and by which program."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import count
 from typing import Any
 
@@ -10,11 +10,13 @@ import numpy as np
 
 from phonemeanalyser.rendering.passes import program_of, set_uniforms
 from phonemeanalyser.rendering.textures import maps_of, upload
-from phonemeengine.arrays import IndexArray
+from phonemeengine.arrays import BoolArray, Float32Array, IndexArray
 from phonemeengine.mouth.mesh import AlphaMode, Material, Mesh, Texture, ToonShading
 
 ALL, NEARLY, HARDLY = 2.0, 0.98, 1 / 255
 """How opaque something is: more than anything, as good as wholly, and so little that it is not seen."""
+AROUND = 4
+"""Texels around a triangle that are looked at, too: smaller pictures of the texture mix them in."""
 KINDS = (AlphaMode.OPAQUE, AlphaMode.MASK, AlphaMode.BLEND)
 
 
@@ -48,21 +50,55 @@ def draw_calls_of(mesh: Mesh) -> tuple[IndexArray, list[DrawCall]]:
 
     Skin comes first, then what else is opaque, cut out, and blended.
     """
-    ranks = [*_ranked(mesh.materials)] or [SKIN]
+    materials, material_of = _split_at_alpha(mesh)
+    ranks = [*_ranked(materials)] or [SKIN]
     kinds = sorted({*ranks})
     of_material = np.array([kinds.index(rank) for rank in ranks])
-    rank_of = of_material[mesh.material_of] if mesh.materials else np.zeros(len(mesh.triangles), np.intp)
+    rank_of = of_material[material_of] if materials else np.zeros(len(mesh.triangles), np.intp)
     order = np.argsort(rank_of, kind="stable")
     ends = 3 * np.cumsum(np.bincount(rank_of, minlength=len(kinds)))
     starts = np.concatenate(([0], ends[:-1]))
     made = [
-        DrawCall(mesh.materials[number - 1] if number else None, int(start), int(end - start))
+        DrawCall(materials[number - 1] if number else None, int(start), int(end - start))
         for (_, _, number), start, end in zip(kinds, starts, ends, strict=True)
     ]
     return order, [call for call in made if call.n]
 
 
 SKIN = 0, 0, 0
+
+
+def _split_at_alpha(mesh: Mesh) -> tuple[tuple[Material, ...], IndexArray]:
+    """Return the materials, and which one each triangle has: what could be blended and never is, is cut out instead.
+
+    What is blended is drawn twice, and avatars often have whole faces so, for a few lashes.
+    """
+    materials, material_of = [*mesh.materials], mesh.material_of.astype(np.intp)
+    for number, material in enumerate(mesh.materials):
+        mine = np.flatnonzero(mesh.material_of == number)
+        if material.alpha_mode is AlphaMode.BLEND and len(mine):
+            material_of[mine[_lets_nothing_through(material, mesh.uvs[mesh.triangles[mine]])]] = len(materials)
+            materials.append(replace(material, alpha_mode=AlphaMode.MASK, alpha_cutoff=NEARLY))
+    return tuple(materials), material_of
+
+
+def _lets_nothing_through(material: Material, places: Float32Array) -> BoolArray:
+    """Tell which triangles are opaque all over, by the places of their corners in the texture, shape (n, 3, 2)."""
+    pixels = None if material.texture is None else material.texture.pixels
+    if pixels is None or material.alpha < NEARLY:
+        return np.zeros(len(places), bool)
+    clear = pixels[..., 3] < 255 * NEARLY
+    if not clear.any():
+        return np.ones(len(places), bool)
+    sums = np.pad(clear.cumsum(axis=0, dtype=np.int32).cumsum(axis=1, dtype=np.int32), ((1, 0), (1, 0)))
+    most = np.array(clear.shape[::-1])
+    found = np.nan_to_num(places, nan=-1.0) * most
+    low, high = np.floor(found.min(axis=1)) - AROUND, np.ceil(found.max(axis=1)) + AROUND
+    inside = np.all((low >= 0) & (high <= most), axis=1)
+    (left, top), (right, bottom) = (np.clip(edge, 0, most).astype(np.intp).T for edge in (low, high))
+    n_clear = sums[bottom, right] - sums[top, right] - sums[bottom, left] + sums[top, left]
+    opaque: BoolArray = inside & (n_clear == 0)
+    return opaque
 
 
 def _mode_of(material: Material) -> AlphaMode:

@@ -10,6 +10,7 @@ from scipy.ndimage import binary_dilation, binary_erosion, distance_transform_ed
 from phonemeanalyser.rendering import RenderingError
 from phonemeanalyser.rendering.camera import Camera
 from phonemeanalyser.rendering.light import Light
+from phonemeanalyser.rendering.materials import draw_calls_of
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.textures import LARGEST, MOST_PIXELS, with_pixels
 from phonemeengine.mouth.mesh import AlphaMode, Material, Mesh, Texture, ToonShading
@@ -62,6 +63,19 @@ def test_fine_patterns_neither_shimmer_nor_vanish(offscreen: Hire):
         inner = hired.picture(moved, face.mesh.positions, background=DARK, light=AHEAD)[36:60, 36:60]
         assert 90 < inner.mean() < 220
         assert inner.std() < 6
+
+
+def test_only_triangles_through_which_something_shines_are_blended() -> None:
+    picture = np.full((64, 64, 4), 255, np.uint8)
+    picture[:, 32:, 3] = 100
+    face = panel(replace(RESTING, texture=texture_of(picture), alpha_mode=AlphaMode.BLEND))
+    uvs = np.array([[0.2, 0.2], [0.3, 0.2], [0.2, 0.3], [0.3, 0.4]], np.float32)[: len(face.mesh)]
+    modes = {}
+    for name, moved in (("opaque", 0.0), ("beyond the edge", 0.2), ("outside", 1.0), ("none", np.nan)):
+        mesh = replace(with_pixels(face.mesh), uvs=uvs + np.float32(moved))
+        modes[name] = {call.mode for call in draw_calls_of(mesh)[1]}
+    assert modes.pop("opaque") == {AlphaMode.MASK}
+    assert all(found == {AlphaMode.BLEND} for found in modes.values())
 
 
 def test_alpha_cuts_out_blends_or_is_ignored(offscreen: Hire):

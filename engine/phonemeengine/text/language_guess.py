@@ -3,7 +3,7 @@
 import re
 import tomllib
 from collections import Counter
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 SCRIPTS = {
@@ -31,11 +31,16 @@ def guess_language(text: str) -> str:
     A guess is shown to the user before it is used: languages as near as Danish and Norwegian are not told apart, and
     short texts tell nothing.
     """
-    part = text[:LOOKED_AT]
-    for tag, letters in SCRIPTS.items():
-        if 5 * len(re.findall(letters, part)) > len(re.findall(r"[^\W\d_]", part)):
-            return tag
+    return _guessed(text[:LOOKED_AT])
+
+
+@lru_cache(1)  # at each key that is pressed, most often behind what is looked at
+def _guessed(part: str) -> str:
     words = Counter(re.findall(r"[^\W\d_]+", part.lower()))
+    n_letters = sum(n * len(word) for word, n in words.items())
+    for tag, letters in () if part.isascii() else SCRIPTS.items():
+        if 5 * len(re.findall(letters, part)) > n_letters:
+            return tag
     found = {tag: [words[word] for word in frequent if word in words] for tag, frequent in _frequent().items()}
     counts = Counter({tag: sum(each) for tag, each in found.items() if len(each) >= LEAST_WORDS})
     if not counts:

@@ -110,7 +110,7 @@ class TalkModel(QObject):
         self._last: Analysis | None = None
         self._work = TaskQueue(self.error.emit)
         self.keys = KeyModel(session, lambda: self.in_use, lambda: self.picture_rate)
-        self.comparison = DifferenceModel(session, self.text.drivers, lambda: self.in_use, lambda: self.picture_rate)
+        self.comparison = DifferenceModel(session, self.text, lambda: self.in_use, lambda: self.picture_rate)
         self._connect()
 
     @property

@@ -2485,6 +2485,11 @@
             <translation>Keyframe löschen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Delete key</source>
+            <translation>Keyframe löschen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Delete Label</source>
             <translation>Beschriftung löschen</translation>
@@ -4485,6 +4490,11 @@
             <translation>Keyframes der Blendshapes im Zeitverlauf</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Keys of blend shapes, while they have the focus</source>
+            <translation>Keyframes der Blendshapes, solange sie den Fokus haben</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_model.py" />
             <source>Keys saved as {path}</source>
             <translation>Keyframes gespeichert als {path}</translation>
@@ -5275,6 +5285,11 @@
             <translation>Blendshapes zuordnen…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Mark range</source>
+            <translation>Bereich markieren</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>max</source>
             <translation>max</translation>
@@ -5446,6 +5461,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Menu key</source>
+            <translation>Menütaste</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Menu shortcuts that are single letters, Delete, F2 or use Shift work on the Analyse page only. While a list, number or text field has the focus, letters go to that field: click a plot to leave it.</source>
             <translation>Einzelne Buchstaben, Entf, F2 und Kürzel mit Umschalt aus den Menüs wirken nur auf der Seite Analysieren. Hat eine Liste, eine Zahl oder ein Textfeld den Fokus, gehen Buchstaben dorthin: zum Verlassen in ein Diagramm klicken.</translation>
         </message>
@@ -5598,6 +5618,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/label_tiers.py" />
             <source>move boundary</source>
             <translation>Grenze verschieben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Move key by one picture</source>
+            <translation>Keyframe um ein Bild verschieben</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -6540,6 +6565,11 @@
             <translation>Seite</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Page Up, Page Down</source>
+            <translation>Bild auf, Bild ab</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>part</source>
             <translation>Teil</translation>
@@ -6995,6 +7025,11 @@
             <translation>Voriges schlecht passendes Wort</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Previous, next key; with Ctrl, curve</source>
+            <translation>Voriger, nächster Keyframe; mit Strg Kurve</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>probability of {phoneme}</source>
             <translation>Wahrscheinlichkeit von {phoneme}</translation>
@@ -7038,6 +7073,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
             <source>Raise Range by 0.1</source>
             <translation>Bereich um 0.1 anheben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Raise, lower key; with Shift, farther</source>
+            <translation>Keyframe anheben, senken; mit Umschalt weiter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
@@ -8160,6 +8200,11 @@
             <translation>Anteil der gesprochenen Frames, die als Stille erkannt werden</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Shift+Left, Shift+Right</source>
+            <translation>Umschalt+Links, Umschalt+Rechts</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
             <source>Ship</source>
             <translation>Ausliefern</translation>
@@ -8418,6 +8463,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/keys/key_lanes.py" />
             <source>Smooth Range</source>
             <translation>Bereich glätten</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Smooth, raise or lower range</source>
+            <translation>Bereich glätten, anheben oder senken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -10485,6 +10535,11 @@
             <translation>Nicht abgeschlossener Text</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
+            <source>Up, Down</source>
+            <translation>Auf, Ab</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Upper edge of the sonagram</source>
             <translation>Oberer Rand des Sonagramms</translation>
@@ -11118,6 +11173,11 @@
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>{file} has changed on disk since it was opened; click to reload it</source>
             <translation>{file} wurde seit dem Öffnen auf dem Datenträger geändert; zum Neuladen klicken</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
+            <source>{file} has changed on the disk; its words are taken from the files beside it again.</source>
+            <translation>{file} wurde auf dem Datenträger geändert; die Wörter werden erneut aus den Dateien daneben gelesen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />

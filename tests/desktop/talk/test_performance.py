@@ -118,6 +118,22 @@ def test_a_spoken_text_is_looked_up_before_it_is_heard(desk: Desk, table: Path) 
     assert desk.failed == []
 
 
+def test_two_heads_that_say_a_spoken_text_are_compared_by_numbers(desk: Desk, table: Path) -> None:
+    use(desk, table)
+    comparison = desk.stage.talking.comparison
+    desk.texts.drivers.compare(FaceDriver.RULES)
+    assert comparison.words == "Open a recording to see where both heads differ"
+    desk.say("So. So so.")
+    desk.stage.play(0.25)
+    desk.qtbot.waitUntil(lambda: comparison.found is not None)
+    assert comparison.words.startswith("Difference (RMS): 0.")
+    place = comparison.places[0]
+    assert 0 < place.time < 1
+    comparison.go_to(0)
+    assert desk.session.source.position == pytest.approx(place.time, abs=0.01)
+    assert desk.failed == []
+
+
 def test_a_table_that_comes_while_a_text_is_spoken_is_for_the_next_one(desk: Desk, table: Path) -> None:
     desk.stage.look()
     desk.say("So. So so.")

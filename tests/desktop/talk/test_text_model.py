@@ -1,11 +1,14 @@
 """The words of a sound: from files beside it, an aligner or a voice, all as one utterance that the head says."""
 
+import os
+
 import numpy as np
 import pytest
+from PySide6.QtGui import QUndoStack
 
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.scripts import words_beside
-from phonemeanalyser.desktop.talk.words.sound_words import POOR, fits_badly
+from phonemeanalyser.desktop.talk.words.sound_words import POOR, KnownWords, SoundWords, fits_badly
 from phonemeengine.analyser import Analysis
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, spans_of
@@ -491,3 +494,14 @@ def test_what_cannot_be_changed_is_told_in_one_sentence_and_loses_nothing(desk, 
         "'!' is no sound of IPA; write one, such as ə, or delete the phone",
     ]
     assert desk.texts.utterance is before
+
+
+def test_words_are_not_those_of_a_file_that_was_written_to_meanwhile(tmp_path):
+    sound, words = tmp_path / "talk.wav", SoundWords(QUndoStack())
+    sound.write_bytes(b"one")
+    words.follow(sound)
+    words.put(KnownWords(Utterance((word("so", 0.2, 0.5),), 1.0)))
+    assert words.is_of(sound, 1.0)
+    sound.write_bytes(b"two")
+    os.utime(sound, ns=(1, 1))
+    assert not words.is_of(sound, 1.0)

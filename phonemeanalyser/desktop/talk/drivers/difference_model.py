@@ -10,8 +10,9 @@ from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.export_kinds import FaceInUse
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.session.time_view import TimeSpan
-from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET, DriverModel
+from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.drivers.movement import RecordedSpeech, movement_of, recording_of
+from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.mouth.exports.exporter import ExportOptions
@@ -26,10 +27,11 @@ AROUND = 0.5
 
 
 class DifferenceModel(QObject):
-    """Compares what moves the two heads through the current recording.
+    """Compares what moves the two heads through the current recording, or through what a voice speaks.
 
     Parameters
     ----------
+    texts : know what is said, and what the heads are moved by.
     in_use : says what moves the first head.
     rate : says how many pictures a second are compared.
 
@@ -51,10 +53,11 @@ class DifferenceModel(QObject):
     error = Signal(str)
 
     def __init__(
-        self, session: Session, drivers: DriverModel, in_use: Callable[[], FaceInUse], rate: Callable[[], float]
+        self, session: Session, texts: TextModel, in_use: Callable[[], FaceInUse], rate: Callable[[], float]
     ) -> None:
         super().__init__()
-        self._session, self._drivers, self._in_use, self._rate = session, drivers, in_use, rate
+        self._session, self._texts, self._in_use, self._rate = session, texts, in_use, rate
+        self._drivers = drivers = texts.drivers
         self.found: MovementDifference | None = None
         self.known: Transcript | None = None
         self.place = -1
@@ -74,7 +77,7 @@ class DifferenceModel(QObject):
     @property
     def words(self) -> str:
         """What is found, in words; or why nothing is."""
-        if self._session.source.path is None:
+        if self._session.source.path is None and (self.by_preset or self._texts.utterance is None):
             return tr("Open a recording to see where both heads differ")
         if self.found is None:
             return tr("Comparing…")
@@ -118,7 +121,7 @@ class DifferenceModel(QObject):
             place = self.places[number]
             self._session.pause()
             self._session.seek(place.time)
-            self._session.view.reveal(TimeSpan(max(0.0, place.start - AROUND), place.end + AROUND))
+            self._texts.view.reveal(TimeSpan(max(0.0, place.start - AROUND), place.end + AROUND))
             self.changed.emit()
 
     def close(self) -> None:
@@ -144,7 +147,9 @@ class DifferenceModel(QObject):
         path, duration = session.source.path, session.source.duration
         utterance = None if path is None else in_use.words.get(path)
         one = other = recording_of(path, duration, session.whole.tracks, utterance)
-        if self.by_preset:
+        if path is None and (spoken := self._texts.utterance) is not None and not self.by_preset:
+            one = other = RecordedSpeech(None, spoken.duration, None, spoken)
+        elif self.by_preset:
             other = recording_of(path, duration, session.second.whole.tracks)
         if one is None or other is None:
             self._work.cancel()

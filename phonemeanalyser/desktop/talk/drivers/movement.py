@@ -1,4 +1,4 @@
-"""The movement of a face through the current recording, generated as an export of it would be."""
+"""The movement of a face through a recording or a spoken text, generated as an export of it would be."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,35 +12,38 @@ from phonemeengine.inspection.whole_sound import FrameState, SoundTracks
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
-from phonemeengine.mouth.transcript import Transcript, transcript_of_utterance
+from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.recognition.segments import SegmentBuilder
 
 
 @dataclass(frozen=True)
 class RecordedSpeech:
-    """A recording of which all is recognised.
+    """A recording of which all is recognised, or a text that a voice speaks.
 
     Attributes
     ----------
-    path, duration : its file, and how long it lasts, seconds.
-    tracks : what is recognised.
+    path, duration : its file, None for a text; and how long it lasts, seconds.
+    tracks : what is recognised; None for a text.
     utterance : what is said; None where that is unknown.
     """
 
-    path: Path
+    path: Path | None
     duration: float
-    tracks: SoundTracks
+    tracks: SoundTracks | None
     utterance: Utterance | None = None
 
     def transcript(self) -> Transcript:
         """Return what is said, and how loud and high."""
-        loudness, features = self.tracks.intensities, self.tracks.features
-        pitches = features.values[:, F0].astype(np.float32)
+        loudness = pitches = NOTHING
+        name, builder = "" if self.path is None else self.path.name, SegmentBuilder()
+        if self.tracks is not None:
+            loudness, pitches = self.tracks.intensities, self.tracks.features.values[:, F0].astype(np.float32)
         if self.utterance is not None:
-            return transcript_of_utterance(self.utterance, loudness, pitches, self.path.name, self.path)
-        builder = SegmentBuilder()
+            return transcript_of_utterance(self.utterance, loudness, pitches, name, self.path)
+        if self.tracks is None:
+            return Transcript(name, self.duration)
         runs = (*builder.extend(self.tracks.phonemes, loudness), *builder.finish(self.duration))
-        return Transcript(self.path.name, self.duration, runs, loudness, pitches, self.path)
+        return Transcript(name, self.duration, runs, loudness, pitches, self.path)
 
 
 def recording_of(

@@ -2,12 +2,14 @@
 
 from collections import deque
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from phonemeengine.batch.work import size_and_time
 from phonemeengine.labels.utterance import UNKNOWN_WORD, Utterance, Word
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.settings import SAMPLE_RATE
@@ -67,6 +69,12 @@ class WordsEdit(QUndoCommand):
             self.setObsolete(True)
 
 
+def _state_of(sound: Path | None) -> tuple[int, int] | None:
+    with suppress(OSError):
+        return None if sound is None else size_and_time(sound)
+    return None
+
+
 class SoundWords(QObject):
     """Holds the words of one sound at a time; changes can be undone.
 
@@ -92,6 +100,7 @@ class SoundWords(QObject):
         self.known = KnownWords()
         self._undo_stack = undo_stack
         self._saved: Utterance | None = None
+        self._state: tuple[int, int] | None = None  # of the file
 
     @property
     def utterance(self) -> Utterance | None:
@@ -104,14 +113,17 @@ class SoundWords(QObject):
         return self.known.by_hand and self.utterance is not self._saved
 
     def is_of(self, sound: Path | None, duration: float) -> bool:
-        """Return whether they are known, and those of a sound of a given length, in any of its channels."""
-        if sound != self.sound or self.utterance is None:
+        """Return whether they are known, and those of a sound of a given length, in any of its channels.
+
+        A file that was written to meanwhile is another sound, however long it is.
+        """
+        if sound != self.sound or self.utterance is None or _state_of(sound) != self._state:
             return False
         return abs(self.utterance.duration - duration) < 1 / SAMPLE_RATE
 
     def follow(self, sound: Path | None) -> None:
         """Forget all words, since another sound is open."""
-        self.sound, self.known = sound, KnownWords()
+        self.sound, self.known, self._state = sound, KnownWords(), _state_of(sound)
 
     def put(self, known: KnownWords) -> None:
         """Say this of the sound; that cannot be undone."""

@@ -313,6 +313,9 @@ class TextModel(QObject):
             self.speech_view.open(0.0)
         if self.editable and not self.words.is_of(session.path, session.source.duration):
             another = session.path != self.words.sound
+            if not another and session.path is not None and self.words.utterance is not None:
+                words = tr("{file} has changed on the disk; its words are taken from the files beside it again.")
+                self.info.emit(words.format(file=session.path.name))
             self.refused = None
             self.words.follow(session.path)
             self._work.cancel()

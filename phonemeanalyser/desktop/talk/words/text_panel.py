@@ -202,7 +202,6 @@ class TextPanel(QWidget):
             with silent(self.field):
                 self.field.replace_text(self._texts.text)
         self._spoken = None
-        self._show_languages()
         self._show_state()
 
     def refresh(self) -> None:
