@@ -245,7 +245,8 @@ class TimeEyes:
     def __init__(self, window: MainWindow) -> None:
         self.view = window.analysis.scroll_view
         self.graphics = self.view.findChild(pg.GraphicsLayoutWidget)
-        self.sonagram, self.lane, self.course = (self.graphics.ci.getItem(row, 0) for row in range(3))
+        items = (self.graphics.ci.getItem(row, 0) for row in (0, 1, 3))  # row 2 is the feeling
+        self.sonagram, self.lane, self.course = items
         self.image: QImage = self.graphics.grab().toImage()
         self.top: float = window.analysis.sonagram.top.currentData()
 
