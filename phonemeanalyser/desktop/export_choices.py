@@ -197,6 +197,7 @@ class ExportChoices(QFormLayout):
             table=talk.table if as_on_talk else table,
             mesh=talk.mesh if "mesh" in offered and self.mesh.currentData() == ON_TALK else None,
             idle=idle,
+            style=talk.style,
         )
 
     def _make_choices(self) -> None:

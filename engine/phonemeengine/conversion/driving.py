@@ -13,7 +13,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
-from phonemeengine.mouth.style import NEUTRAL, load_style
+from phonemeengine.mouth.style import NEUTRAL, Style, load_style, neutral_style
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
@@ -54,7 +54,7 @@ class DriverChoice:
     keywords : files of words with gestures.
     units : where it is written what was taken from which recording; None writes nothing.
     overwrite : whether whatever is there is replaced.
-    style : in which the face speaks; see `load_style`.
+    style : in which the face speaks; None for the neutral one.
 
     Raises
     ------
@@ -73,7 +73,7 @@ class DriverChoice:
     keywords: tuple[Path, ...] = ()
     units: Path | None = None
     overwrite: bool = field(default=False, compare=False)
-    style: str = NEUTRAL
+    style: Style | None = None
 
     def __post_init__(self) -> None:
         drivers = {self.driver, self.beside}
@@ -105,7 +105,7 @@ class DriverChoice:
             options.keywords,
             options.units,
             options.overwrite,
-            options.style or NEUTRAL,
+            load_style(options.style or NEUTRAL),
         )
 
     @contextmanager
@@ -119,7 +119,7 @@ class DriverChoice:
         pinyin = load_pinyin_table(self.pinyin_table) if self.pinyin_table else load_pinyin_table()
         if self.spring is not None:
             pinyin = replace(pinyin, spring=Spring.of(self.spring))
-        style = load_style(self.style)
+        style = self.style or neutral_style()
         pinyin = replace(pinyin, mouth=style.on_table(pinyin.mouth))
         Guard(owns, self.overwrite).check(self.units)
         keywords = load_keywords(*self.keywords) if self.performance else None

@@ -16,6 +16,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import FASTEST_PERCENT, SLOWEST_PERCENT
 from phonemeanalyser.desktop.talk.page import TalkPage
 from phonemeanalyser.desktop.tasks import tried
+from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker, ask_to_save
 from phonemeengine.errors import MouthError
 from phonemeengine.labels.table import write_text
@@ -31,6 +32,7 @@ TABLES = tr_noop("Mouth tables (*.toml)")
 SCRIPTS = tr_noop("Scripts (*.txt *.docx *.TextGrid *.json);;All files (*)")
 LEXICONS = tr_noop("Lexicons (*.toml *.csv)")
 PERFORMANCES = tr_noop("Tables of recorded faces (*.sqlite)")
+STYLES = tr_noop("Styles of speaking (*.toml)")
 EXPRESSIONS = tr_noop("Live Link Face captures (*.csv)")
 WORDS = "Praat TextGrid (*.TextGrid)"
 TEXT = tr_noop("Texts (*.txt)")
@@ -68,6 +70,8 @@ class TalkDialogs(QObject):
         page.text.script_asked.connect(self.ask_script)
         page.text.lexicon_asked.connect(self.ask_lexicon)
         page.expression.file_asked.connect(self.ask_expression)
+        page.style_panel.target_asked.connect(self.ask_save_style)
+        page.style_panel.name_asked.connect(self.ask_style_name)
         page.text.voice.panel.table_asked.connect(self.ask_performance)
         page.words_asked.connect(self.ask_save_words)
         page.speech_asked.connect(self.ask_save_speech)
@@ -155,6 +159,20 @@ class TalkDialogs(QObject):
         if path := self._files.ask_file(tr("Load Face Capture"), tr(EXPRESSIONS), "expression"):
             self._talking.expression.set_file(path)
 
+    def ask_save_style(self) -> None:
+        """Let the user choose a file to save the style to that is edited; in the folder of styles it is listed."""
+        styles = self._talking.styles
+        suggested = styles.folder() / f"{styles.edited.name}-mine.toml"
+        if path := self._files.ask_target(tr("Save Style"), suggested, tr(STYLES), "style"):
+            styles.save(path)
+
+    def ask_style_name(self) -> None:
+        """Let the user give the style that is edited another name."""
+        styles, verb = self._talking.styles, tr("Rename")
+        dialog = input_dialog(self._window, tr("Rename Style"), tr("Name of the style:"), verb, styles.edited.name)
+        if name := answer_of(dialog):
+            styles.rename(name)
+
     def ask_save_words(self) -> bool:
         """Let the user choose a TextGrid to save the words to; beside the sound it is found again."""
         sound = self._talking.text.words.sound
@@ -209,6 +227,7 @@ class TalkDialogs(QObject):
         written.remember()
         self._settings.setValue("talk/texts", json.dumps(written.remembered))
         self._settings.setValue("talk/languages", json.dumps(written.recent))
+        self._settings.setValue("talk/styles", json.dumps(self._talking.styles.kept))
         files, performance = self._talking.face.files, self._talking.text.drivers.performance
         keep(self._settings, "talk/mesh", files.mesh or "")
         moved = files.movestates if isinstance(files.movestates, tuple) else (files.movestates or "",)
@@ -231,6 +250,7 @@ class TalkDialogs(QObject):
             texts = json.loads(str(self._settings.value("talk/texts") or "{}"))
             written.remembered = {path: (str(text), str(tag)) for path, (text, tag) in texts.items()}
             written.recent = [*map(str, json.loads(str(self._settings.value("talk/languages") or "[]")))]
+            self._talking.styles.restore(json.loads(str(self._settings.value("talk/styles") or "{}")))
         written.take("", None)
         chosen = read(self._settings, "talk/performance", "")
         tables = read_paths(self._settings, "talk/performances")

@@ -15,6 +15,7 @@ from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel
 from phonemeanalyser.desktop.talk.expression.expression_model import ExpressionModel
 from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
+from phonemeanalyser.desktop.talk.expression.style_model import StyleModel
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
 from phonemeanalyser.desktop.talk.keys.key_model import KeyModel
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
@@ -64,7 +65,7 @@ class TalkModel(QObject):
 
     Attributes
     ----------
-    face, osc : the face that is moved, and what is sent over the network.
+    face, osc, styles : the face that is moved, what is sent over the network, and in which style it speaks.
     text : the words of the current sound, where they are known.
     table : the mouth shapes, with the speed that was chosen.
     table_name : one of the program's tables, or the path of the user's own.
@@ -94,7 +95,7 @@ class TalkModel(QObject):
         self._clock, self._began = clock, clock()
         self.face, self.osc = FaceModel(), OscModel(self._now)
         self.text = text or TextModel(session)
-        self.expression = ExpressionModel()
+        self.expression, self.styles = ExpressionModel(), StyleModel()
         self.watched, self.random = False, True
         self.attack_factor = self.release_factor = 1.0
         self.picture_rate = 30
@@ -133,9 +134,14 @@ class TalkModel(QObject):
         """What files are made by, so that they are as the head is seen."""
         words, files = self.text.words, self.face.files
         known = {words.sound: words.utterance} if words.sound is not None and words.utterance is not None else {}
-        idle = replace(self.idle, expression=self.expression.exported)
+        style, idle = self.styles.style, replace(self.idle, expression=self.expression.exported)
         options = ExportOptions(
-            mesh=files.mesh, idle=idle, attack=self.attack_factor, release=self.release_factor, random=self.random
+            mesh=files.mesh,
+            idle=style.on_idle(idle),
+            attack=self.attack_factor,
+            release=self.release_factor,
+            random=self.random,
+            style=style,
         )
         return FaceInUse(
             self.table_name,
@@ -261,13 +267,8 @@ class TalkModel(QObject):
 
     def close(self) -> None:
         """Let everything go."""
-        self.text.close()
-        self.keys.close()
-        self.comparison.close()
-        self.expression.close()
-        self.osc.close()
-        self.face.close()
-        self.beside.face.close()
+        for part in (self.text, self.keys, self.comparison, self.expression, self.osc, self.face, self.beside.face):
+            part.close()
         self._work.close(CLOSE_TIMEOUT)
 
     def _now(self) -> float:
@@ -374,6 +375,7 @@ class TalkModel(QObject):
         self.text.original.changed.connect(self._take_original)
         self.face.changed.connect(self._take_face)
         self.expression.changed.connect(self._take_expression)
+        self.styles.changed.connect(self._take_style)
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
         for changed in (self.changed, self.text.known_changed, self.expression.changed):
@@ -381,7 +383,7 @@ class TalkModel(QObject):
                 changed.connect(made_anew)
         self.keys.info.connect(self.text.info)
         self.comparison.known_changed.connect(self._analyse_again)
-        for part in (self.face, self.osc, self.text, self.expression, self.keys, self.comparison):
+        for part in (self.face, self.osc, self.text, self.expression, self.styles, self.keys, self.comparison):
             part.error.connect(self.error)
 
     def _take_blocks(self, blocks: list[Analysis]) -> None:
@@ -438,7 +440,11 @@ class TalkModel(QObject):
     def _take_expression(self) -> None:
         self.idle = replace(self.idle, expression=self.expression.expression)
         self._configure()
-        self.osc.express(self.idle.expression)
+        self.osc.express(self.styles.style.on_idle(self.idle).expression)
+
+    def _take_style(self) -> None:
+        self._use_written()
+        self.text.drivers.performance.set_style(self.styles.style)
 
     def _take_face(self) -> None:
         if self.comparing:
@@ -460,19 +466,7 @@ class TalkModel(QObject):
 
     def _take_table(self, name: str, table: MouthTable) -> None:
         if self.face.states is not None and not self.face.moved_by(table):
-            names = ", ".join(self.face.tables)
-            told = (
-                tr(
-                    "{name}: the face has none of the blend shapes of this table; choose one of these "
-                    "tables: {names}."
-                )
-                if names
-                else tr(
-                    "{name}: the face has none of the blend shapes of this table; write a mouth table for the face "
-                    "and load it."
-                )
-            )
-            self.error.emit(told.format(name=Path(name).name, names=names))
+            self.error.emit(self.face.refusal_of(Path(name).name))
             self.changed.emit()
             return
         self.table_name, self._written = name, table
@@ -480,7 +474,8 @@ class TalkModel(QObject):
         self.visemes_changed.emit()
 
     def _use_written(self) -> None:
-        self._use(self._written.with_motion(self.attack_factor, self.release_factor, random=self.random))
+        written = self._written.with_motion(self.attack_factor, self.release_factor, random=self.random)
+        self._use(self.styles.style.on_table(written))
 
     def _use(self, table: MouthTable, **idle: Any) -> None:
         self.table, self.idle = table, replace(self.idle, **idle)
@@ -490,9 +485,10 @@ class TalkModel(QObject):
 
     def _configure(self) -> None:
         """Have all move by the table, with the detail and the life that are chosen."""
+        idle = self.styles.style.on_idle(self.idle)
         for head in (self.head, self.beside):
-            head.configure(self._table_for(head.performer), self.idle)
-        self.osc.follow(self._table_for(self.osc.performer), self.idle)
+            head.configure(self._table_for(head.performer), idle)
+        self.osc.follow(self._table_for(self.osc.performer), idle)
 
     def _table_for(self, performer: Performer) -> MouthTable:
         """Return the mouth table; for recorded faces with all that they move, such as shoulders and tongue."""

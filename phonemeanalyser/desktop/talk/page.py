@@ -10,6 +10,7 @@ from phonemeanalyser.desktop.painting import format_clock
 from phonemeanalyser.desktop.talk.drivers.comparison_menu import ComparisonMenu
 from phonemeanalyser.desktop.talk.drivers.difference_bar import DifferenceBar
 from phonemeanalyser.desktop.talk.expression.expression_panel import ExpressionPanel, OscPanel
+from phonemeanalyser.desktop.talk.expression.style_panel import StylePanel
 from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
 from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
@@ -163,6 +164,7 @@ class TalkPage(QWidget):
         self.choices = ChoicesPanel(talking, theme)
         self.visemes = VisemePanel(talking, theme)
         self.expression = ExpressionPanel(talking, theme)
+        self.style_panel = StylePanel(talking.styles, theme)
         self.bars = MovestateBars(talking, theme)
         self.osc = OscPanel(talking.osc, theme)
         self.text = TextPanel(talking, theme)
@@ -289,7 +291,7 @@ class TalkPage(QWidget):
         hint = label(f"{tr(HINT)}.", self._theme.faint, wraps=True)
         for name, parts in (
             (tr("Face"), (self.choices, line(self._theme.line), self.visemes, 1, hint)),
-            (tr("Expression"), (self.expression, 1)),
+            (tr("Expression"), (self.expression, line(self._theme.line), self.style_panel, 1)),
             (tr("Output"), (heading(tr("Files")), saved, heading(tr("Network")), self.osc, 1)),
             (tr("Inspect"), (heading(tr("Blend shapes")), self.bars, 1)),
         ):

@@ -769,6 +769,11 @@
             <translation>ein Text fehlt, gefunden {value}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>A to B</source>
+            <translation>A nach B</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>a triangle names vertex {corners}, and there are {n}; export it again</source>
             <translation>Ein Dreieck nennt Eckpunkt {corners}, es gibt {n}; neu exportieren</translation>
@@ -1319,6 +1324,11 @@
             <translation>Zuordnen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Asymmetry</source>
+            <translation>Asymmetrie</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Attack</source>
             <translation>Attack</translation>
@@ -1564,7 +1574,12 @@
             <translation>beste Schwelle {value}</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Blend of styles</source>
+            <translation>Mischung der Stile</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
             <source>Blend shape</source>
             <translation>Blendshape</translation>
         </message>
@@ -2800,6 +2815,11 @@
             <translation>Die Kurven einzelner Blendshapes über ihre Keyframes bearbeiten.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Edit the style of side {side} below</source>
+            <translation>Den Stil der Seite {side} unten bearbeiten</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Edited keys</source>
             <translation>Bearbeitete Keyframes</translation>
@@ -3270,6 +3290,11 @@
             <translation>Finnisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Firm</source>
+            <translation>Fest</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>First formant</source>
             <translation>Erster Formant</translation>
@@ -3555,6 +3580,11 @@
             <translation>von </translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>From the style of side A to that of side B</source>
+            <translation>Vom Stil der Seite A zu dem der Seite B</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
             <source>Frozen</source>
             <translation>Eingefroren</translation>
@@ -3613,6 +3643,16 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>German</source>
             <translation>Deutsch</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Gestures of the head</source>
+            <translation>Gesten des Kopfes</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Give your own style and its file another name</source>
+            <translation>Dem eigenen Stil und seiner Datei einen anderen Namen geben</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -5650,6 +5690,11 @@
             <translation>Licht nach rechts bewegen (.)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Movement of the mouth</source>
+            <translation>Bewegung des Mundes</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/movestate.py" />
             <source>movestate {name} has {where} vertices and {far} offsets; export it again</source>
             <translation>Blendshape {name} hat {where} Eckpunkte und {far} Versätze; neu exportieren</translation>
@@ -5685,6 +5730,16 @@
             <translation>movestates nennt {name} zweimal; eins entfernen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Mumbling</source>
+            <translation>Nuscheln</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>mumbling</source>
+            <translation>nuschelnd</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Muted</source>
             <translation>Stumm</translation>
@@ -5713,6 +5768,11 @@
             <location filename="../../../phonemeanalyser/desktop/widgets/label_editor.py" />
             <source>Name of the label</source>
             <translation>Name der Beschriftung</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Name of the style:</source>
+            <translation>Name des Stils:</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -5753,6 +5813,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Neutral</source>
             <translation>Neutral</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>neutral</source>
+            <translation>neutral</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_tree.py" />
@@ -6013,6 +6078,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>No space left on device</source>
             <translation>Kein Platz auf dem Laufwerk</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>No style</source>
+            <translation>Kein Stil</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -6380,6 +6450,11 @@
             <translation>Nur {letter} richtig: {seconds:.1f} s</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Onset and release of speech</source>
+            <translation>Ein- und Ausblenden durch Sprache</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Open</source>
             <translation>Öffnen</translation>
@@ -6508,6 +6583,16 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Opening… {percent:.0f} %</source>
             <translation>Öffnen… {percent:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Opens the mouth farther and faster, and moves the head more</source>
+            <translation>Öffnet den Mund weiter und schneller und bewegt den Kopf mehr</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Opens the mouth less and later, and closes it for a shorter time</source>
+            <translation>Öffnet den Mund weniger und später und schließt ihn kürzer</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
@@ -6910,6 +6995,26 @@
             <translation>Portugiesisch (Portugal)</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Poses and numbers of the style</source>
+            <translation>Posen und Zahlen des Stils</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Poses of the lips</source>
+            <translation>Posen der Lippen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Poses of the tongue</source>
+            <translation>Posen der Zunge</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Poses over recorded faces</source>
+            <translation>Posen über aufgezeichneten Gesichtern</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Position and duration, in minutes and seconds</source>
             <translation>Position und Dauer in Minuten und Sekunden</translation>
@@ -7030,6 +7135,11 @@
             <translation>Voriger, nächster Keyframe; mit Strg Kurve</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Priority</source>
+            <translation>Priorität</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>probability of {phoneme}</source>
             <translation>Wahrscheinlichkeit von {phoneme}</translation>
@@ -7098,6 +7208,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Random within 15 % of the duration</source>
             <translation>Zufällig, Dauer auf 15 % genau</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Range</source>
+            <translation>Bereich</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -7340,6 +7455,11 @@
             <translation>Durch Sprache reduziert</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Reduction</source>
+            <translation>Minderung</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>relabel {take}</source>
             <translation>Umbenennen von {take}</translation>
@@ -7445,9 +7565,19 @@
             <translation>Beschriftung umbenennen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Rename Style</source>
+            <translation>Stil umbenennen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Rename Word or Phone (F2)</source>
             <translation>Wort oder Phon umbenennen (F2)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Rename…</source>
+            <translation>Umbenennen…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
@@ -7568,6 +7698,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>Return to the live signal of the microphone (Ctrl+B)</source>
             <translation>Zurück zum Live-Signal des Mikrofons (Strg+B)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Revert</source>
+            <translation>Zurücksetzen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/preset.py" />
@@ -7871,6 +8006,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Save Style</source>
+            <translation>Stil speichern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Save Text</source>
             <translation>Text speichern</translation>
         </message>
@@ -7913,6 +8053,16 @@
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
             <source>Save the spoken text as WAV, with its words and phones in a TextGrid beside it</source>
             <translation>Gesprochenen Text als WAV speichern, mit Wörtern und Phonen in einem TextGrid daneben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Save the style to its file</source>
+            <translation>Den Stil in seine Datei speichern</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Save the style under another name</source>
+            <translation>Den Stil unter anderem Namen speichern</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
@@ -8173,6 +8323,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Shan (Tai Yai)</source>
             <translation>Shan</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Shape (%)</source>
+            <translation>Form (%)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/figures.py" />
@@ -8475,6 +8630,11 @@
             <translation>Glättung</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Smoothing of recorded faces</source>
+            <translation>Glättung aufgezeichneter Gesichter</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
             <source>Smoothing: {recognised} → {phoneme}</source>
             <translation>Glättung: {recognised} → {phoneme}</translation>
@@ -8493,6 +8653,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Sort the variables by how well they separate this</source>
             <translation>Variablen danach sortieren, wie gut sie dieses Phonem trennen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Sound</source>
+            <translation>Laut</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/slowed_output.py" />
@@ -8770,6 +8935,26 @@
             <translation>Stärke des Ausdrucks: {name}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Style</source>
+            <translation>Stil</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Style in which the face speaks: those of the program, and yours in the folder of styles</source>
+            <translation>Stil, in dem das Gesicht spricht: die des Programms und die eigenen im Ordner der Stile</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Style {side}</source>
+            <translation>Stil {side}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Styles of speaking (*.toml)</source>
+            <translation>Sprechstile (*.toml)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Such a small gain on so little speech may be due to chance. Listen to both presets before you decide.</source>
             <translation>Ein so kleiner Gewinn bei so wenig Sprache kann Zufall sein. Vor der Entscheidung beide Presets anhören.</translation>
@@ -8875,6 +9060,11 @@
             <translation>Systemstandard</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Table</source>
+            <translation>Tabelle</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Table of recorded faces</source>
             <translation>Tabelle aufgezeichneter Gesichter</translation>
@@ -8888,6 +9078,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Table of the mouth shape of each phoneme, and of the blend shapes that form it</source>
             <translation>Tabelle der Mundform jedes Phonems und der Blendshapes, die sie bilden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Table of the style</source>
+            <translation>Tabelle des Stils</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />
@@ -9650,6 +9845,11 @@
             <translation>Die Aufnahmen wurden mit anderer Vorverarbeitung gemessen; neu messen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>The right half of the face stays behind the left one</source>
+            <translation>Die rechte Gesichtshälfte bleibt hinter der linken zurück</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
             <source>The rules of the thesis are fixed; their numbers can be edited.</source>
             <translation>Die Regeln der Thesis stehen fest; ihre Zahlen lassen sich ändern.</translation>
@@ -9833,6 +10033,16 @@
             <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
             <source>the {name} follow a feeling by 0..1, found {amount}; correct it</source>
             <translation>{name} folgt einem Gefühl mit 0..1, gefunden: {amount}; berichtigen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Theatrical</source>
+            <translation>Theatralisch</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>theatrical</source>
+            <translation>theatralisch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -10445,6 +10655,11 @@
             <translation>Nicht abgeschlossene Liste</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Undo all changes to the style since it was saved</source>
+            <translation>Alle Änderungen am Stil seit dem Speichern zurücknehmen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>unidentified</source>
             <translation>unbekannt</translation>
@@ -10628,6 +10843,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Uzbek</source>
             <translation>Usbekisch</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Value</source>
+            <translation>Wert</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
@@ -10870,6 +11090,11 @@
             <translation>Wonach Regeln fragen dürfen: Frequenzbänder, mit passenden Filtern, oder die Variablen des Presets</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>What speech takes from expressions</source>
+            <translation>Was Sprache dem Ausdruck nimmt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
             <source>What the figures are of: the visible part of the file, the whole file, or all takes and recordings loaded in Calibrate together with the open file</source>
             <translation>Wofür die Werte gelten: sichtbarer Teil der Datei, ganze Datei oder alle auf „Kalibrieren“ geladenen Takes und Aufnahmen mit der offenen Datei</translation>
@@ -10923,6 +11148,11 @@
             <location filename="../../../engine/phonemeengine/labels/textgrid.py" />
             <source>whether there are tiers</source>
             <translation>die Angabe, ob es Spuren gibt,</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Which poses or numbers of the style the table below shows; double-click one to edit it</source>
+            <translation>Welche Posen oder Zahlen des Stils die Tabelle darunter zeigt; zum Ändern doppelklicken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
@@ -11770,6 +12000,11 @@
             <translation>{name}, {start:.1f}–{end:.1f} s</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_model.py" />
+            <source>{name}: a file of this name is there, or can't be; choose another name.</source>
+            <translation>{name}: Eine Datei dieses Namens gibt es schon, oder es kann sie nicht geben; einen anderen Namen wählen.</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/recognition/model.py" />
             <source>{name}: a model is smaller than 8 MB, this has {st_size} MB; choose another</source>
             <translation>{name}: Ein Modell ist kleiner als 8 MB, dieses hat {st_size} MB; anderes wählen</translation>
@@ -11940,12 +12175,12 @@
             <translation>{name}: NaN oder unendlicher Abtastwert bei {when}; in einem Audio-Editor reparieren und neu exportieren</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
             <source>{name}: the face has none of the blend shapes of this table; choose one of these tables: {names}.</source>
             <translation>{name}: Das Gesicht hat keine Blendshapes dieser Tabelle; eine dieser Tabellen wählen: {names}.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/model.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/head/face_model.py" />
             <source>{name}: the face has none of the blend shapes of this table; write a mouth table for the face and load it.</source>
             <translation>{name}: Das Gesicht hat keine Blendshapes dieser Tabelle; eine Mundtabelle für das Gesicht schreiben und laden.</translation>
         </message>
@@ -12928,6 +13163,11 @@
             <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
             <source>{words} holds no number for {name}; write such as {name_2}=0.5</source>
             <translation>{words} enthält keine Zahl für {name}; etwa so schreiben: {name_2}=0.5</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>{words}: write a number such as 0.5, or a shape such as jawOpen 5, mouthPress 30.</source>
+            <translation>{words}: Eine Zahl wie 0.5 schreiben oder eine Form wie jawOpen 5, mouthPress 30.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/batch/runner.py" />

@@ -1,5 +1,7 @@
 """By what the mouth moves where the words are known: the rules of the mouth table, letters of pinyin, or a table."""
 
+from dataclasses import replace
+
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
@@ -10,6 +12,7 @@ from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
 from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.speech.pinyin.table import load_pinyin_table
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 
 OTHER_PRESET = "preset"
@@ -49,7 +52,7 @@ class DriverModel(QObject):
         self._sound: MeasuredSound | None = None
         self._spoken: SpokenFace | None = None
         self._state: tuple[object, ...] = ()
-        self._chosen = self.performance.table, self.performance.choice
+        self._chosen = self._asked
         self.performance.changed.connect(self._take_choice)
         self.performance.looked_up.connect(self.changed)
         self.performance.error.connect(self.error)
@@ -127,16 +130,17 @@ class DriverModel(QObject):
 
     def _choice_of(self, driver: FaceDriver) -> DriverChoice:
         table = self.performance.chosen
+        style = self.performance.style
         if table is None or driver not in {FaceDriver.AUTO, FaceDriver.TABLE}:
-            return DriverChoice(FaceDriver.AUTO if driver is FaceDriver.TABLE else driver)
-        return DriverChoice(driver, performance=(table,), choice=self.performance.choice)
+            return DriverChoice(FaceDriver.AUTO if driver is FaceDriver.TABLE else driver, style=style)
+        return DriverChoice(driver, performance=(table,), choice=self.performance.choice, style=style)
 
     # -- inside -------------------------------------------------------------------------------------------
 
     def _take_choice(self) -> None:
         """Look up anew where that comes out otherwise: `changed` tells of progress, too."""
-        if (self.performance.table, self.performance.choice) != self._chosen:
-            self._chosen = self.performance.table, self.performance.choice
+        if self._asked != self._chosen:
+            self._chosen = self._asked
             self._choose_again()
 
     def _choose_again(self) -> None:
@@ -147,6 +151,10 @@ class DriverModel(QObject):
             self.info.emit(
                 tr("Recorded faces are looked up while a text is spoken; press Speak to apply them to this text.")
             )
+
+    @property
+    def _asked(self) -> tuple[object, ...]:
+        return self.performance.table, self.performance.choice, self.performance.style
 
     def _follow_again(self) -> None:
         utterance = self._utterance
@@ -176,7 +184,9 @@ class DriverModel(QObject):
         if FaceDriver.PINYIN not in wanted and not (usual and in_pinyin):
             return None
         try:
-            return pinyin_track(utterance, text=self._text)
+            table = load_pinyin_table()
+            styled = replace(table, mouth=self.performance.style.on_table(table.mouth))
+            return pinyin_track(utterance, styled, text=self._text)
         except TextError:
             if FaceDriver.PINYIN in wanted:
                 self.error.emit(

@@ -17,6 +17,7 @@ from phonemeengine.errors import PerformanceError
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.idle_motion import HeadPose
+from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit
@@ -102,6 +103,7 @@ class PerformanceModel(QObject):
     tables : what was opened, by path.
     chosen : the table in use; None for none.
     choice : among the examples of a unit.
+    style : in which the face speaks.
     face : what the performer shows of the current sound; None where nothing is looked up.
     units : of which it is made; they come later than the face.
     notes : what the table lacks for it, a sentence each.
@@ -116,7 +118,7 @@ class PerformanceModel(QObject):
         super().__init__()
         self.tables: dict[Path, TableAbout] = {}
         self.chosen: Path | None = None
-        self.choice = ExampleChoice.VITERBI
+        self.choice, self.style = ExampleChoice.VITERBI, neutral_style()
         self.face: FaceInHand | None = None
         self.units: tuple[UsedUnit, ...] = ()
         self.notes: tuple[str, ...] = ()
@@ -182,11 +184,17 @@ class PerformanceModel(QObject):
             self.choice = choice
             self.changed.emit()
 
+    def set_style(self, style: Style) -> None:
+        """Speak in another style; what is shown now is looked up again."""
+        if style != self.style:
+            self.style = style
+            self.changed.emit()
+
     # -- what is looked up --------------------------------------------------------------------------------
 
     def look_up(self, sound: MeasuredSound, utterance: Utterance) -> None:
         """Look up what is said in a sound file, in the background."""
-        table, options, known = self._table, PerformanceOptions(self.choice), self._measured
+        table, options, known = self._table, self._options, self._measured
         if table is None:
             self.forget()
             return
@@ -212,7 +220,7 @@ class PerformanceModel(QObject):
     def spoken_face(self, language: str) -> SpokenFace | None:
         """Return what looks a text up while it is spoken; None without a table. Any thread may ask."""
         table = self._table
-        return None if table is None else SpokenFace(table, language, PerformanceOptions(self.choice))
+        return None if table is None else SpokenFace(table, language, self._options)
 
     def show_spoken(self, face: SpokenFace) -> None:
         """Show a text that is being spoken, as far as it is; call it again when there is more of it."""
@@ -245,6 +253,10 @@ class PerformanceModel(QObject):
         """End all work."""
         for work in (self._opening, self._work, self._preparing):
             work.close(CLOSE_TIMEOUT)
+
+    @property
+    def _options(self) -> PerformanceOptions:
+        return PerformanceOptions(self.choice, style=self.style)
 
     # -- inside -------------------------------------------------------------------------------------------
 

@@ -99,6 +99,19 @@ class FaceModel(QObject):
             return tuple(mine for k, mine in self._pairs(table) if table.face_names[k] in shapes)
         return tuple(mine for k, mine in self._pairs(table) if table.movestates[k] in moved)
 
+    def refusal_of(self, name: str) -> str:
+        """Return the sentence that refuses a table of this name, which moves nothing of the face."""
+        names = ", ".join(self.tables)
+        told = (
+            tr("{name}: the face has none of the blend shapes of this table; choose one of these tables: {names}.")
+            if names
+            else tr(
+                "{name}: the face has none of the blend shapes of this table; write a mouth table for the face "
+                "and load it."
+            )
+        )
+        return told.format(name=name, names=names)
+
     def set_table(self, table: MouthTable) -> None:
         """Move with the weights of another table."""
         if self.states is None:
