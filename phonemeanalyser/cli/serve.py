@@ -11,8 +11,10 @@ from phonemeanalyser.cli.arguments import number_in, whole_in
 from phonemeanalyser.cli.extras import module_that_serves
 from phonemeanalyser.cli.listen import ended_by_signals
 from phonemeanalyser.server.access import Access, token_in
+from phonemeanalyser.server.activity import Activity, Happening, Report, no_report
 from phonemeanalyser.server.limits import LIMITS, USUAL_HOST, USUAL_PORT, ServerLimits
 from phonemeengine.conversion.options import OPTIONS
+from phonemeengine.execution import end_with_input
 from phonemeengine.presets.files import DEFAULT_PRESET
 
 EXAMPLES = (
@@ -37,6 +39,10 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--preset", action="append", type=Path, metavar="PRESET", help=preset)
     table = "mouth table of your own (.toml) that clients may name; may be repeated"
     parser.add_argument("--table", action="append", default=[], type=Path, metavar="FILE", help=table)
+    supervised = (
+        "print what clients do, as lines of JSON, and end with the standard input: for programs that start it"
+    )
+    parser.add_argument("--supervised", action="store_true", help=supervised)
     for limit in fields(ServerLimits):
         low, high, unit, words = LIMITS[limit.name]
         kind = whole_in(int(low), high, unit) if isinstance(limit.default, int) else number_in(low, high, unit)
@@ -50,18 +56,27 @@ def run(options: argparse.Namespace) -> int:
     service = module_that_serves()
     token = None if options.token_file is None else token_in(options.token_file)
     limits = ServerLimits(**{limit.name: getattr(options, limit.name) for limit in fields(ServerLimits)})
+    report: Report = _print_line if options.supervised else no_report
     access = Access(token, tuple(options.origin), tuple(options.trusted_proxy))
     settings = service.ServerSettings(
-        options.preset or [DEFAULT_PRESET], options.table, options.host, options.port, access, limits
+        options.preset or [DEFAULT_PRESET], options.table, options.host, options.port, access, limits, report
     )
     with ended_by_signals():
-        asyncio.run(_serve(service.serving(settings), options.host))
+        asyncio.run(_serve(service.serving(settings), options.host, supervised=options.supervised))
     return 0
 
 
-async def _serve(serving: AbstractAsyncContextManager[int], host: str) -> None:
+def _print_line(activity: Activity) -> None:
+    print(activity.to_line(), flush=True)
+
+
+async def _serve(serving: AbstractAsyncContextManager[int], host: str, *, supervised: bool) -> None:
     async with serving as port:
         gc.freeze()  # what is there stays: looking through it would only hold streams up
         shown = f"[{host}]" if ":" in host else host
-        print(f"serving http://{shown}:{port}, streams at ws://{shown}:{port}/stream; Ctrl-C ends it", flush=True)
+        if supervised:
+            end_with_input()
+            _print_line(Activity(Happening.SERVING, f"http://{shown}:{port}"))
+        else:
+            print(f"serving http://{shown}:{port}, streams at ws://{shown}:{port}/stream; Ctrl-C ends it", flush=True)
         await asyncio.Event().wait()

@@ -52,6 +52,7 @@ def file_commands(dialogs: Dialogs, choose_preset: Callable[[], object]) -> Comm
         Command(tr_noop("Preset Notes…"), "Ctrl+N", dialogs.presets.ask_notes),
         None,
         Command(tr_noop("Ship Preset…"), "", dialogs.presets.show_ship),
+        Command(tr_noop("Serve…"), "", dialogs.presets.show_serve),
         Command(tr_noop("Speech Encoder…"), "", dialogs.presets.show_encoder),
         None,
         Command(tr_noop("Load Curve…"), "Ctrl+L", dialogs.curves.ask_load),

@@ -248,6 +248,26 @@ class PresetDialogs(QObject):
         dialog.ordered.connect(lambda order: self._ship(order.target, order.folder, order.write))
         dialog.open()
 
+    def show_serve(self) -> None:
+        """Show the server, and what is served."""
+        from phonemeanalyser.desktop.serve_dialog import ServeDialog  # noqa: PLC0415 - as above
+
+        shown = self._window.findChild(ServeDialog)
+        if shown is None:
+            preset = self._preset
+            in_hand = preset.preset if preset.has_unsaved_changes else preset.path
+            shown = ServeDialog(
+                self._session.server,
+                in_hand,
+                preset.preset.name,
+                self.sections,
+                self._settings,
+                self._files,
+                self._window,
+            )
+        shown.show()
+        shown.raise_()
+
     def _ship(self, target: str, folder: Path, write: Callable[[], tuple[Path, ...]]) -> None:
         """Ship in the background; zig takes seconds, and minutes when it is asked for the first time."""
         self.info.emit(tr("Writing files for {target} to {folder}…").format(target=target, folder=folder))

@@ -31,7 +31,7 @@ MOST_GUESSERS = 10_000
 """Addresses whose wrong tokens are remembered."""
 NETWORK = 64
 """Bits of an IPv6 address that tell one customer of a provider from another."""
-_TOKEN = re.compile(r"[A-Za-z0-9._~-]{16,256}")
+TOKEN = re.compile(r"[A-Za-z0-9._~-]{16,256}")
 _HOST = re.compile(r"(localhost\.?|[0-9.]+|\[[0-9a-f:.]+\])(?::[0-9]{1,5})?", re.IGNORECASE)
 _ORIGIN = re.compile(r"[a-z][a-z0-9+.-]*://(?:[a-z0-9._-]+|\[[0-9a-f:.]+\])(?::[0-9]{1,5})?", re.IGNORECASE)
 
@@ -212,7 +212,7 @@ def token_in(path: Path) -> str:
     name = printable_name(path)
     if os.name == "posix" and path.stat().st_mode & OF_OTHERS:
         raise EngineError(f"{name}: all users of this machine can read or change it; make it yours alone (chmod 600)")
-    if not _TOKEN.fullmatch(token):
+    if not TOKEN.fullmatch(token):
         raise EngineError(f"{name}: a token is one line of 16 to 256 letters, digits or . _ ~ -; write such a one")
     return token
 

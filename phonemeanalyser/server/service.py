@@ -1,6 +1,7 @@
 """The server: its addresses, who answers at each, and how it begins and ends."""
 
 import asyncio
+import errno
 import logging
 import socket
 from collections.abc import AsyncIterator, Awaitable, Callable, Sequence
@@ -13,6 +14,7 @@ import numpy as np
 from aiohttp import web
 
 from phonemeanalyser.server.access import PROTOCOL, Access, WrongTokens, tokens_of
+from phonemeanalyser.server.activity import Activity, Happening, Report, no_report
 from phonemeanalyser.server.connections import CLOSING, Connections, refusal
 from phonemeanalyser.server.files import FileExporter
 from phonemeanalyser.server.limits import FAILED, MEGABYTE, USUAL_HOST, USUAL_PORT, RefusedError, ServerLimits
@@ -55,6 +57,7 @@ class ServerSettings:
     tables : files of mouth tables that clients may name beside those that ship with the program.
     host, port : where it can be reached; port 0 takes a free one.
     access, limits : who may ask, and for how much.
+    report : told what happens.
     """
 
     presets: Sequence[Path] = (DEFAULT_PRESET,)
@@ -63,6 +66,7 @@ class ServerSettings:
     port: int = USUAL_PORT
     access: Access = field(default_factory=Access)
     limits: ServerLimits = field(default_factory=ServerLimits)
+    report: Report = no_report
 
 
 @asynccontextmanager
@@ -94,9 +98,8 @@ async def serving(settings: ServerSettings) -> AsyncIterator[int]:
             )
         except OSError as error:
             place = f"{settings.host}:{settings.port}"
-            raise EngineError(
-                f"{place} cannot be served ({reason_of(error)}); choose another host or port"
-            ) from error
+            reason = "another program uses it" if error.errno == errno.EADDRINUSE else reason_of(error)
+            raise EngineError(f"{place} cannot be served ({reason}); choose another host or port") from error
         stack.callback(listening.close)
         for endpoint in listening.sockets:  # connections inherit it
             endpoint.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
@@ -115,7 +118,7 @@ class Service:
     connections: Connections
 
     def __init__(self, settings: ServerSettings) -> None:
-        self._access, self._limits = settings.access, settings.limits
+        self._access, self._limits, self._report = settings.access, settings.limits, settings.report
         self._repertoire = Repertoire.of_files(settings.presets, settings.tables, settings.limits)
         self._exporter = FileExporter(self._repertoire, settings.limits)
         self._turns, self._wrong_tokens = Turns(), WrongTokens()
@@ -148,6 +151,7 @@ class Service:
                     await self._admit(request, client)
                     answer = await handler(request)
         except EngineError as error:
+            self._tell_of(Happening.REFUSED, client, str(error))
             answer = refusal(str(error), error.status if isinstance(error, RefusedError) else 400)
         except web.HTTPException as error:
             answer = refusal(
@@ -205,7 +209,10 @@ class Service:
 
     async def export(self, request: web.Request) -> web.StreamResponse:
         """Export a file."""
-        return await self._exporter.handle(request, self._client_of(request))
+        client = self._client_of(request)
+        answer = await self._exporter.handle(request, client)
+        self._tell_of(Happening.EXPORTED, client)
+        return answer
 
     async def stream(self, request: web.Request) -> web.StreamResponse:
         """Recognise a stream."""
@@ -220,15 +227,24 @@ class Service:
         )
         if not stream.can_prepare(request):
             raise RefusedError(f"{STREAM} is a WebSocket; open it as one", 426)
+        client = self._client_of(request)
         self._n_streams += 1
+        self._tell_of(Happening.STREAM_BEGAN, client)
+        session = StreamSession(stream, self._repertoire, self._limits, self._turns, self._words_of_text)
         try:
             await stream.prepare(request)
-            await StreamSession(stream, self._repertoire, self._limits, self._turns, self._words_of_text).run()
+            await session.run()
         finally:
             self._n_streams -= 1
+            if session.refused:
+                self._tell_of(Happening.REFUSED, client, session.refused)
+            self._tell_of(Happening.STREAM_ENDED, client)
             if not stream.closed and request.transport is not None:
                 request.transport.abort()  # a closing message would not be read
         return stream
+
+    def _tell_of(self, what: Happening, client: str, words: str = "") -> None:
+        self._report(Activity(what, words, client, self._n_streams))
 
     async def _words_of_text(self, text: str, language: str) -> Sequence[ScriptWord]:
         return await asyncio.get_running_loop().run_in_executor(self._readers, words_of, text, language)

@@ -81,6 +81,7 @@ class StreamSession:
     Attributes
     ----------
     speech : what is analysed, once the client has said what it sends.
+    refused : the sentence with which it was refused; empty where it was not.
     """
 
     speech: IncomingSpeech
@@ -97,6 +98,7 @@ class StreamSession:
         self._words_of_text = words_of_text
         self._pace = Pace(limits.most_speed, AHEAD)
         self._language, self._n_text = "", 0
+        self.refused = ""
         self._waiting: deque[Float32Array] = deque()
         self._n_waiting, self._has_ended = 0, False
         self._room = asyncio.Event()
@@ -300,6 +302,7 @@ class StreamSession:
         return RefusedError(f"nothing came for {self._limits.idle:g} s; {words}")
 
     async def _refuse(self, error: EngineError) -> None:
+        self.refused = str(error)
         with suppress(GoneError, TimeoutError):
             async with asyncio.timeout(self._limits.idle):
                 await self._send(messages.error(str(error)))

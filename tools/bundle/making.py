@@ -17,7 +17,7 @@ from tools.bundle.icon import write_icon
 
 HERE = Path(__file__).parent
 ROOT = HERE.parents[1]
-EXTRAS = "desktop,preview,speech"
+EXTRAS = "desktop,preview,server,speech"
 DESKTOP_FILES = ("phonemeanalyser.desktop", "phonemeanalyser-mime.xml", "integrate.sh")
 """What tells a Linux desktop of the program, once ``integrate.sh`` was run."""
 

@@ -18,6 +18,7 @@ from phonemeanalyser.desktop.session.results import AnalysisResults
 from phonemeanalyser.desktop.session.rules import RuleModel
 from phonemeanalyser.desktop.session.score import ScoreModel
 from phonemeanalyser.desktop.session.seen_sound import SeenSound
+from phonemeanalyser.desktop.session.serving import ServerModel
 from phonemeanalyser.desktop.session.sources import FileSource, Source, SourceKind, source_of
 from phonemeanalyser.desktop.session.time_view import TimeSpan
 from phonemeengine.audio.files import SoundReader
@@ -57,6 +58,7 @@ class Session(QObject):
     score : how right what is recognised is beside labels.
     rules : of the preset in use.
     writer : writes phonemes of whole sounds.
+    server : recognises for other programs.
     may_leave : asked before another file takes the place of the current one; what it refuses is not opened.
     say : asked to have a text spoken, which `take` then gets, when the user chooses the text as the source.
     """
@@ -80,7 +82,7 @@ class Session(QObject):
         self.playback, self.microphone = Playback(open_device), microphone or Microphone()
         self.results, self.seen = AnalysisResults(preset), SeenSound(preset)
         self.labels, self.writer = LabelTiers(preset.undo_stack), PhonemeWriter()
-        self.curves = CurveTable(preset)
+        self.curves, self.server = CurveTable(preset), ServerModel()
         self.score = ScoreModel(preset, self.seen, self.labels)
         self.rules = RuleModel(preset, self.seen, self.labels)
         self.history, self.averages = self.results.history, self.results.averages
@@ -313,7 +315,16 @@ class Session(QObject):
         """Let everything go."""
         self.source.close()
         self.source = self._source_of(SourceKind.FILE)
-        for part in (self.rules, self.score, self.seen, self.microphone, self.writer, self.results, self.curves):
+        for part in (
+            self.rules,
+            self.score,
+            self.seen,
+            self.microphone,
+            self.writer,
+            self.results,
+            self.curves,
+            self.server,
+        ):
             part.close()
 
     # -- what is found ------------------------------------------------------------------------------------

@@ -94,6 +94,11 @@
             <translation>0 bei</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>0 takes a free port</source>
+            <translation>0 wählt einen freien Port</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>1 at</source>
             <translation>1 bei</translation>
@@ -137,6 +142,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
             <source>1 rule needs a look (⚠).</source>
             <translation>1 Regel prüfen (⚠).</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>16 to 256 letters, digits or . _ ~ -</source>
+            <translation>16 bis 256 Buchstaben, Ziffern oder . _ ~ -</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
@@ -679,6 +689,11 @@
             <translation>ein Skript</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>a server needs packages that cannot be loaded ({error}); install them with: {command}</source>
+            <translation>ein Server braucht Pakete, die nicht geladen werden können ({error}); sie installieren mit: {command}</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/skin.py" />
             <source>a skin names a bone that is not there; export it again</source>
             <translation>Ein Skin nennt einen Knochen, den es nicht gibt; neu exportieren</translation>
@@ -984,6 +999,11 @@
             <translation>{name} hinzugefügt, für Grundfrequenzen von {low:.0f}–{high:.0f} Hz</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Address</source>
+            <translation>Adresse</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Address (HOST:PORT) at which messages of other programs are received, such as 127.0.0.1:39540</source>
             <translation>Adresse (HOST:PORT), an der Nachrichten anderer Programme empfangen werden, zum Beispiel 127.0.0.1:39540</translation>
@@ -1262,6 +1282,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
             <source>animated GIF of the head</source>
             <translation>animiertes GIF des Kopfes</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>another program uses it</source>
+            <translation>ein anderes Programm benutzt den Port</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/performance/table_file.py" />
@@ -2107,6 +2132,11 @@
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />
             <source>Click: make it the value of {threshold}</source>
             <translation>Klick: {threshold} auf diesen Wert setzen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Clients need a token</source>
+            <translation>Clients brauchen ein Token</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
@@ -5120,6 +5150,11 @@
             <translation>Laden… {percent:.0f} %</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Log</source>
+            <translation>Protokoll</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />
             <source>log scale</source>
             <translation>log. Skala</translation>
@@ -5838,6 +5873,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_tree.py" />
             <source>never reached</source>
             <translation>nie erreicht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>New</source>
+            <translation>Neu</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
@@ -6605,6 +6645,11 @@
             <translation>Umkreisen; mit Umschalt verschieben</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Other computers, too (0.0.0.0)</source>
+            <translation>Auch andere Rechner (0.0.0.0)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Other sounds</source>
             <translation>Andere Laute</translation>
@@ -6985,6 +7030,11 @@
             <translation>Polnisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Port</source>
+            <translation>Port</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Portuguese (Brazil)</source>
             <translation>Portugiesisch (Brasilien)</translation>
@@ -7308,6 +7358,11 @@
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>Recent</source>
             <translation>Zuletzt verwendet</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Recognise speech for other programs</source>
+            <translation>Sprache für andere Programme erkennen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
@@ -8270,6 +8325,26 @@
             <translation>Serbisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Serve</source>
+            <translation>Server</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/commands.py" />
+            <source>Serve…</source>
+            <translation>Server…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Serving {address}</source>
+            <translation>Server läuft: {address}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Serving {words}</source>
+            <translation>Server läuft: {words}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Set all sliders to 0</source>
             <translation>Alle Regler auf 0 setzen</translation>
@@ -8885,6 +8960,11 @@
             <translation>Startwert aller zufälligen Bewegung; dieselbe Zahl ergibt wieder dasselbe Blinzeln und dieselbe Kopfbewegung</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Starting or stopping…</source>
+            <translation>Wird gestartet oder gestoppt…</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Status</source>
             <translation>Status</translation>
@@ -8928,6 +9008,16 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
             <source>Stop {percent:.0f} %</source>
             <translation>Stopp {percent:.0f} %</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Stopped</source>
+            <translation>Gestoppt</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Streams and files of other programs are recognised with this preset. The server runs until it is stopped or the program quits.</source>
+            <translation>Streams und Dateien anderer Programme werden mit diesem Preset erkannt. Der Server läuft, bis er gestoppt oder das Programm beendet wird.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
@@ -9901,6 +9991,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the server has ended by itself</source>
+            <translation>der Server hat sich selbst beendet</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>The silence lasted only {seconds} s; {least} s or more are needed. Keep quiet for longer.</source>
             <translation>Die Stille dauerte nur {seconds} s; nötig sind mindestens {least} s. Länger nicht sprechen.</translation>
         </message>
@@ -10335,6 +10430,11 @@
             <translation>Dieses Spektrum steht schon in der Tabelle, als {name}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>This computer only (127.0.0.1)</source>
+            <translation>Nur dieser Rechner (127.0.0.1)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
             <source>This File</source>
             <translation>Diese Datei</translation>
@@ -10503,6 +10603,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/tone_bar.py" />
             <source>to </source>
             <translation>bis </translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>Token</source>
+            <translation>Token</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
@@ -11383,6 +11488,26 @@
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
             <source>{chunk} claims {size} bytes, {chunk_2} are there</source>
             <translation>{chunk} gibt {size} Byte an, vorhanden sind {chunk_2}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>{client}: file exported</source>
+            <translation>{client}: Datei exportiert</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>{client}: refused: {words}</source>
+            <translation>{client}: abgelehnt: {words}</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>{client}: stream begun, {n} open</source>
+            <translation>{client}: Stream begonnen, {n} offen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>{client}: stream ended, {n} open</source>
+            <translation>{client}: Stream beendet, {n} offen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
@@ -12758,6 +12883,11 @@
             <location filename="../../../engine/phonemeengine/labels/visemes.py" />
             <source>{phone} of the viseme {name} is no letter of the IPA; correct it</source>
             <translation>{phone} des Visems {name} ist kein IPA-Zeichen; korrigieren</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{place} cannot be served ({reason}); choose another host or port</source>
+            <translation>{place} kann nicht bedient werden ({reason}); eine andere Adresse oder einen anderen Port wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/table.py" />
