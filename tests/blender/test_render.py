@@ -1,5 +1,7 @@
 """The head speaks in a picture that Blender renders, which stays in build/blender to be looked at."""
 
+import subprocess
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -81,3 +83,18 @@ def test_the_mouth_of_the_head_opens_in_the_picture(head: Any, speaking: Any, tm
     assert changed.sum() > 100
     assert 0.2 * SIZE < np.median(rows) < 0.5 * SIZE  # the mouth lies in the lower half, in the middle
     assert 0.35 * SIZE < np.median(columns) < 0.65 * SIZE
+
+
+def test_the_example_renders_a_frame_of_an_exported_face(head_glb: Path, tmp_path: Path) -> None:
+    command = [
+        sys.executable,
+        str(ROOT / "examples" / "render_frame.py"),
+        str(head_glb),
+        "0",
+        str(tmp_path / "a.png"),
+    ]
+    subprocess.run(command, check=True, timeout=300)
+    picture = bpy.data.images.load(str(tmp_path / "a.png"))
+    light = np.array(picture.pixels[:], np.float32).reshape(*picture.size, 4)[..., :3].mean(axis=2)
+    assert light[200:300, 200:300].mean() > 0.15  # the face
+    assert light[-20:, :20].mean() < 0.05  # nothing beside it

@@ -8,10 +8,11 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
+from PIL import Image
 
 from phonemeanalyser.colours import DARK, LIGHT, Theme
 from phonemeanalyser.rendering.camera import Camera
+from phonemeanalyser.rendering.clip import SideBySide
 from phonemeanalyser.rendering.offscreen import OffscreenRenderer
 from phonemeanalyser.rendering.renderer import colour_of
 from phonemeanalyser.rendering.surface import subdivided
@@ -61,12 +62,13 @@ def _sheet(
     face = MovestateSet(morph_mesh.mesh, morph_mesh.states)
     camera = Camera.facing(morph_mesh.mesh).orbit(AZIMUTH, ELEVATION).zoom(STEPS).pan(0.0, DOWN)
     background, shown = colour_of(colours.window), []
-    with OffscreenRenderer(morph_mesh, (size, size)) as offscreen:
-        for name, shape in shapes.items():
+    sheets = [SideBySide((size, size), [name], colours.text, colours.window) for name in shapes]
+    with OffscreenRenderer(morph_mesh, sheets[0].head_size) as offscreen:
+        for sheet, shape in zip(sheets, shapes.values(), strict=True):
             wanted = {state: shape.get(state, shape.get(_both(state), 0.0)) for state in ARKIT}
             face.set_percentages(wanted)
             picture = offscreen.picture(camera, face.morphed(), HeadPose(), background=background, glow=True)
-            shown.append(_labelled(picture, name, colours.text))
+            shown.append(sheet.picture([picture]))
     blank = np.full_like(shown[0], np.round(255 * np.array(background)))
     shown += [blank] * (-len(shown) % n_columns)
     rows = [np.concatenate(shown[k : k + n_columns], axis=1) for k in range(0, len(shown), n_columns)]
@@ -75,13 +77,6 @@ def _sheet(
 
 def _both(state: str) -> str:
     return state.removesuffix("Left").removesuffix("Right")
-
-
-def _labelled(picture: UInt8Array, label: str, colour: str) -> UInt8Array:
-    image = Image.fromarray(picture)
-    letters = len(picture) / 12
-    ImageDraw.Draw(image).text((letters / 2, letters / 4), label, font=ImageFont.load_default(letters), fill=colour)
-    return np.asarray(image)
 
 
 if __name__ == "__main__":
