@@ -12,7 +12,9 @@ from phonemeanalyser.cli.arguments import add_clip, add_examples, add_options, f
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
+from phonemeengine.mouth.style import save_style
 from phonemeengine.performance.making import sentences
+from phonemeengine.performance.style_fit import fit_style
 from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.storage.files import printable_name, read_text_file
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
@@ -47,6 +49,11 @@ EXAMPLES_OF = {
         "phonemeanalyser performance show face.sqlite synthetic0001 -o whole.gif --size 64x64 --fps 5",
         "phonemeanalyser performance show face.sqlite synthetic0001 -o start.mp4 --to 0.4",
         "phonemeanalyser performance show face.sqlite synthetic0001 -o frames --from 0.2 --to 0.4 --fps 25",
+    ),
+    "style": (
+        "phonemeanalyser performance style face.sqlite -o face.toml",
+        "phonemeanalyser performance style face.sqlite synthetic0001 -o one.toml",
+        "phonemeanalyser performance style other.sqlite -o face.toml --overwrite",
     ),
 }
 """Examples of what is done with performances; each uses the files of those before it."""
@@ -90,6 +97,14 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     make.add_argument("--sentences", type=Path, metavar="F", help="text file (UTF-8) with one sentence per line")
     make.add_argument("--language", default="en-us", metavar="L", help="language of the sentences (default: en-us)")
     make.set_defaults(act=_make)
+    style = kinds.add_parser(
+        "style", help="fit a style", description="Fit a style of speaking, by which rules speak as recorded faces do."
+    )
+    style.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    style.add_argument("recordings", nargs="*", metavar="RECORDING", help="names of recordings (default: the first)")
+    style.add_argument("-o", "--out", type=file_place, required=True, metavar="STYLE.toml", help="the style")
+    add_options(style, "overwrite")
+    style.set_defaults(act=_style)
     add_examples(kinds, EXAMPLES_OF)
 
 
@@ -119,6 +134,20 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
         yield f"{len(about.channels)} channels at {about.rate:g} frames a second"
         for kind, n in table.n_units().items():
             yield f"{kind.value:<20}  {n:8} units of {len(table.names(kind))} kinds"
+
+
+def _style(options: argparse.Namespace) -> Iterator[str]:
+    Guard(nothing_is_own, options.overwrite).check(options.out)
+    with PerformanceTable.open(options.table) as table, _progress(options.table) as progress:
+        named = map(table.recording_called, options.recordings)
+        takes = named if options.recordings else (performance for _, performance in table.recordings())
+        fitted = fit_style(takes, options.out.stem, progress)
+    save_style(fitted.style, options.out)
+    yield (
+        f"{options.out.name}: reach {fitted.style.movement.reach:.2f}, times {fitted.speed:.2f}, closures "
+        f"{fitted.width:.2f}, asymmetry {fitted.style.asymmetry:.2f}"
+    )
+    yield f"{fitted.seconds:.0f} s; the rules differ by {fitted.after:.3f} RMS, neutral ones by {fitted.before:.3f}"
 
 
 def _show(options: argparse.Namespace) -> Iterator[str]:

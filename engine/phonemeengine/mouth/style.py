@@ -115,8 +115,7 @@ class Style:
     def on_table(self, table: MouthTable) -> MouthTable:
         """Return a mouth table as this style moves it; what meets does so in any style."""
         table = self._with_closures(table)
-        firm = {table.phonemes[phoneme] for phoneme in (*table.closed_phonemes, Phoneme.SILENCE)}
-        firm |= {table.phones[name] for name in table.closed_phones}
+        firm = firm_shapes(table)
         gains = dict(zip(table.movestates, self.loose_gains(table.movestates).tolist(), strict=True))
         shapes = table.shapes
         if any(gain != 1.0 for gain in gains.values()):
@@ -225,6 +224,12 @@ class Style:
             reductions[columns_of(name)] = reduction
         reductions *= np.float32(1 - STRESSED_EXPRESSION * self.theatrical)
         return replace(expression, channels=replace(expression.channels, reductions=reductions))
+
+
+def firm_shapes(table: MouthTable) -> frozenset[str]:
+    """Return the shapes of a table at which something meets, and that of silence."""
+    firm = {table.phonemes[phoneme] for phoneme in (*table.closed_phonemes, Phoneme.SILENCE)}
+    return frozenset(firm | {table.phones[name] for name in table.closed_phones})
 
 
 _VOWELS = frozenset("iyɨʉɯuɪʏʊeøɘɵɤoəɛœɜɞʌɔæɐaɶɑɒ")
