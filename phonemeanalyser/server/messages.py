@@ -4,6 +4,7 @@ import json
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, TypeVar
 
 import numpy as np
@@ -16,7 +17,7 @@ from phonemeengine.audio.incoming import Encoding, StreamFormat
 from phonemeengine.features.feeling import Feeling
 from phonemeengine.labels.visemes import viseme_of
 from phonemeengine.live.incoming_speech import IncomingSpeech, RecognisedPiece
-from phonemeengine.mouth.blending import blended_weights
+from phonemeengine.mouth.blending import VisemeBlender
 from phonemeengine.mouth.exports.viseme_events import EventService
 from phonemeengine.recognition.scores import scores_in
 from phonemeengine.settings import FRAME_PERIOD
@@ -51,6 +52,11 @@ class StreamStart:
     language: str = ""
     text: str = ""
     felt: bool = False
+
+    @cached_property
+    def blender(self) -> VisemeBlender | None:
+        """What blends the shapes of the table."""
+        return VisemeBlender(self.table) if self.table else None
 
 
 @dataclass(frozen=True)
@@ -129,7 +135,7 @@ def frames(found: RecognisedPiece, start: StreamStart) -> str:
         scores = scores_in(analysis.features)
         told["phoneme_scores"] = None if scores is None else _rounded(scores)
         told["viseme_scores"] = None if analysis.viseme_scores is None else _rounded(analysis.viseme_scores)
-        told |= {"blended": _rounded(blended_weights(start.table, analysis))} if start.table else {}
+        told |= {"blended": _rounded(start.blender.weights(analysis))} if start.blender else {}
     if len(found.feelings):
         for name, column in zip(Feeling._fields, found.feelings.T, strict=True):
             told[name] = _thousandths(column)

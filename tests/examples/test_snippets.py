@@ -10,8 +10,8 @@ import pytest
 
 from tests.conftest import ROOT
 
-IN_FILES = {"adding.md"}
-"""Pages whose Python are files of the program; `tests.tools.test_adding` runs them."""
+IN_FILES = {"adding.md", "ten-lines.md"}
+"""Pages whose Python are files of the program; `tests.tools.test_adding` and `test_ten_lines` run them."""
 PAGES = [ROOT / "README.md", *sorted(p for p in (ROOT / "docs").glob("**/*.md") if p.name not in IN_FILES)]
 DEMO = Path("phonemeanalyser") / "demo"
 

@@ -16,6 +16,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import aiohttp
 import numpy as np
@@ -109,28 +110,38 @@ def stream_server(preset: str) -> Iterator[StreamServer]:
 
 
 def loaded(
-    n_streams: int, seconds: float, preset: str = "learned", rate: int = 24_000, *, disturbed: bool = False
+    n_streams: int,
+    seconds: float,
+    preset: str = "learned",
+    rate: int = 24_000,
+    *,
+    table: str = "",
+    disturbed: bool = False,
 ) -> Load:
-    """Run a number of streams for a time; disturbed, beside clients that lie, flood, stall and vanish."""
+    """Run a number of streams for a time; disturbed, beside clients that lie, flood, stall and vanish.
+
+    With a mouth table, they ask for its weights, and for all probabilities.
+    """
+    start = {"rate": rate} | ({"table": table, "probabilities": True} if table else {})
     sound = resample_whole(speech(30.0), SAMPLE_RATE, rate)
     data = np.rint(np.clip(sound, -1, 1) * 32_767).astype("<i2").tobytes()
     with stream_server(preset) as server:
         words = ["nice", "-n", "30", sys.executable, "-m", "tools.bench.bad_clients", server.address]
         bad = subprocess.Popen(words, cwd=ROOT, env=child_environment()) if disturbed else None
         try:
-            return asyncio.run(_load(server, data, n_streams, seconds, rate))
+            return asyncio.run(_load(server, data, n_streams, seconds, start))
         finally:
             if bad is not None:
                 bad.kill()
                 bad.wait()
 
 
-async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: float, rate: int) -> Load:
+async def _load(server: StreamServer, data: bytes, n_streams: int, seconds: float, start: dict[str, Any]) -> Load:
     megabytes: list[float] = []
     lags, share = [0.0], 0.0
     async with aiohttp.ClientSession() as session:
         streams = [
-            asyncio.create_task(_stream(session, server.address, data, k / n_streams, seconds, rate))
+            asyncio.create_task(_stream(session, server.address, data, k / n_streams, seconds, start))
             for k in range(n_streams)
         ]
         await asyncio.sleep(SETTLED)
@@ -157,13 +168,13 @@ async def _beat(lags: list[float]) -> None:
 
 
 async def _stream(
-    session: aiohttp.ClientSession, address: str, data: bytes, phase: float, seconds: float, rate: int
+    session: aiohttp.ClientSession, address: str, data: bytes, phase: float, seconds: float, start: dict[str, Any]
 ) -> tuple[np.ndarray, int]:
     """Play into one stream; return the latencies of its frames, and how many were not answered."""
-    n_blocks, size = round(seconds / BLOCK), round(rate * BLOCK) * 2
+    n_blocks, size = round(seconds / BLOCK), round(start["rate"] * BLOCK) * 2
     sent, late = np.zeros(n_blocks), []
     async with session.ws_connect(f"{address}/stream", compress=0) as socket:
-        await socket.send_json({"rate": rate})
+        await socket.send_json(start)
 
         async def play() -> None:
             await asyncio.sleep(phase)
@@ -197,9 +208,11 @@ def main() -> None:
     parser.add_argument("--seconds", type=float, default=20.0)
     parser.add_argument("--preset", default="learned")
     parser.add_argument("--rate", type=int, default=24_000)
+    parser.add_argument("--table", default="", help="mouth table whose weights are asked for, and all probabilities")
     parser.add_argument("--disturbed", action="store_true", help="beside clients that lie, flood, stall and vanish")
     options = parser.parse_args()
-    load = loaded(options.streams, options.seconds, options.preset, options.rate, disturbed=options.disturbed)
+    asked = {"table": options.table, "disturbed": options.disturbed}
+    load = loaded(options.streams, options.seconds, options.preset, options.rate, **asked)
     print(load.words)
 
 

@@ -1,4 +1,4 @@
-"""Has fifty live streams run against a server on two cores for a long time, beside clients that behave badly."""
+"""Has fifty live streams, with weights and probabilities, run against a server on two cores, beside bad clients."""
 
 import argparse
 import statistics
@@ -20,8 +20,9 @@ def main() -> None:
     parser.add_argument("--minutes", type=float, default=10.0, help="how long (default: 10)")
     parser.add_argument("--streams", type=int, default=50, help="how many (default: 50)")
     parser.add_argument("--preset", default="learned")
+    parser.add_argument("--table", default="arkit", help="mouth table; an empty name leaves weights and scores out")
     options = parser.parse_args()
-    load = loaded(options.streams, 60 * options.minutes, options.preset, disturbed=True)
+    load = loaded(options.streams, 60 * options.minutes, options.preset, table=options.table, disturbed=True)
     sys.exit(print_rows(_rows(load)))
 
 
