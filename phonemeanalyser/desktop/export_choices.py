@@ -125,6 +125,7 @@ class ExportChoices(QFormLayout):
             talk.speech,
             talk.keys if "keys" in kind.options and not self.is_text and self.keys.isChecked() else None,
             look=self._look() if kind.name in CLIPS else USUAL_CLIP,
+            text_feeling=talk.text_feeling if self._feels(kind.options) else None,
         )
 
     def show_kind(self) -> None:
@@ -144,7 +145,7 @@ class ExportChoices(QFormLayout):
             self.keys: "keys" in options and not self.is_text,
             self.driver: "text-driver" in options and knows_words,
             self.mesh: "mesh" in options and has_mesh,
-            self.expression: "expression" in options and self._face.options.idle.expression is not None,
+            self.expression: "expression" in options and self._shows_expression,
             self.timing: not self.is_text and kind.has_words,
             self.preset: not self.is_text,
         } | dict.fromkeys((self.width, self.height, self.view, self.ground), kind.name in CLIPS)
@@ -171,6 +172,13 @@ class ExportChoices(QFormLayout):
         )
 
     @property
+    def _shows_expression(self) -> bool:
+        return self._face.options.idle.expression is not None or self._face.text_feeling is not None
+
+    def _feels(self, offered: frozenset[str]) -> bool:
+        return "expression" in offered and self.expression.currentData() == ON_TALK
+
+    @property
     def _table_on_talk(self) -> str:
         """What the choice of the mouth table of the page Talk is called."""
         return tr(ON_TALK_WORDS).format(name=_name_of_table(self._face.table))
@@ -179,14 +187,13 @@ class ExportChoices(QFormLayout):
         """Return how mouths move, by the choices that the format offers."""
         talk, table = self._face.options, self.table.currentData()
         as_on_talk = table == ON_TALK
-        feels = "expression" in offered and self.expression.currentData() == ON_TALK
         idle = replace(
             talk.idle,
             blinks=self.blinks.isChecked(),
             head=self.head.isChecked(),
             seed=self.seed.value(),
             detail=Detail(self.detail.currentData()),
-            expression=talk.idle.expression if feels else None,
+            expression=talk.idle.expression if self._feels(offered) else None,
         )
         anticipation = self.anticipation.value()
         return replace(
@@ -242,7 +249,7 @@ class ExportChoices(QFormLayout):
         self.timing.addItem(tr("Text or labels beside each file"), None)
         if words.keys() & {*sounds}:
             n = sum(len(utterance.words) for utterance in words.values())
-            self.timing.addItem(tr("Aligned words ({n})").format(n=n), SpokenTexts(scripts=words))
+            self.timing.addItem(tr("Aligned words ({n})").format(n=n), SpokenTexts(self._face.texts, scripts=words))
             self.timing.setCurrentIndex(self.timing.count() - 1)
 
     def _lay_out(self) -> None:

@@ -18,6 +18,7 @@ from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.talk.expression.style_model import StyleModel
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
 from phonemeanalyser.desktop.talk.keys.key_model import KeyModel
+from phonemeanalyser.desktop.talk.words.felt_text import FeltText
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
@@ -96,6 +97,7 @@ class TalkModel(QObject):
         self.face, self.osc = FaceModel(), OscModel(self._now)
         self.text = text or TextModel(session)
         self.expression, self.styles = ExpressionModel(), StyleModel()
+        self.felt_text = FeltText(self.text, self.expression, session.preset.undo_stack)
         self.watched, self.random = False, True
         self.attack_factor = self.release_factor = 1.0
         self.picture_rate = 30
@@ -151,6 +153,8 @@ class TalkModel(QObject):
             known,
             self.text.to_say,
             {self.keys.sound: self.keys.layer} if self.keys.sound is not None else {},
+            dict.fromkeys(known, self.text.text),
+            self.expression.text_feeling or None,
         )
 
     # -- what is chosen -----------------------------------------------------------------------------------
@@ -304,7 +308,7 @@ class TalkModel(QObject):
     def _play_tracks(self, now: float) -> None:
         """Have mouths and recorded expressions go with the sound, where anything is known of it."""
         session, original = self.session, self.text.original
-        if self._tracks or self.expression.path is not None:
+        if self._tracks or self.expression.in_step:
             position = session.source.position
             self.expression.follow(now - position)
             for performer, track in self._tracks.items():

@@ -1834,6 +1834,11 @@
             <translation>Modell für Dateien ändern</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/felt_text.py" />
+            <source>change of a feeling</source>
+            <translation>Ändern eines Gefühls</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/averages.py" />
             <source>change of the filters</source>
             <translation>Änderung der Filter</translation>
@@ -3160,6 +3165,11 @@
             <translation>Gesicht</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>Face follows the text</source>
+            <translation>Gesicht folgt dem Text</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Face mesh of the exported files</source>
             <translation>Gesichts-Mesh der exportierten Dateien</translation>
@@ -3208,6 +3218,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>fear</source>
             <translation>Furcht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/spoken_lanes.py" />
+            <source>Feeling</source>
+            <translation>Gefühl</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
@@ -3968,6 +3983,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>How closely the mouth follows the speech; distant faces need less detail</source>
             <translation>Wie genau der Mund der Sprache folgt; ferne Gesichter brauchen weniger Details</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
+            <source>How far the face shows what the text says of feeling: [smile], [angry 0.6], emoji, good and bad words; the lane Feeling of the time line shows and edits it</source>
+            <translation>Wie weit das Gesicht zeigt, was der Text an Gefühl sagt: [smile], [angry 0.6], Emojis, gute und schlechte Wörter; die Spur Gefühl der Zeitleiste zeigt und ändert es</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
@@ -5710,6 +5730,11 @@
             <translation>Verschieben einer Grenze ({unit})</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/felt_text.py" />
+            <source>move of a feeling</source>
+            <translation>Verschieben eines Gefühls</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
             <source>Move the head with the pitch and loudness of the speech</source>
             <translation>Den Kopf mit Tonhöhe und Lautstärke der Sprache bewegen</translation>
@@ -5878,6 +5903,11 @@
             <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
             <source>New</source>
             <translation>Neu</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/felt_text.py" />
+            <source>new feeling</source>
+            <translation>neues Gefühl</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
@@ -11203,6 +11233,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
             <source>What the figures are of: the visible part of the file, the whole file, or all takes and recordings loaded in Calibrate together with the open file</source>
             <translation>Wofür die Werte gelten: sichtbarer Teil der Datei, ganze Datei oder alle auf „Kalibrieren“ geladenen Takes und Aufnahmen mit der offenen Datei</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/spoken_lanes.py" />
+            <source>What the text says of feeling. Double-click to change it (such as smile 0.6; nothing deletes it), or where there is none to add one; drag an end to move it. Edits are directions in the text.</source>
+            <translation>Was der Text an Gefühl sagt. Doppelklicken, um es zu ändern (etwa smile 0.6; leer löscht es) oder, wo keines ist, eines hinzuzufügen; ein Ende ziehen, um es zu verschieben. Änderungen sind Regieanweisungen im Text.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_view.py" />

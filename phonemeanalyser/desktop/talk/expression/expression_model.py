@@ -15,6 +15,7 @@ from phonemeengine.features.feeling import FeelingEstimator
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
+from phonemeengine.mouth.expression.text_feeling import TimedFeeling, text_expression
 from phonemeengine.mouth.osc import OscAddress, OscExpression
 from phonemeengine.mouth.performer import Performer
 from phonemeengine.performance.livelink import read_expression
@@ -91,6 +92,7 @@ class ExpressionModel(QObject):
     shares : how far each is asked for, by name, 0..1.
     priority : of speech on its own channels, 0..1.
     feeling : how far brows, lids, smile and head follow the feeling in the voice, 0..1 each, by name.
+    text_feeling : how far the face shows what the text says of feeling, 0..1.
     path : the recording in use; None for none.
     input : what other programs send.
     """
@@ -103,6 +105,9 @@ class ExpressionModel(QObject):
         self.shares: dict[str, float] = dict.fromkeys(expression_presets(), 0.0)
         self.priority = USUAL_PRIORITY
         self.feeling: dict[str, float] = asdict(FeelingAmounts(0.0, 0.0, 0.0, 0.0))
+        self.text_feeling = 0.0
+        self._timed: tuple[TimedFeeling, ...] = ()
+        self._text: StreamInStep | None = None
         self.path: Path | None = None
         self.input = ExpressionInput()
         self._recorded: StreamInStep | None = None
@@ -114,11 +119,14 @@ class ExpressionModel(QObject):
     @property
     def expression(self) -> Expression | None:
         """What is expressed; None for nothing."""
-        return self._of(self._recorded, self.input.stream)
+        return self._of(self._recorded, self._text, self.input.stream)
 
     @property
     def exported(self) -> Expression | None:
-        """The same for a file: recordings begin with its sound, and what other programs send now is not in it."""
+        """The same for a file: recordings begin with its sound, and its text tells the feeling itself.
+
+        What other programs send now is not in it.
+        """
         return self._of(None if self._recorded is None else self._recorded.stream)
 
     def _of(self, *more: ExpressionStream | None) -> Expression | None:
@@ -141,6 +149,27 @@ class ExpressionModel(QObject):
         if self.feeling[part] != min(max(amount, 0.0), 1.0):
             self.feeling = self.feeling | {part: min(max(amount, 0.0), 1.0)}
             self.changed.emit()
+
+    def set_text_feeling(self, amount: float) -> None:
+        """Show what the text says of feeling so far, 0..1."""
+        if self.text_feeling != min(max(amount, 0.0), 1.0):
+            self.text_feeling = min(max(amount, 0.0), 1.0)
+            self.take_text(self._timed)
+            self.changed.emit()
+
+    def take_text(self, timed: tuple[TimedFeeling, ...]) -> None:
+        """Take what the text of the current sound says of feeling."""
+        before, self._timed = self._text, timed
+        start = before.start if before is not None else 0.0
+        shown = self.text_feeling > 0 and bool(timed)
+        self._text = StreamInStep(text_expression(timed, self.text_feeling), start) if shown else None
+        if before is not None or shown:
+            self.changed.emit()
+
+    @property
+    def in_step(self) -> bool:
+        """Whether something that is shown goes with the time of the sound."""
+        return self._recorded is not None or self._text is not None
 
     def set_priority(self, priority: float) -> None:
         """Give speech so much of its own channels, 0..1; the expression has the rest."""
@@ -171,12 +200,15 @@ class ExpressionModel(QObject):
 
     def follow(self, start: float) -> None:
         """Take note when the current sound began, on the clock of whoever shows the face, seconds."""
-        if self._recorded is not None:
-            self._recorded.start = start
+        for stream in (self._recorded, self._text):
+            if stream is not None:
+                stream.start = start
 
     def clear(self) -> None:
         """Set all sliders back."""
-        if any((*self.shares.values(), *self.feeling.values())):
+        if any((*self.shares.values(), *self.feeling.values(), self.text_feeling)):
+            self.text_feeling = 0.0
+            self.take_text(self._timed)
             self.shares = dict.fromkeys(self.shares, 0.0)
             self.feeling = dict.fromkeys(self.feeling, 0.0)
             self.changed.emit()

@@ -49,6 +49,7 @@ class ExpressionPanel(QWidget):
     ----------
     sliders : by the name of the expression.
     following : sliders of what follows the feeling in the voice, by the part of the face.
+    text_feeling : the slider of what the text says of feeling.
     priority : the slider of speech's priority.
     meter : shows how far speech holds expressions back, %.
     """
@@ -74,6 +75,14 @@ class ExpressionPanel(QWidget):
         self._amounts = {part: label(width=PERCENT_WIDTH) for part in FOLLOWING}
         for percent in self._amounts.values():
             percent.setToolTip(tip)
+        self.text_feeling = slider_of_percent(
+            tr("Face follows the text"),
+            tr(
+                "How far the face shows what the text says of feeling: [smile], [angry 0.6], emoji, good and bad "
+                "words; the lane Feeling of the time line shows and edits it"
+            ),
+        )
+        self._of_text = label(width=PERCENT_WIDTH)
         self.priority = slider_of_percent(
             tr("Speech priority"),
             tr(
@@ -132,7 +141,11 @@ class ExpressionPanel(QWidget):
         )
         following = grid(across=5, down=3)
         fill_rows(
-            following, [(label(tr(words)), self.following[p], self._amounts[p]) for p, words in FOLLOWING.items()]
+            following,
+            [
+                *((label(tr(words)), self.following[p], self._amounts[p]) for p, words in FOLLOWING.items()),
+                (label(self.text_feeling.accessibleName()), self.text_feeling, self._of_text),
+            ],
         )
         others = grid(across=8, down=4)
         others.addWidget(self.file, 0, 0, 1, 3, Qt.AlignmentFlag.AlignLeft)
@@ -156,6 +169,7 @@ class ExpressionPanel(QWidget):
             slider.valueChanged.connect(lambda value, name=name: self._model.set_share(name, value / 100))
         for part, slider in self.following.items():
             slider.valueChanged.connect(lambda value, part=part: self._model.set_feeling(part, value / 100))
+        self.text_feeling.valueChanged.connect(lambda value: self._model.set_text_feeling(value / 100))
         self.priority.valueChanged.connect(lambda value: self._model.set_priority(value / 100))
         self.neutral.clicked.connect(lambda _checked: self._model.clear())
         self.file.clicked.connect(lambda _checked: self._choose_file())
@@ -183,9 +197,12 @@ class ExpressionPanel(QWidget):
             with silent(self.following[part]):
                 self.following[part].setValue(round(100 * amount))
             self._amounts[part].setText(f"{100 * amount:.0f} %")
-        with silent(self.priority):
+        with silent(self.priority, self.text_feeling):
             self.priority.setValue(round(100 * self._model.priority))
-        self.neutral.setEnabled(any((*self._model.shares.values(), *self._model.feeling.values())))
+            self.text_feeling.setValue(round(100 * self._model.text_feeling))
+        self._of_text.setText(f"{100 * self._model.text_feeling:.0f} %")
+        moved = *self._model.shares.values(), *self._model.feeling.values(), self._model.text_feeling
+        self.neutral.setEnabled(any(moved))
         path, received = self._model.path, self._model.input
         if path is None:
             named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load face capture…"))

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_noop
+from phonemeanalyser.desktop.talk.words.felt_text import FeltSpan
 from phonemeanalyser.desktop.talk.words.sound_words import fits_badly
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS
@@ -35,6 +36,11 @@ UNIT_COLOURS = {
     UnitKind.LEFT_HALF: "#7d3a6e",
 }
 """Of the sets, from the longest units to the shortest."""
+FELT_NAME, FEELING_COLOUR = tr_noop("Feeling"), "#8a4b7d"
+FELT = tr_noop(
+    "What the text says of feeling. Double-click to change it (such as smile 0.6; nothing deletes it), or where "
+    "there is none to add one; drag an end to move it. Edits are directions in the text."
+)
 HEARD = tr_noop("Click to play the original with its face, double-click for the whole recording.")
 SHADE = 130
 """By how much the colours of phonemes are darker here, %, so that letters are read on them."""
@@ -99,6 +105,21 @@ def lane_of_units(units: Sequence[UsedUnit]) -> Lane:
     return Lane(
         tr(PERFORMED), starts, ends, [" ".join(unit.names) for unit in units], colours, tips=list(map(_tip_of, units))
     )
+
+
+def lane_of_feelings(spans: Sequence[FeltSpan]) -> Lane:
+    """Return the lane of what the text says of feeling; what no direction says is hatched."""
+    starts, ends = (np.array([getattr(span, edge) for span in spans], float) for edge in ("start", "end"))
+    texts = [", ".join(_felt(part) for part in span.words.split(", ")) for span in spans]
+    guessed = frozenset(k for k, span in enumerate(spans) if not span.directed)
+    colours = _rgb([FEELING_COLOUR] * len(spans))
+    tips = [f"{text}. {tr(FELT)}" for text in texts]
+    return Lane(tr(FELT_NAME), starts, ends, texts, colours, frozenset(), True, tips, doubtful=guessed)
+
+
+def _felt(part: str) -> str:
+    name, _, share = part.partition(" ")
+    return f"{tr(name)} {100 * float(share):.0f} %"
 
 
 def _tip_of(unit: UsedUnit) -> str:

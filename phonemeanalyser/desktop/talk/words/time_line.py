@@ -1,6 +1,7 @@
 """The time line below the head: the waveform, what is said when, and the time; words are played and moved there."""
 
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
@@ -23,7 +24,16 @@ from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.painting import CENTRED, draw_text
 from phonemeanalyser.desktop.session.time_view import TimeSpan, TimeView
 from phonemeanalyser.desktop.talk.model import TalkModel
-from phonemeanalyser.desktop.talk.words.spoken_lanes import NAMES, PERFORMED, in_a_row, lane_of_units, lanes_of
+from phonemeanalyser.desktop.talk.words.felt_text import USUAL
+from phonemeanalyser.desktop.talk.words.spoken_lanes import (
+    FELT_NAME,
+    NAMES,
+    PERFORMED,
+    in_a_row,
+    lane_of_feelings,
+    lane_of_units,
+    lanes_of,
+)
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.label_editor import LabelEditor
 from phonemeanalyser.desktop.widgets.lanes import (
@@ -96,7 +106,9 @@ class SpeechTimeline(QWidget):
         self.setAccessibleName(tr("Time line: words and phones over time"))
         self._stale = False
         self.editor = LabelEditor(self)
-        self.editor.typed.connect(lambda name, _step: self._texts.edits.name(name))
+        self._felt, self._writes = talking.felt_text, partial(self._texts.edits.name)
+        self.editor.typed.connect(self._take_typed)
+        self._felt.changed.connect(self.show_words)
         self._texts.edits.name_asked.connect(self._ask_name)
         self._texts.edits.changed.connect(self._touch)
         self._texts.changed.connect(self.show_words)
@@ -110,7 +122,7 @@ class SpeechTimeline(QWidget):
         """Show what is known now."""
         texts = self._texts
         letters, units = texts.drivers.letters, texts.drivers.performance.units
-        known = (texts.utterance, letters, units, texts.editable)
+        known = (texts.utterance, letters, units, texts.editable, self._felt.spans)
         if not self._shown or any(one is not other for one, other in zip(known, self._shown, strict=True)):
             self._shown = known
             self.setToolTip(tr(EDITABLE if texts.editable else FIXED))
@@ -118,7 +130,8 @@ class SpeechTimeline(QWidget):
             if texts.utterance is not None:
                 lanes = lanes_of(texts.utterance, letters, movable=texts.editable)
             self._units = in_a_row(units)
-            self.lanes = (*lanes, *([lane_of_units(self._units)] if units else ()))
+            felt = [lane_of_feelings(self._felt.spans)] if self._felt.spans or texts.utterance is not None else []
+            self.lanes = (*lanes, *felt, *([lane_of_units(self._units)] if units else ()))
             self.setMinimumHeight(LEAST_WAVE + len(self.lanes) * (HEIGHT + GAP) + TIME_HEIGHT + 2 * GAP)
             self._touch()
         self._drag.release()
@@ -290,15 +303,20 @@ class SpeechTimeline(QWidget):
             return
         moved, pressed, self._pressed = self._drag.release(), self._pressed, None
         self.update()
-        if moved is not None:
+        if moved is not None and self._is_of_feelings(moved.lane):
+            number, is_end = divmod(moved.boundary, 2)
+            self._felt.move(number, is_end=bool(is_end), seconds=moved.seconds)
+        elif moved is not None:
             self._texts.edits.move_boundary(UNITS[moved.lane], moved.boundary, moved.seconds)
         elif pressed is not None and abs(event.position().x() - pressed[0].x()) <= CLICK:
             self._go_to(event.position())
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Play the whole recording that a unit is from; rename a word or a phone."""
-        found = self._span_at(event.position())
-        if found is not None and self._is_of_units(found[0]):
+        """Play the whole recording that a unit is from; rename a word or a phone; change or add a feeling."""
+        found, lane = self._span_at(event.position()), self._lane_at(event.position())
+        if lane is not None and self._is_of_feelings(lane):
+            self._ask_feeling(event.position(), None if found is None else found[1])
+        elif found is not None and self._is_of_units(found[0]):
             self._texts.play_original(self._units[found[1]], whole=True)
         elif found is not None and self._texts.edits.chosen is not None:
             self._session.pause()
@@ -316,6 +334,30 @@ class SpeechTimeline(QWidget):
         else:
             lane = self.lanes[found[0]]
             self._texts.edits.play(float(lane.starts[found[1]]), float(lane.ends[found[1]]))
+
+    def _ask_feeling(self, place: QPointF, number: int | None) -> None:
+        """Have a feeling typed in its place, or a new one."""
+        self._session.pause()
+        time = self.axis.time_at(place.x())
+        lane = self._lane_at(place)
+        if lane is None:
+            return
+        row = self.rows()[lane][0]
+        span = None if number is None else self._felt.spans[number]
+        left, right = (self.x_of(time),) * 2 if span is None else (self.x_of(span.start), self.x_of(span.end))
+        self._writes = partial(self._felt.insert, time) if span is None else partial(self._felt.write, span)
+        words = USUAL if span is None else span.words
+        self.editor.open_over(QRectF(left, row.top(), right - left, row.height()), words, begun=False)
+
+    def _take_typed(self, words: str, _step: int) -> None:
+        writes, self._writes = self._writes, partial(self._texts.edits.name)
+        writes(words)
+
+    def _lane_at(self, place: QPointF) -> int | None:
+        return next((number for number, (row, _) in enumerate(self.rows()) if row.contains(place)), None)
+
+    def _is_of_feelings(self, number: int) -> bool:
+        return self.lanes[number].name == tr(FELT_NAME)
 
     def _is_of_units(self, number: int) -> bool:
         return self.lanes[number].name == tr(PERFORMED)

@@ -1,5 +1,6 @@
 """The text that is said, and its language; and what is remembered of both for each sound."""
 
+import re
 from functools import lru_cache
 from pathlib import Path
 
@@ -13,6 +14,7 @@ MOST_SOUNDS, MOST_LANGUAGES = 50, 5
 """Sounds whose texts are remembered, and languages that are offered first, because they were chosen last."""
 MOST_REMEMBERED = 200_000
 """Characters of all texts that are remembered."""
+_DIRECTION = re.compile(r"\[[^\[\]\n]*\]")
 
 
 class WrittenText(QObject):
@@ -121,8 +123,9 @@ def said_in(utterance: Utterance) -> str:
 
 @lru_cache(4)  # asked several times at each key that is pressed
 def same_words(one: str, other: str) -> bool:
-    """Return whether two texts have the same words, whatever their marks and capitals."""
-    first, second = ([w for word in text.casefold().split() if (w := word.strip(MARKS))] for text in (one, other))
+    """Return whether two texts have the same words, whatever their marks, capitals and directions in brackets."""
+    spoken = (_DIRECTION.sub(" ", text).casefold() for text in (one, other))
+    first, second = ([w for word in text.split() if (w := word.strip(MARKS))] for text in spoken)
     return first == second
 
 
