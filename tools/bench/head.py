@@ -3,9 +3,12 @@
 import statistics
 import time
 from collections.abc import Callable
+from dataclasses import replace
+from io import BytesIO
 
 import moderngl
 import numpy as np
+from PIL import Image
 
 from phonemeanalyser.desktop.talk.head.head_surface import MOST_QUICK_PIXELS
 from phonemeanalyser.rendering.camera import Camera
@@ -13,6 +16,8 @@ from phonemeanalyser.rendering.offscreen import OffscreenRenderer, offscreen_con
 from phonemeanalyser.rendering.renderer import HeadRenderer
 from phonemeanalyser.rendering.surface import subdivided
 from phonemeengine.mouth.head import load_head
+from phonemeengine.mouth.mesh import AlphaMode, Material, Texture
+from phonemeengine.mouth.morph_mesh import MorphMesh
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import load_table
 from phonemeengine.phonemes import Phoneme
@@ -32,13 +37,27 @@ def figures() -> list[Figure]:
     context = offscreen_context()
     with context:
         renderer = context.info["GL_RENDERER"].split(" (")[0]
-        found = [_window(context, size, renderer) for size in (320, LARGEST)]
+        found = [_window(context, load_head(), size, f"head by {renderer}") for size in (320, LARGEST)]
+        found += [_window(context, _textured(mode), LARGEST, f"textured face, {mode}") for mode in AlphaMode]
     context.release()
     return [*found, _preview(renderer)]
 
 
-def _window(context: moderngl.Context, size: int, renderer: str) -> Figure:
-    head = load_head()
+def _textured(mode: AlphaMode) -> MorphMesh:
+    """Return the woman's head with one material and a texture, of which a fifth lets light through."""
+    head, file = load_head(), BytesIO()
+    pixels = np.full((1024, 1024, 4), (200, 160, 140, 255), np.uint8)
+    pixels[:, :205, 3] = 120
+    Image.fromarray(pixels).save(file, "PNG")
+    texture = Texture("skin", file.getvalue(), *pixels.shape[:2])
+    low, high = head.mesh.positions.min(axis=0), head.mesh.positions.max(axis=0)
+    uvs = ((head.mesh.positions - low) / (high - low))[:, :2]
+    material = Material("skin", texture=texture, alpha_mode=mode)
+    material_of = np.zeros(len(head.mesh.triangles), np.uint16)
+    return replace(head, mesh=replace(head.mesh, materials=(material,), material_of=material_of, uvs=uvs))
+
+
+def _window(context: moderngl.Context, head: MorphMesh, size: int, name: str) -> Figure:
     drawing, talking = HeadRenderer(context, head), _Talking(MovestateSet(head.mesh, head.states))
     target, camera = context.framebuffer(context.renderbuffer((size, size), 4)), Camera.facing(head.mesh)
 
@@ -49,7 +68,7 @@ def _window(context: moderngl.Context, size: int, renderer: str) -> Figure:
     seconds = _processor_time(draw)
     drawing.release()
     target.release()
-    return _figure(f"head {size}x{size} by {renderer}", seconds)
+    return _figure(f"{name}, {size}x{size}", seconds)
 
 
 def _preview(renderer: str) -> Figure:

@@ -11,7 +11,8 @@ from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
-from PySide6.QtWidgets import QDockWidget
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QDockWidget, QPlainTextEdit
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
@@ -25,6 +26,10 @@ WARM_UP, MEASURED = 3.0, 8.0
 LIMIT = 1.0
 """Of one core."""
 LONGEST_TICK = 0.0003
+LONGEST_KEY, N_KEYS = 0.016, 60
+"""Seconds that a key may take in a long script, so that each picture of the window has what was typed; and keys."""
+SCRIPT = "She sells sea shells, maybe, on the shore near my house. " * 160
+"""About ten minutes of speech."""
 UNDECIDED = 3
 """Frames between what the clock says and what has been shown."""
 
@@ -41,7 +46,9 @@ class Cost:
 
 def figures() -> list[Figure]:
     """Measure page and dock, in a process of its own."""
-    costs = {name: Cost(**cost) for name, cost in answer_of("talking").items()}
+    answer = answer_of("talking")
+    keys = answer.pop("keys")
+    costs = {name: Cost(**cost) for name, cost in answer.items()}
     found = [
         Figure(
             f"window with the head, {name}",
@@ -64,6 +71,14 @@ def figures() -> list[Figure]:
             1.0,
             absolute=Absolute.TIME,
         ),
+        Figure(
+            "a key in a script of ten minutes",
+            f"{1000 * statistics.median(keys):.1f} ms, slowest {1000 * max(keys):.0f} ms",
+            f"{1000 * LONGEST_KEY:.0f} ms",
+            statistics.median(keys) / LONGEST_KEY,
+            1.0,
+            absolute=Absolute.WORK,
+        ),
         Figure("analyses missed with the head", f"{missed} frames", "none", float(missed), limit=0.0),
     ]
 
@@ -79,8 +94,23 @@ def main() -> None:
         window.show_page(ANALYSE)
         next(d for d in window.findChildren(QDockWidget) if d.objectName() == "Head").show()
         dock = _measured(desktop, window.head)
+        window.show_page(TALK)
+        keys = _typed(window.talk.text.field)
         desktop.close()
-    print(json.dumps({"full page": asdict(page), "dock": asdict(dock)}))
+    print(json.dumps({"full page": asdict(page), "dock": asdict(dock), "keys": keys}))
+
+
+def _typed(field: QPlainTextEdit) -> list[float]:
+    """Type at the beginning of a long script; returns the processor time of each key, seconds."""
+    field.setPlainText(SCRIPT)
+    seconds = []
+    for key in "Papa may I have " * (N_KEYS // 16):
+        live_for(0.05)
+        began = time.process_time()
+        QTest.keyClicks(field, key)
+        field.repaint()
+        seconds.append(time.process_time() - began)
+    return seconds
 
 
 def _measured(desktop: Desktop, head: HeadView) -> Cost:
