@@ -374,6 +374,7 @@ SENTENCES = (
     tr_noop("the sensitivity for {label} must lie within ±{most_log_odds}, got {value}"),
     tr_noop("nothing that is loaded is clearly labelled {phonemes}; load recordings that have it"),
     tr_noop("{name} reads 0, since the mel filter bank is off; switch Mel on."),
+    tr_noop("{name} reads 0, since it begins at {low} Hz and the low-pass ends at {end} Hz; raise the low-pass."),
     tr_noop("{name} reads 0, since it begins at {low} Hz and the spectrum ends at {end} Hz; quantise less."),
     tr_noop("{name} reads 0, since no band lies within {low} to {high} Hz; widen its range."),
     # what a variable measures

@@ -190,6 +190,8 @@ def _in_words(before: Agreement, after: Agreement) -> str:
     sentence = tr("Macro F1 {before:.1%} → {after:.1%} on {minutes:.1f} min of labelled sound.")
     lines = [sentence.format(before=before.macro_f1, after=after.macro_f1, minutes=minutes)]
     gains = {p: gain for p, gain in after.gains_over(before).items() if abs(gain) >= LEAST_CHANGE}
+    if not gains:
+        lines.append(tr("No phoneme changes. Choose a rule that the variable is to narrow, or another limit."))
     better = [p for p, gain in gains.items() if gain > 0][:MOST_NAMED]
     worse = [p for p, gain in reversed(gains.items()) if gain < 0][:MOST_NAMED]
     for words, phonemes in ((tr("Gain: {sounds}"), better), (tr("Loss: {sounds}"), worse)):

@@ -258,6 +258,12 @@ def why_unmeasured(name: str, settings: AnalysisSettings, mine: Iterable[Variabl
         centres = mel_edges(settings.mel_bands, end)[1:-1]
     else:
         centres = np.arange(settings.n_bins, dtype=float) * BIN_WIDTH
+    passed = settings.low_pass_end if settings.has(Filter.LOW_PASS) and variable.source is not Spectrum.RAW else end
+    if passed <= variable.low < end:
+        return (
+            f"{name} reads 0, since it begins at {variable.low:.0f} Hz and the low-pass ends at {passed:.0f} Hz; "
+            "raise the low-pass."
+        )
     reach = reach_of(variable, centres)
     if reach.stop > reach.start:
         return why_unmeasured(variable.per, settings, mine) if variable.per in known else ""

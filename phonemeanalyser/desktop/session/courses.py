@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.session.preset import USUAL_VARIABLE, PresetModel
-from phonemeengine.features.variables import readable_name, unit_of
+from phonemeengine.features.variables import Variable, readable_name, unit_of
 from phonemeengine.presets.controls import asked_in_words, variables_with
 
 MOST_COURSES = 8
@@ -34,10 +34,16 @@ class ThresholdLine:
 
 
 class ThresholdLines:
-    """The thresholds of the preset in use by the variables that are compared with them."""
+    """The thresholds of the preset in use by the variables that are compared with them.
+
+    Attributes
+    ----------
+    suggested : variables that the preset does not have, and that are shown for a choice.
+    """
 
     def __init__(self, preset: PresetModel) -> None:
         self._preset = preset
+        self.suggested: tuple[Variable, ...] = ()
 
     def lines_of(self, variable: str) -> list[ThresholdLine]:
         """Return what tunes the recogniser on a variable."""
@@ -55,7 +61,7 @@ class ThresholdLines:
 
     def words_of(self, variable: str) -> str:
         """Return what a variable measures, in words."""
-        return tr_engine(readable_name(variable, self._preset.preset.variables))
+        return tr_engine(readable_name(variable, (*self._preset.preset.variables, *self.suggested)))
 
     def unit_of(self, variable: str) -> str:
         """Return the unit of a variable."""

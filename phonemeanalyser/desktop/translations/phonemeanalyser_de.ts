@@ -6115,6 +6115,11 @@
             <translation>kein Teil eines Gesichts namens {name} folgt einem Gefühl; {parts}</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
+            <source>No phoneme changes. Choose a rule that the variable is to narrow, or another limit.</source>
+            <translation>Kein Phonem ändert sich. Eine Regel wählen, die die Variable eingrenzen soll, oder eine andere Grenze.</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/calibration/fits/templates.py" />
             <source>no phoneme has enough speech for a template; record takes of 1 s each</source>
             <translation>für kein Phonem reicht die Sprache für ein Template; Takes von je 1 s aufnehmen</translation>
@@ -7868,6 +7873,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Rules over frequency bands whose limits can all be dragged: mouth shapes {percent} % on left-out speakers.</source>
             <translation>Regeln über Frequenzbändern, deren Grenzen sich alle ziehen lassen: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <source>Rules: {rules}, conditions: {conditions}.</source>
+            <translation>Regeln: {rules}, Bedingungen: {conditions}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
@@ -12116,6 +12126,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name} reads 0, since it begins at {low} Hz and the low-pass ends at {end} Hz; raise the low-pass.</source>
+            <translation>{name} ist 0, weil es bei {low} Hz beginnt und der Tiefpass bei {end} Hz endet; den Tiefpass anheben.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{name} reads 0, since it begins at {low} Hz and the spectrum ends at {end} Hz; quantise less.</source>
             <translation>{name} ist 0, weil es bei {low} Hz beginnt und das Spektrum bei {end} Hz endet; weniger quantisieren.</translation>
         </message>
@@ -13053,11 +13068,6 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{rest}, {n} channels are mixed to one</source>
             <translation>{rest}, {n} Kanäle zu einem gemischt</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>{rules} rules with {conditions} conditions.</source>
-            <translation>{rules} Regeln mit {conditions} Bedingungen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />

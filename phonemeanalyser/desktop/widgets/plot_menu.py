@@ -1,11 +1,12 @@
 """What copies: the menu of every plot (its whole, values, picture), and tables, by Ctrl+C or a right click."""
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 from PySide6.QtCore import QEvent, QIODevice, QObject, QPoint, QSaveFile, Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QMouseEvent, QPainter, QShortcut
+from PySide6.QtGui import QAction, QGuiApplication, QKeySequence, QMouseEvent, QPainter, QPixmap, QShortcut
 from PySide6.QtSvg import QSvgGenerator
 from PySide6.QtWidgets import (
     QAbstractScrollArea,
@@ -21,6 +22,8 @@ from PySide6.QtWidgets import (
 from phonemeanalyser.desktop.language import tr
 from phonemeengine.errors import EngineError
 
+PICTURE_WIDTH = 1200
+"""Pixels that a picture has at least from left to right."""
 NO_CACHE = QGraphicsItem.CacheMode.NoCache
 Reset = Callable[[], object]
 
@@ -114,7 +117,13 @@ def save_picture(plot: QWidget, path: Path) -> None:
 
 
 def _draw_png(plot: QWidget, file: QIODevice) -> bool:
-    return plot.grab().save(file, "PNG")
+    if not isinstance(plot, QGraphicsView):  # the head, which a graphics card draws, and what is wide anyway
+        return plot.grab().save(file, "PNG")
+    times = math.ceil(PICTURE_WIDTH / plot.width())  # what is small in the window is sharp in a document all the same
+    picture = QPixmap(plot.size() * times)
+    picture.setDevicePixelRatio(times)
+    QWidget.render(plot, picture, QPoint())
+    return picture.save(file, "PNG")
 
 
 def _draw_svg(plot: QWidget, file: QIODevice) -> bool:

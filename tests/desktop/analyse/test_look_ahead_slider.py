@@ -85,7 +85,7 @@ def test_how_right_it_is_stands_beside_and_is_not_made_up(desktop: Desktop, wind
 def test_rules_never_wait(desktop: Desktop, qtbot):
     window = shown(desktop, qtbot, None)
     desktop.preset.load(THESIS_PRESET)
-    assert window.filters.look_ahead.words.text() == "thesis: no look-ahead · latency not measured yet"
+    assert window.filters.look_ahead.words.text() == "Thesis: no look-ahead · latency not measured yet"
 
 
 def test_how_late_it_is_is_what_the_microphone_measured_and_stays_known(booth: Booth, mic: HandDrivenMicrophone):

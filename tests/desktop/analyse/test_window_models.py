@@ -66,7 +66,7 @@ def test_a_microphone_is_recognised_with_the_model_that_the_user_chooses(desktop
     choice.setCurrentIndex(0)
     choice.activated.emit(0)
     window.status.refresh(frozen=False)
-    assert "learned, look-ahead 20 ms" in window.status.left.text()
+    assert "Learned, look-ahead 20 ms" in window.status.left.text()
     assert desktop.preset.preset.live_model is ModelKind.REAL_TIME
 
 
@@ -83,7 +83,7 @@ def test_another_model_acts_at_once_and_undo_takes_it_back(window, desktop, qtbo
     found = shown_phonemes(desktop, qtbot)
     np.testing.assert_array_equal(found, in_file(replace(PRESET, file_model=ModelKind.REAL_TIME), len(found)))
     window.status.refresh(frozen=False)
-    assert "Model: learned, look-ahead 50 ms" in window.status.left.text()
+    assert "Model: Learned, look-ahead 50 ms" in window.status.left.text()
     desktop.preset.undo_stack.undo()
     assert window.recogniser.file_models.currentText() == "offline"
     np.testing.assert_array_equal(shown_phonemes(desktop, qtbot), in_file(PRESET, len(found)))
@@ -107,7 +107,7 @@ def test_only_what_is_there_is_offered(desktop, qtbot, tmp_path, whisper):
     window = shown(desktop, qtbot)
     assert offered(window) == [True, False, False, False]  # rules recognise files themselves
     whisper_item = window.recogniser.file_models.model().item(3)
-    assert "The recogniser thesis has no other model; choose a preset with a network." in whisper_item.toolTip()
+    assert "The recogniser Thesis has no other model; choose a preset with a network." in whisper_item.toolTip()
     save_preset(PRESET, tmp_path / "both.toml")
     desktop.preset.load(tmp_path / "both.toml")
     assert offered(window) == [True, False, True, False]

@@ -172,11 +172,11 @@ def test_thresholds_of_one_s_own_come_back_with_their_recogniser(desktop, qtbot,
 def test_the_filter_column_says_what_the_recogniser_does_not_use(desktop, qtbot):
     window = shown(desktop, qtbot, None)
     filters = window.filters
-    assert filters.unused.text() == "Not used by “thesis”: Mel, Look-ahead"
+    assert filters.unused.text() == "Not used by “Thesis”: Mel, Look-ahead"
     assert "does not use it" not in filters.switches["denoise"].toolTip()
     desktop.preset.set_recogniser("learned")
-    assert filters.unused.text() == "“learned” uses the unfiltered signal; filters affect the display only"
-    assert "The recogniser “learned” does not use it" in filters.switches["denoise"].toolTip()
+    assert filters.unused.text() == "“Learned” uses the unfiltered signal; filters affect the display only"
+    assert "The recogniser “Learned” does not use it" in filters.switches["denoise"].toolTip()
 
 
 def test_a_filter_that_is_ticked_acts_and_a_strength_that_is_typed_ticks_it(desktop, qtbot):

@@ -44,7 +44,7 @@ def test_rules_are_found_shown_applied_and_undone(loaded: Calibrator):
     assert report is not None
     n = conditions_in(report.preset.rules)
     assert 1 <= n <= 6
-    assert f"{len(report.preset.rules)} rules with {n} conditions." in panel.words.text()
+    assert f"Rules: {len(report.preset.rules)}, conditions: {n}." in panel.words.text()
     assert panel.rules.toPlainText().splitlines() == rule_lines(report.preset)
     scores = report.before, report.after, report.held_out
     assert [panel.figures.item(0, k).text() for k in range(3)] == [f"{s.macro_f1:.1%}" for s in scores]

@@ -15,6 +15,7 @@ from phonemeanalyser.desktop.calibrate.model import AROUND
 from phonemeanalyser.desktop.calibrate.workbench.confusion_view import SAID, TAKEN
 from phonemeanalyser.desktop.calibrate.workbench.fit_panel import ComparePanel
 from phonemeanalyser.desktop.calibrate.workbench.workbench_view import WorkbenchView
+from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeengine.analyser import Analysis
 from phonemeengine.calibration.scores.corpus import read_recordings
 from phonemeengine.calibration.workbench.labelled_features import LabelledFeatures
@@ -80,7 +81,7 @@ def test_recordings_are_measured_and_counted_as_the_engine_counts_them(loaded: C
     np.testing.assert_array_equal(bench.confusion.counts, expected.counts)
     assert f"{expected.agreement.macro_f1:.1%}" in bench.figures.text()
     assert f"labels {expected.agreement.label_changes_per_s:.1f}" in bench.figures.text()
-    assert "Model: thesis" in bench.about.text()  # the model for live sound, whichever files use
+    assert "Model: Thesis" in bench.about.text()  # the model for live sound, whichever files use
     assert loaded.page.takes.recordings.text() == "2 from 2 speakers"
 
 
@@ -94,7 +95,7 @@ def test_where_one_sound_is_loaded_nothing_is_made_up(calibrator: Calibrator):
     assert "nan" not in text
     assert ">0.0</b>" in text
     assert bench._theme.bad not in text
-    assert "Model: learned, look-ahead 50 ms" in bench.about.text()
+    assert "Model: Learned, look-ahead 50 ms" in bench.about.text()
     shares = {bench.variables.table.item(k, 1).text() for k in range(bench.variables.table.rowCount())}
     assert shares == {"–"}
 
@@ -269,7 +270,7 @@ def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator
     loaded.until(lambda: loaded.model.workbench.suggestions)
     loaded.settle()
     assert variables.words.isVisible()
-    recogniser = loaded.booth.desktop.preset.preset.recogniser
+    recogniser = recogniser_title(loaded.booth.desktop.preset.preset.recogniser)
     assert (f"The recogniser {recogniser} cannot use custom variables" in variables.words.text()) is not can
 
 

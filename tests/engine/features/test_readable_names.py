@@ -54,6 +54,9 @@ def test_a_variable_without_a_band_tells_why_and_one_with_a_band_nothing() -> No
         "fine": "",
     }
     assert {why_unmeasured(name, settings) for name in BUILT_IN_NAMES} == {""}
+    low = AnalysisSettings(filters=frozenset({Filter.LOW_PASS}), low_pass_start=8000, low_pass_end=8000)
+    sentence = "above reads 0, since it begins at 9000 Hz and the low-pass ends at 8000 Hz; raise the low-pass."
+    assert [why_unmeasured(v.name, low, mine) for v in (mine[0], mine[4])] == [sentence, ""]
     assert why_unmeasured("mel", settings.with_filter(Filter.MEL, True), mine) == ""
 
 

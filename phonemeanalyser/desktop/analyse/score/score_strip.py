@@ -35,6 +35,8 @@ MOST_PHONEMES = 3
 """Phonemes that are named of those that gained, and of those that lost."""
 VALUE_WIDTH = 72
 """Pixels of a figure with its difference."""
+HEADING_SIZE = 10
+"""Pixels of the letters above the figures."""
 LEAST_WIDTH = 240
 """Pixels of the figures where the window is narrower than all of them."""
 PARENTHESES = tr_noop("How often the recognised phoneme changes, and in parentheses how often the labels do")
@@ -123,7 +125,9 @@ class ScoreStrip(QWidget):
             figures.addWidget(self._headings[letter], at, 0)
         for k, (text, name, _, tip) in enumerate(SHOWN, 1):
             of_heading = tr(PARENTHESES if name == "changes_per_s" else tip)
-            figures.addWidget(named(label(tr(text), self._theme.faint), tip=of_heading), 0, k)
+            heading = named(label(tr(text), self._theme.faint), tip=of_heading)
+            heading.setStyleSheet(f"color: {self._theme.faint}; font-size: {HEADING_SIZE}px")
+            figures.addWidget(heading, 0, k)
             for at, letter in enumerate((A, B, "-"), 1):
                 figures.addWidget(self.values[letter, name], at, k)
 

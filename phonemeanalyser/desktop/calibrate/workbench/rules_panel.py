@@ -71,7 +71,7 @@ class RulesPanel(QWidget):
                 "Finds a tree of few rules that recognise the loaded takes and recordings, to read and to edit."
             )
         rules = report.preset.rules
-        found = tr("{rules} rules with {conditions} conditions.").format(
+        found = tr("Rules: {rules}, conditions: {conditions}.").format(
             rules=len(rules), conditions=conditions_in(rules)
         )
         if report.held_out is None:

@@ -237,6 +237,7 @@ class WorkbenchModel(QObject):
 
     def _take_suggestions(self, suggestions: tuple[Suggestion, ...]) -> None:
         self.suggestions = suggestions
+        self.lines.suggested = tuple(s.variable for s in suggestions)
         self.look_at(suggestions[0] if suggestions else None)
         self.suggested.emit()
         if not suggestions:
