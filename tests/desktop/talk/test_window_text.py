@@ -157,6 +157,7 @@ def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(wind
         ("Words", ["so", "oh"]),
         ("Syllables", ["so", "so"]),
         ("Phones", ["s", "o", "s", "o"]),
+        ("Feeling", []),
     ]
     assert lanes[0].marked == {1}
 
