@@ -77,8 +77,11 @@ def specular_mask(mesh: Mesh) -> Float32Array:
 
 def places_of(mesh: Mesh) -> IndexArray:
     """Return the places where vertices are, numbered, and the number for each vertex."""
-    _, numbers = np.unique(mesh.positions, axis=0, return_inverse=True)
-    return np.asarray(numbers, np.intp).reshape(-1)
+    order = np.lexsort(mesh.positions.T)  # faster by far than np.unique of rows
+    there = mesh.positions[order]
+    numbers = np.empty(len(mesh), np.intp)
+    numbers[order] = np.append(0, np.any(there[1:] != there[:-1], axis=1).cumsum())
+    return numbers
 
 
 def points_of(mesh: Mesh) -> IndexArray:
@@ -180,8 +183,8 @@ class _Refinement:
 def _refinement_of(corners: IndexArray, places: IndexArray) -> _Refinement:
     n = len(places)
     sides = np.stack((corners, np.roll(corners, -1, axis=1)), axis=2).reshape(-1, 2)
-    edges, edge_of = np.unique(np.sort(sides, axis=1), axis=0, return_inverse=True)
-    edge_of = edge_of.reshape(-1)
+    numbers, edge_of = np.unique(np.sort(sides, axis=1) @ (n, 1), return_inverse=True)
+    edges = np.column_stack(np.divmod(numbers, n))
     opposite = np.roll(corners, 1, axis=1).reshape(-1)
     stiff = _small_parts(edges, places)
     inner = (np.bincount(edge_of, minlength=len(edges)) == 2) & ~stiff[edges[:, 0]]

@@ -7,7 +7,7 @@ and after the last one it is 0.
 """
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -15,7 +15,6 @@ from pathlib import Path
 
 import numpy as np
 import tomli_w
-from scipy.interpolate import PchipInterpolator
 
 from phonemeengine.arrays import Float32Array, Float64Array, ShortRepr
 from phonemeengine.errors import MouthError
@@ -82,8 +81,11 @@ class KeyCurve(ShortRepr):
         return np.where(within, self._interpolated(times), 0.0)
 
     @cached_property
-    def _interpolated(self) -> PchipInterpolator:
-        return PchipInterpolator(self.times, self.offsets)
+    def _interpolated(self) -> Callable[[Float64Array], Float64Array]:
+        from scipy.interpolate import PchipInterpolator  # noqa: PLC0415 - half a second that no start should wait for
+
+        curve: Callable[[Float64Array], Float64Array] = PchipInterpolator(self.times, self.offsets)
+        return curve
 
     def replaced(self, start: float, end: float, times: Sequence[float], offsets: Sequence[float]) -> "KeyCurve":
         """Return the curve with other keys from `start` to `end`, seconds, both included."""
