@@ -20,9 +20,8 @@ run: setup
 test: setup
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/mypy
 	$(BIN)/lint-imports
-	$(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal
+	$(BIN)/mypy & $(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal; tests=$$?; wait $$! && exit $$tests
 
 # The demo page in Chromium, which hears a recording as its microphone, and bundles and examples there. Needs chromium and npm, and the network once.
 test-web: setup

@@ -1,5 +1,6 @@
 """What all tests share."""
 
+import gc
 import os
 import shutil
 import signal
@@ -50,6 +51,12 @@ def pytest_unconfigure() -> None:
     """Remove the home of this run; in a worker it is not this process's."""
     if "PYTEST_XDIST_WORKER" not in os.environ:
         shutil.rmtree(os.environ["HOME"], ignore_errors=True)
+
+
+def pytest_collection_finish() -> None:
+    """Have no later collection of garbage look through modules and tests, which stay: it takes half a second."""
+    gc.collect()
+    gc.freeze()
 
 
 collect_ignore = ["blender"]  # those run in Blender, by `make test-blender`

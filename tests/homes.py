@@ -37,4 +37,6 @@ def home_of_this_run() -> dict[str, str]:
         if variable not in os.environ and (real / name).is_file()
     }
     kept.setdefault("ZIG_GLOBAL_CACHE_DIR", os.environ.get("ZIG_GLOBAL_CACHE_DIR", str(ROOT / "build" / "zig")))
-    return kept | environment_of(Path(tempfile.mkdtemp(prefix="phonemeanalyser-home-")))
+    home = Path(tempfile.mkdtemp(prefix="phonemeanalyser-home-"))
+    shaders = {"MESA_SHADER_CACHE_DIR": str(home / "shaders")}  # Mesa keeps none where XDG_CACHE_HOME is empty
+    return kept | shaders | environment_of(home)
