@@ -6,10 +6,8 @@ docs/glossary.md and docs/de/glossary.md from the term base.
 """
 
 import ast
-import io
 import re
 import sys
-import tokenize
 import tomllib
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -46,6 +44,9 @@ CODE_SPANS = re.compile(r"^```.*?^```|``[^`]+``|`[^`\n]+`|\]\([^)]*\)|<[^>]+>|\{
 """What is a name and no prose: code, addresses of links, tags, and placeholders."""
 PARAMETER = re.compile(r"^ *\**[a-z_]\w*(?:,\s+\**\w+)* :(?= |$)", re.MULTILINE)
 """The names with which an entry of a docstring begins."""
+
+COMMENT = re.compile(r"(?<![\w\"'])#.*")
+"""A comment, or the end of a literal from such a sign on, which is prose as well; to read tokens takes seconds."""
 
 
 @dataclass(frozen=True)
@@ -165,9 +166,9 @@ def code_texts() -> Iterator[tuple[str, int, str]]:
     for path in _modules("engine", "phonemeanalyser", "tools"):
         source = path.read_text("utf-8")
         name = path.relative_to(ROOT).as_posix()
-        for token in tokenize.generate_tokens(io.StringIO(source).readline):
-            if token.type == tokenize.COMMENT:
-                yield name, token.start[0], token.string
+        for line, text in enumerate(source.splitlines(), 1):
+            if comment := COMMENT.search(text):
+                yield name, line, comment[0]
         # A docstring is any literal that stands as a statement: also those below attributes.
         statements = (node.value for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Expr))
         for node in statements:

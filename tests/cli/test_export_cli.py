@@ -1,9 +1,6 @@
 """`phonemeanalyser export`: sound files in, files of other programs out."""
 
 import json
-import os
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -22,7 +19,6 @@ from phonemeengine.mouth.key_layer import KeyCurve, KeyLayer, keys_beside, write
 from phonemeengine.mouth.table import TABLES
 from phonemeengine.settings import SAMPLE_RATE
 from tests.bad_files import ODD_FILES
-from tests.conftest import ROOT
 from tests.glb_faces import face_with_targets
 from tests.sounds import silence
 from tests.tables import outputs_in, refused
@@ -247,12 +243,15 @@ def test_the_ending_of_a_file_says_its_format_where_one_alone_ends_so(
     assert (tmp_path / name).read_bytes() == named.read_bytes()
 
 
-def test_standard_output_has_what_a_file_would_have(sound: Path, tmp_path: Path) -> None:
+def test_standard_output_has_what_a_file_would_have(
+    sound: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfdbinary: pytest.CaptureFixture[bytes]
+) -> None:
+    monkeypatch.chdir(tmp_path)
     for kind in ("rhubarb-tsv", "gltf"):
-        words = [sys.executable, "-m", "phonemeanalyser", "export", sound, "--format", kind, "-o"]
-        environment = os.environ | {"PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "engine")])}
-        printed = subprocess.run([*words, "-"], cwd=tmp_path, env=environment, capture_output=True, check=True).stdout
-        assert main(["export", str(sound), "--format", kind, "-o", str(tmp_path / "file.x")]) == 0
+        words = ["export", str(sound), "--format", kind, "-o"]
+        assert main([*words, "-"]) == 0
+        printed = capfdbinary.readouterr().out
+        assert main([*words, str(tmp_path / "file.x")]) == 0
         assert printed == (tmp_path / "file.x").read_bytes()
         (tmp_path / "file.x").unlink()
     assert [path.name for path in tmp_path.iterdir()] == [sound.name]

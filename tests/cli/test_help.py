@@ -33,6 +33,9 @@ READ_ALONE = {
     "listen": "it goes on until Ctrl-C",
     "record voice.wav": "it goes on until Ctrl-C",
     "record voice.wav --device Yeti --fill-gaps": "it goes on until Ctrl-C",
+    "record voice.flac --seconds 5 --phonemes": "it takes these seconds; tests/devices records",
+    "adapt my-takes -o my-voice.toml": "it learns for long; tests/cli/test_learning_cli.py adapts a small network",
+    "adapt speech.wav --script speech.txt --language en-us -o my-reading.toml": "as above",
     "serve": "it goes on until Ctrl-C",
     "train": "it takes hours; tests/cli/test_learning_cli.py trains a small network",
     "takes my-takes --empty-deleted": "it asks a question",
@@ -133,7 +136,6 @@ def write_recordings(folder: Path) -> None:
 
 PREPARED = {
     "takes": write_takes,
-    "adapt": write_recordings,
     "rules": write_recordings,
     "score": write_recordings,
     "spectra": write_recordings,

@@ -68,17 +68,18 @@ def test_both_sides_of_a_stereo_sound_are_in_the_film(stereo: Path, tmp_path: Pa
     assert np.square(right).mean() < 0.01 * np.square(left).mean()
 
 
-def test_a_gif_keeps_the_time_of_the_sound(sound: Path, tmp_path: Path):
-    out = tmp_path / "film.GIF"
+def test_a_gif_keeps_the_time_of_the_sound(tmp_path: Path):
+    sound, out = tmp_path / "sound.wav", tmp_path / "film.GIF"
+    soundfile.write(sound, SPEECH[: SAMPLE_RATE // 4], SAMPLE_RATE)
     assert main(["preview", str(sound), "-o", str(out), "--size", "48x48", "--fps", "30"]) == 0
     with Image.open(out) as film:
         assert film.size == (48, 48)
-        assert film.n_frames > 10
+        assert film.n_frames > 6
         total = 0
         for frame in range(film.n_frames):
             film.seek(frame)
             total += film.info["duration"]
-    assert total == pytest.approx(29 / 30 * 1000, abs=10)  # 0.1 s until the mouth is at rest
+    assert total == pytest.approx(14 / 30 * 1000, abs=10)  # until the mouth is at rest
 
 
 def test_blue_eyes_stay_blue_in_a_gif(tmp_path: Path):
@@ -258,7 +259,7 @@ def test_a_folder_of_sounds_becomes_a_folder_of_clips(sound: Path, tmp_path: Pat
     assert "c.wav" in capsys.readouterr().err
     assert outputs_in(out) == ["a.gif", "b.gif"]
     before = (out / "a.gif").stat().st_mtime_ns
-    assert main(words) == 1
+    assert main([*words[:-1], "1"]) == 1
     assert (out / "a.gif").stat().st_mtime_ns == before
 
 

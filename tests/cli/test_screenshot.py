@@ -56,15 +56,14 @@ def usual(qapp: QApplication, said: Path) -> np.ndarray:
     return picture(qapp, said, "usual")
 
 
-def test_a_picture_has_the_asked_size_and_shows_something(qapp: QApplication, said: Path, usual: np.ndarray) -> None:
+def test_a_picture_has_the_asked_size_and_theme_and_shows_something(
+    qapp: QApplication, said: Path, usual: np.ndarray
+) -> None:
     assert usual.shape[:2] == (800, 1280)
-    assert picture(qapp, said, "large", "--size", "1600x1000").shape[:2] == (1000, 1600)
     assert len(np.unique(usual.reshape(-1, 4), axis=0)) > 50
-
-
-def test_light_is_light_and_dark_is_dark(qapp: QApplication, said: Path) -> None:
     light = picture(qapp, said, "light", "--theme", "light")
-    dark = picture(qapp, said, "dark", "--theme", "dark")
+    dark = picture(qapp, said, "dark", "--theme", "dark", "--size", "1600x1000")
+    assert dark.shape[:2] == (1000, 1600)
     assert light[:, :, :3].mean() > 160
     assert dark[:, :, :3].mean() < 90
 
@@ -72,10 +71,9 @@ def test_light_is_light_and_dark_is_dark(qapp: QApplication, said: Path) -> None
 def test_the_window_speaks_the_language_that_is_asked_for_and_else_english(
     qapp: QApplication, said: Path, usual: np.ndarray
 ) -> None:
-    english, german = (picture(qapp, said, name, "--language", name) for name in ("en", "de"))
+    german = picture(qapp, said, "de", "--language", "de")
     menus = np.s_[:20, 250:]
     assert share_that_differs(usual[menus], german[menus]) > 0.01
-    assert share_that_differs(usual[menus], english[menus]) == 0
     with pytest.raises(SystemExit):
         main(["screenshot", str(said), "-o", "no.png", "--language", "klingon"])
 
@@ -83,9 +81,7 @@ def test_the_window_speaks_the_language_that_is_asked_for_and_else_english(
 def test_later_pictures_show_more_and_without_a_time_they_show_the_end(
     qapp: QApplication, said: Path, usual: np.ndarray
 ) -> None:
-    start, late, beyond = (picture(qapp, said, at, "--at", at) for at in ("0", "0.6", "1000"))
-    assert share_that_differs(start, late) > 0.01
-    assert share_that_differs(late, usual) > 0
+    start, beyond = (picture(qapp, said, at, "--at", at) for at in ("0", "1000"))
     assert share_that_differs(usual, beyond) == 0
     assert share_that_differs(usual, start) > 0.005
 

@@ -25,9 +25,9 @@ from tests.devices.programs import (
 from tests.fakes.virtual_sound import VirtualSound
 from tests.waiting import let_pass
 
-SECONDS = 1.5
+SECONDS = 1.0
 """Length of the noises that are played before the trouble and after it."""
-AWAY = 3.0
+AWAY = 2.0
 """Seconds for which a server stays away."""
 SLACK = 0.8
 """Seconds by which the moments that a busy machine tells may be wrong."""

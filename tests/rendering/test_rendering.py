@@ -196,8 +196,9 @@ def test_closed_lips_hide_the_teeth_and_open_ones_show_them(head: MorphMesh, off
         hired, camera = offscreen(morph_mesh, (300, 300)), Camera.facing(morph_mesh.mesh).zoom(10).pan(0.0, -0.16)
         n_seen = {
             phoneme: max(
-                _n_magenta(hired.picture(camera.orbit(azimuth, 0.0), saying(morph_mesh, phoneme), background=DARK))
-                for azimuth in (-0.7, 0.0, 0.7)
+                _n_magenta(hired.picture(camera.orbit(azimuth, 0.0), positions, background=DARK))
+                for positions in [saying(morph_mesh, phoneme)]
+                for azimuth in (0.0, 0.7)
             )
             for phoneme in (Phoneme.SILENCE, Phoneme.M, Phoneme.P, Phoneme.U, Phoneme.SZ)
         }
@@ -219,19 +220,19 @@ def test_the_tongue_is_seen_for_th_and_neither_at_rest_nor_for_f(head: MorphMesh
     assert max(n_seen[name] for name in ("silence", "f", "m")) == 0
 
 
-@pytest.mark.parametrize("blink", [0.0, 0.5, 1.0])
+@pytest.mark.parametrize("blink", [0.0, 0.6])
 def test_no_expression_nor_two_of_them_tear_the_lids(blink: float, plain: MorphMesh, offscreen: Hire):
     """Eyes are painted as bright as skin, so that all that is nearly black is an inside."""
     names = [*expression_presets()]
     shown = [(), *((name,) for name in names), *combinations(names, 2)]
+    faces = [expressing(plain, kept, blink) for kept in shown]
     hired = offscreen(painted(plain, (EYES, (0.9, 0.85, 0.8))), (600, 200))
     camera = Camera.facing(plain.mesh).zoom(14).pan(0.0, 0.28)  # eyes and brows
-    for azimuth in (-0.7, 0.0, 0.7):
+    for azimuth in (0.0, 0.7):
         turned = camera.orbit(azimuth, 0.0)
-        dark = [
-            hired.picture(turned, expressing(plain, kept, blink), background=LIGHT).max(axis=2) < 50 for kept in shown
+        n_dark = [
+            int((hired.picture(turned, face, background=LIGHT, fine=False).max(axis=2) < 50).sum()) for face in faces
         ]
-        n_dark = [int(picture.sum()) for picture in dark]
         assert max(n_dark) <= n_dark[0] + 3, shown[int(np.argmax(n_dark))]
 
 

@@ -27,7 +27,7 @@ from phonemeengine.batch.work import Job
 from phonemeengine.presets.files import DEFAULT_PRESET
 from tests.disks import watched
 from tests.fakes.batch_works import CopyWork
-from tests.server.conftest import RECORDING, TEXT
+from tests.server.conftest import RECORDING
 from tests.server.servers import run, served
 
 SOUND = RECORDING.read_bytes()
@@ -58,31 +58,12 @@ def told(answer: tuple[int, str, bytes]) -> tuple[int, str]:
     return status, sentence
 
 
-FACE = {"table": "vrm", "fps": "24", "anticipation": "0.05", "no-blinks": "true", "no-head": "true", "seed": "3"}
-GERMAN = {"text": TEXT, "language": "de"}
-
-
-@pytest.mark.parametrize(
-    ("form", "fields"),
-    [
-        ("rhubarb-json", {}),
-        ("livelink-csv", {}),
-        ("gltf", {}),
-        ("textgrid", {}),
-        ("rhubarb-tsv", {"minimum": "0.2", "channel": "1"}),
-        ("curves-json", FACE),
-        ("livelink-csv", {**GERMAN, "literal": "true", "accept-text": "true"}),
-        ("livelink-csv", {**GERMAN, "text-driver": "rules", "seed": "3"}),
-    ],
-)
-def test_a_file_is_what_the_command_line_writes_with_the_same_options(
-    server: str, tmp_path: Path, form: str, fields: dict[str, str]
-) -> None:
+@pytest.mark.parametrize("form", ["rhubarb-json", "gltf", "textgrid"])
+def test_a_file_is_what_the_command_line_writes(server: str, tmp_path: Path, form: str) -> None:
     sound, expected = tmp_path / "sound", tmp_path / f"mouth{FORMATS[form].ending}"
     sound.write_bytes(SOUND)
-    words = [f"--{name}" if value == "true" else f"--{name}={value}" for name, value in fields.items()]
-    assert main(["export", str(sound), "--format", form, *words, "-o", str(expected)]) == 0
-    status, kind, content = exported(server, format=form, **fields)
+    assert main(["export", str(sound), "--format", form, "-o", str(expected)]) == 0
+    status, kind, content = exported(server, format=form)
     assert status == 200
     assert content == expected.read_bytes()
     assert kind != "application/octet-stream"
@@ -200,7 +181,7 @@ def test_a_short_file_does_not_wait_for_a_long_one_that_came_first() -> None:
 
     async def both(address: str) -> None:
         async with aiohttp.ClientSession() as session:
-            long = asyncio.create_task(ask(session, address, "long", silent_flac(7200)))
+            long = asyncio.create_task(ask(session, address, "long", silent_flac(2400)))
             while (await (await session.get(address)).json())["files"] == 0:
                 pass
             await ask(session, address, "short", SOUND)

@@ -101,7 +101,7 @@ CASES: dict[str, Words] = {
 
 
 @pytest.fixture
-def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+def folder(case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with the files that options name."""
     monkeypatch.chdir(tmp_path)
     write_recording(tmp_path)
@@ -117,9 +117,10 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     edited = KeyCurve(np.array([0.1, 0.3, 0.5]), np.array([0, 0.7, 0.0]))
     write_keys(KeyLayer({"jawOpen": edited}), "edited.keys.toml")
     (tmp_path / "face.glb").write_bytes(face_with_targets(ARKIT))
-    head = load_head()
-    (tmp_path / "face.obj").write_bytes(format_obj(head.mesh))
-    save_morph_targets(morph_targets_of(head.mesh, head.states), tmp_path / "face.3dm")
+    if case == "clip":
+        head = load_head()
+        (tmp_path / "face.obj").write_bytes(format_obj(head.mesh))
+        save_morph_targets(morph_targets_of(head.mesh, head.states), tmp_path / "face.3dm")
     return tmp_path
 
 

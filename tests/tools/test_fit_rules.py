@@ -44,6 +44,7 @@ def scores_on(folder: Path, preset: Preset) -> Scores:
     return scores_of(pairs)
 
 
+@pytest.mark.long
 def test_rules_grown_from_a_small_corpus_recognise_it(small_corpus, capsys):
     out = small_corpus / "out"
     assert fit_rules.main([str(small_corpus), "-o", str(out), "--more", str(small_corpus)]) == 0
@@ -93,10 +94,3 @@ def test_the_shipped_rules_can_be_read():
     assert max(len(rule.conditions) for rule in preset.rules) <= MOST_CONDITIONS
     assert {rule.phoneme for rule in preset.rules} == set(Phoneme) - {Phoneme.UNIDENTIFIED}
     assert "left out" in preset.notes
-
-
-@pytest.mark.parametrize(("name", "least"), [("extended", 0.61), ("templates", 0.59)])
-def test_the_shipped_presets_reach_their_figures(name: str, least: float, corpus):
-    scores = scores_on(corpus, load_preset(FACTORY / f"{name}.toml"))
-    assert scores.macro_f1 > least
-    assert scores.changes_per_s <= 1.51 * scores.label_changes_per_s

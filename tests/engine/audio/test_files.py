@@ -47,27 +47,20 @@ def frequency_and_amplitude_of(sound: np.ndarray) -> tuple[float, float]:
 
 
 @pytest.mark.parametrize("rate", RATES)
-def test_a_tone_keeps_its_frequency_and_amplitude_at_every_rate(rate: int, tmp_path: Path) -> None:
-    soundfile.write(tmp_path / "tone.wav", tone_at(rate, 300.0, seconds=2.0), rate, subtype="FLOAT")
-    frequency, amplitude = frequency_and_amplitude_of(read_whole(tmp_path / "tone.wav"))
-    assert frequency == pytest.approx(300, rel=1e-3)
-    assert amplitude == pytest.approx(0.5, rel=0.01)
-
-
-@pytest.mark.parametrize("rate", RATES)
-def test_a_tone_stays_where_it_was_in_time(rate: int, tmp_path: Path) -> None:
-    soundfile.write(tmp_path / "tone.wav", tone_at(rate, 300.0, seconds=2.0), rate, subtype="FLOAT")
-    sound = read_whole(tmp_path / "tone.wav")
-    expected = tone_at(SAMPLE_RATE, 300.0, seconds=2.0)
+def test_a_tone_is_the_same_at_every_rate(rate: int, tmp_path: Path) -> None:
+    soundfile.write(tmp_path / "tone.wav", tone_at(rate, 300.0), rate, subtype="FLOAT")
+    sound, expected = read_whole(tmp_path / "tone.wav"), tone_at(SAMPLE_RATE, 300.0)
     np.testing.assert_allclose(sound[4410:-4410], expected[4410:-4410], atol=0.002)
 
 
 @pytest.mark.parametrize("rate", RATES)
 def test_a_click_stays_where_it_was(rate: int, tmp_path: Path) -> None:
-    samples = np.zeros(2 * rate, np.float32)
-    samples[rate] = 1.0
+    samples = np.zeros(rate, np.float32)
+    samples[rate // 2] = 1.0
     soundfile.write(tmp_path / "click.wav", samples, rate)
-    assert abs(int(np.abs(read_whole(tmp_path / "click.wav")).argmax()) - SAMPLE_RATE) <= 1
+    assert int(np.abs(read_whole(tmp_path / "click.wav")).argmax()) == pytest.approx(
+        rate // 2 * SAMPLE_RATE / rate, abs=1
+    )
 
 
 @settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
@@ -164,7 +157,7 @@ def test_a_block_is_reduced_to_left_right_or_the_mean(channel: Channel, expected
 
 def writer_of(name: str, rate: int, **options: Any) -> Callable[[Path], Path]:
     def write(folder: Path) -> Path:
-        sound = np.stack([melody_at(rate, 3.0), melody_at(rate, 3.0)[::-1]], axis=1)
+        sound = np.stack([melody_at(rate, 1.5), melody_at(rate, 1.5)[::-1]], axis=1)
         soundfile.write(folder / name, sound, rate, **options)
         return folder / name
 
@@ -196,7 +189,7 @@ def stream(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
         return path, reader.read(reader.n_samples)
 
 
-@settings(max_examples=10, deadline=None)
+@settings(max_examples=5, deadline=None)
 @given(cuts=st.lists(st.integers(1, 9000), min_size=1, max_size=6))
 def test_a_sound_does_not_depend_on_how_its_reading_was_cut(stream: tuple[Path, np.ndarray], cuts: list[int]) -> None:
     path, whole = stream
@@ -208,7 +201,7 @@ def test_a_sound_does_not_depend_on_how_its_reading_was_cut(stream: tuple[Path, 
     np.testing.assert_allclose(np.concatenate(parts), whole, atol=1e-6)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=10, deadline=None)
 @given(place=st.floats(0, 1), before=st.integers(0, 50_000))
 def test_from_any_place_follows_what_follows_in_one_reading(
     stream: tuple[Path, np.ndarray], place: float, before: int
@@ -258,7 +251,7 @@ def test_an_mp3_file_may_lack_a_frame_at_its_end(tmp_path: Path) -> None:
         assert len(reader.read(reader.n_samples)) == 2 * SAMPLE_RATE
 
 
-@pytest.mark.parametrize(("rate", "n_channels"), [(8000, 1), (44_100, 2), (1000, 1)])
+@pytest.mark.parametrize(("rate", "n_channels"), [(8000, 1), (44_100, 2)])
 def test_two_minutes_take_no_more_memory_than_one(rate: int, n_channels: int, tmp_path: Path) -> None:
     path = tmp_path / "long.wav"
     with soundfile.SoundFile(path, "w", rate, n_channels) as file:

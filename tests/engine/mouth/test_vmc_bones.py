@@ -13,7 +13,7 @@ from phonemeengine.mouth.osc import OscAddress, OscMouth
 from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion, Performer
 from phonemeengine.mouth.table import MouthTable, load_table
 
-SPEED = 0.05
+SPEED = 0.1
 """Seconds of the performer from one look to the next."""
 Value = str | int | float
 Message = tuple[str, tuple[Value, ...]]
@@ -46,7 +46,7 @@ def text_at(packet: bytes, at: int) -> tuple[str, int]:
     return packet[at:end].decode(), end + 4 - end % 4
 
 
-def seen_of(table: MouthTable, idle: IdleMotion | None = None, n: int = 4000) -> list[Message]:
+def seen_of(table: MouthTable, idle: IdleMotion | None = None, n: int = 2000) -> list[Message]:
     """Give what a receiver sees of a performer that says nothing for a while."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
         receiver.bind(("127.0.0.1", 0))

@@ -2,6 +2,7 @@
 
 import ast
 import itertools
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -130,7 +131,8 @@ def test_nothing_in_the_code_tells_recognisers_apart_by_their_names_or_classes()
         f"{path.name}:{node.lineno}"
         for folder in folders
         for path in folder.rglob("*.py")
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if re.search("ecogniser|ThesisRules|PlugIn", text := path.read_text(encoding="utf-8"))
+        for node in ast.walk(ast.parse(text))
         if compares_recognisers(node)
     ]
     assert found == []

@@ -45,7 +45,8 @@ def check_heard(told: dict[str, Any], preset: Preset) -> None:
     assert told["refusal"] == "EarError: this recogniser was closed; open another one"
 
 
-@pytest.mark.parametrize("by", [pytest.param("vite", marks=pytest.mark.browser), "esbuild"])
+@pytest.mark.browser
+@pytest.mark.parametrize("by", ["vite", "esbuild"])
 def test_a_bundled_page_listens_in_the_audio_thread(by: str, package: Path, preset: Preset, tmp_path: Path) -> None:
     folder, script = bundled(by, project(tmp_path / "page", package))
     check_heard(in_node(folder, script), preset)
@@ -106,6 +107,7 @@ def test_the_examples_move_what_they_show_by_a_microphone(package: Path, tmp_pat
     assert len(told["react"]) >= 3
 
 
+@pytest.mark.browser
 def test_the_types_are_those_of_the_module(package: Path, tmp_path: Path) -> None:
     place = project(tmp_path / "page", package)
     tool(place, "tsc", "--strict", "--noEmit", "--target", "es2022", "--moduleResolution", "bundler", "types.ts")
