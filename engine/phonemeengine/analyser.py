@@ -6,7 +6,7 @@ frames, and the result does not depend on how the sound was cut.
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
@@ -171,7 +171,7 @@ class Analyser:
         self._framer = Framer()
         self._path = self._path_of(preset)
         self._use(recogniser_for(preset) if recogniser is None else completed(recogniser))
-        self._statistics, self._visemes = _statistics_of(preset), VisemeSmoother()
+        self._statistics, self._visemes = PhonemeSmoother(*_smoothing_of(preset)), VisemeSmoother()
         self._waiting = LookAheadBuffer()
         self._unasked = False
         self._next = start
@@ -210,8 +210,8 @@ class Analyser:
         self._preset = preset
         if self._path_key(preset) != self._path_key(old):
             self._change_path(preset)
-        if _statistics_key(preset) != _statistics_key(old):
-            self._statistics = _statistics_of(preset)
+        if (preset.settings.statistics, _smoothing_of(preset)) != (old.settings.statistics, _smoothing_of(old)):
+            self._statistics = PhonemeSmoother(*_smoothing_of(preset))
         if recogniser is not self._recogniser:
             self._change_recogniser(recogniser)
 
@@ -273,11 +273,12 @@ class Analyser:
         if recognition.scores is not None:
             measured = measured.with_columns(self._recogniser.scores, recognition.scores)
         has_deficits = spec_of(self._preset.recogniser).has_deficits
-        wavers = settings.statistics and self._statistics.has_change(recognised)
+        found = recognised if recognition.decoded is None else recognition.decoded
+        wavers = settings.statistics and self._statistics.has_change(found)
         by_rules = self._preset.is_measured and recognition.scores is None and has_deficits
         deficits = self._recogniser.deficits(measured.features) if wavers or by_rules else None
         if settings.statistics:
-            phonemes = self._statistics.smooth(recognised, deficits if wavers else None)
+            phonemes = self._statistics.smooth(found, deficits if wavers else None)
         intensities = intensities_of(levels, settings.intensity_low, settings.intensity_high)
         intensities *= phonemes != _SILENCE
         start, self._next = self._next, self._next + len(recognised)
@@ -432,12 +433,9 @@ def _recogniser_key(preset: Preset) -> object:
     return preset.recogniser, preset.config, preset.model_kind, preset.live_encoder
 
 
-def _statistics_key(preset: Preset) -> object:
-    return preset.settings.statistics, preset.settings.minimum_hold, preset.settings.hysteresis, preset.successors
-
-
-def _statistics_of(preset: Preset) -> PhonemeSmoother:
-    return PhonemeSmoother(preset.settings.minimum_hold, preset.successors, preset.settings.hysteresis)
+def _smoothing_of(preset: Preset) -> tuple[float, Mapping[Phoneme, Phoneme], float]:
+    settings = preset.settings
+    return settings.minimum_hold, preset.successors, 0.0 if preset.decoder else settings.hysteresis
 
 
 def analyse_blocks(

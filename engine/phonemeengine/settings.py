@@ -75,6 +75,24 @@ class ModelKind(StrEnum):
         return OLD_MODEL_KINDS.get(value) if isinstance(value, str) else None
 
 
+class Decoding(StrEnum):
+    """Whether a search finds the likeliest phonemes behind the answers of rules, and by which language's statistics.
+
+    ``none`` is the search without a language.
+    """
+
+    OFF = "off"
+    NONE = "none"
+    CZECH = "cs"
+    GERMAN = "de"
+    ENGLISH = "en"
+    SPANISH = "es"
+    FINNISH = "fi"
+    FRENCH = "fr"
+    ITALIAN = "it"
+    RUSSIAN = "ru"
+
+
 OLD_MODEL_KINDS = {"live": ModelKind.REAL_TIME, "twin": ModelKind.OFFLINE}
 """What presets of version 1 and older options called them."""
 
@@ -178,6 +196,14 @@ def _level(name: str, label: str, part: str) -> Parameter:
 
 
 QUANTISATIONS = (1, 2, 4)
+DECODINGS = tuple(
+    zip(
+        ("Off", "Any language", "Czech", "German", "English", "Spanish", "Finnish", "French", "Italian", "Russian"),
+        Decoding,
+        strict=True,
+    )
+)
+"""The words and the value of each choice of a decoder."""
 _RATES = tuple((f"{n}: {SAMPLE_RATE // n:,} Hz".replace(",", " "), n) for n in QUANTISATIONS)
 _STAGES = (
     Stage(
@@ -271,17 +297,21 @@ _STAGES = (
         "Smoothing",
         "Keeps phonemes from flickering: each lasts at least the minimum duration, and an unidentified one is "
         "replaced by the most likely successor. Another phoneme follows only if its score is higher by the "
-        "stability.",
+        "stability. A decoder takes the place of both: it finds the likeliest phonemes behind the answers of rules, "
+        "within the look-ahead.",
         (
             Parameter("minimum_hold", "Minimum duration", "Minimum", unit="s", step=0.01, usual=0.2),
             Parameter("hysteresis", "Stability", "Stability", optional=True),
+            Parameter("decoder", "Decoder", "Decoder", choices=DECODINGS, optional=True),
+            Parameter("change_cost", "Cost of a change", "Change", high=10.0, step=0.25, usual=10.0, optional=True),
         ),
     ),
     Stage(
         "look_ahead",
         "Look-ahead",
         "How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. "
-        "Rules need no look-ahead. The microphone has a limit of its own, since there waiting delays the mouth.",
+        "Rules need none without a decoder. The microphone has a limit of its own, since there waiting delays the "
+        "mouth.",
         (
             Parameter("look_ahead", "Look-ahead", "Files", high=0.05, unit="s", step=0.01, optional=True),
             Parameter("live_look_ahead", "Live look-ahead", "Live", high=0.05, unit="s", step=0.01, optional=True),
@@ -331,7 +361,11 @@ class AnalysisSettings:
     statistics : whether flicker is held and unidentified frames are replaced.
     minimum_hold : least time that a phoneme stays, seconds.
     hysteresis : by how much another phoneme must be the better one to follow, 0..1; 0 lets the best one follow.
-    look_ahead : how long a recogniser may wait for what comes after a frame, seconds; those of rules never wait.
+    decoder : whether a search finds the phonemes behind the answers of rules, and with which language's statistics;
+        it takes the place of `hysteresis`, and of successors of unidentified frames.
+    change_cost : what a change of phoneme costs there, nats, 0..10.
+    look_ahead : how long a recogniser may wait for what comes after a frame, seconds; rules without a decoder never
+        wait.
     live_look_ahead : the same for a microphone, where waiting makes the mouth late; no longer than `look_ahead`.
     intensity_low, intensity_high : peak levels at which the intensity is 0 and 1, dB below full scale.
 
@@ -356,6 +390,8 @@ class AnalysisSettings:
     statistics: bool = True
     minimum_hold: float = 0.02
     hysteresis: float = 0.0
+    decoder: Decoding = Decoding.OFF
+    change_cost: float = 4.0
     look_ahead: float = 0.05
     live_look_ahead: float = 0.02
     intensity_low: float = -45.0

@@ -41,7 +41,7 @@ def run(options: argparse.Namespace) -> int:
     """Align sound files with their texts; 1 where one could not be."""
     if options.text is None and options.script is None:
         options.parser.error("there is no text to align; give it with --text or --script")
-    preset = file_preset(options.preset, options.model)
+    preset = file_preset(options)
     guard = Guard(begins_like(",".join(COLUMNS).encode() + b"\n"), options.overwrite)
     guard.check(options.out)
     jobs = jobs_of(options.inputs, Path(), "")

@@ -50,7 +50,7 @@ def run(options: argparse.Namespace) -> int:
             "--features, or write them with --format csv or json"
         )
     asked, kind = given(options), f"frames-{table}" if options.features else f"phonemes-{table}"
-    preset = file_preset(asked.preset, asked.model)
+    preset = file_preset(options)
     jobs = jobs_of(options.inputs, options.out, TABLES[table].ending)
     if options.features and (asked.text, asked.script) != (None, None):
         options.parser.error("--features are of frames, and --text or --script give words; leave one of them out")
@@ -62,7 +62,7 @@ def _compare(options: argparse.Namespace) -> int:
     """Write where two presets differ; return 1 where a sound could not be analysed."""
     if options.kind not in {None, "csv"} or options.features or options.text or options.script:
         options.parser.error("--against writes a table of its own; leave --format, --features and texts out")
-    first, second = (file_preset(path, options.model) for path in (options.preset, options.against))
+    first, second = (file_preset(options, path) for path in (options.preset, options.against))
     work = DifferenceWork(first, second, options.channel, options.overwrite)
     jobs = jobs_of(options.inputs, options.out, ".csv")
     return finish_jobs(jobs, work, options)

@@ -16,7 +16,7 @@ from phonemeengine.errors import OptionError, meant_by, remedy
 from phonemeengine.mouth.exports.formats import formats_for
 from phonemeengine.settings import OLD_MODEL_KINDS
 
-HEARD = ("preset", "model", "channel")
+HEARD = ("preset", "model", "decoder", "channel")
 SAID = ("text", "script", "speaker", "language", "lexicon", "literal", "accept-text")
 MOVED = (
     "anticipation",

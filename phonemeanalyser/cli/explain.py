@@ -53,7 +53,7 @@ def run(options: argparse.Namespace) -> int:
     """Explain; returns the exit code."""
     if options.at and options.sound is None:
         raise OptionError("--at goes with an audio file; give SOUND")
-    preset = file_preset(options.preset, options.model)
+    preset = file_preset(options)
     lines = list(_lines_of(preset, options))
     with guarded_text(options.out) as file:
         file.writelines(f"{line}\n" for line in lines)

@@ -44,7 +44,7 @@ def run(options: argparse.Namespace) -> int:
     jobs = jobs_of(options.inputs, options.out, FORMATS[kind].full_ending)
     if asked.units is not None and len(jobs) > 1:
         raise EngineError("--units tells of one sound, and there are several; leave it out, or name one alone")
-    preset = file_preset(asked.preset, asked.model)
+    preset = file_preset(options)
     work = ConversionWork.of(asked, kind, preset, [job.source for job in jobs], say_note)
     return finish_jobs(jobs, work, options)
 

@@ -10,7 +10,7 @@ from typing import Any
 from tqdm import tqdm
 
 from phonemeanalyser.reports.batch_report import write_batch_report
-from phonemeengine import EngineError, LabelledUtterance, ModelKind, Preset, for_files, load_preset
+from phonemeengine import EngineError, LabelledUtterance, Preset, for_files, load_preset
 from phonemeengine.audio.files import sounds_under
 from phonemeengine.batch.runner import BatchOptions, BatchProgress, run_batch
 from phonemeengine.batch.work import Job, JobState, Outcome, Work
@@ -143,19 +143,19 @@ def n_failed(outcomes: Iterable[Outcome]) -> int:
     return sum(outcome.state is JobState.FAILED for outcome in outcomes)
 
 
-def file_preset(path: Path, kind: ModelKind | None) -> Preset:
+def file_preset(options: argparse.Namespace, path: Path | None = None) -> Preset:
     """Return the preset with which a command recognises files; say what it lacks, and at a terminal its model.
 
     Parameters
     ----------
-    path : the preset's file, or its name.
-    kind : the model; None for the best one available.
+    options : its options ``preset``, ``model`` and ``decoder``.
+    path : another preset instead.
 
     Raises
     ------
     EngineError : it cannot be read or used.
     """
-    preset = for_files(load_preset(path), kind)
+    preset = for_files(load_preset(path or options.preset).with_decoder(options.decoder), options.model)
     for warning in preset.warnings:
         say_note(printable(preset.name), warning)
     if sys.stderr.isatty():

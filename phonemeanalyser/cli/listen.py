@@ -76,7 +76,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and mouth shapes as OSC and VMC messages")
     table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
-    add_options(parser, "style", "expression", "feeling", "priority")
+    add_options(parser, "decoder", "style", "expression", "feeling", "priority")
     received = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
     parser.add_argument("--expression-osc", metavar="HOST:PORT", help=received)
 
@@ -93,7 +93,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _preset_of(options: argparse.Namespace) -> Preset:
-    preset = load_preset(options.preset)
+    preset = load_preset(options.preset).with_decoder(options.decoder)
     if options.look_ahead is not None:
         preset = replace(preset, settings=preset.settings.with_number("live_look_ahead", options.look_ahead))
     if options.model is not None:

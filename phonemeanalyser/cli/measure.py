@@ -50,7 +50,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Measure; returns the exit code."""
-    preset, table = file_preset(options.preset, options.model), Guard(begins_like(HEADING), options.overwrite)
+    preset, table = file_preset(options), Guard(begins_like(HEADING), options.overwrite)
     table.check(options.out)
     spectrum = Guard(begins_like(f"# {FORMAT}".encode()), options.overwrite)
     spectrum.check(options.spectrum_out)

@@ -43,7 +43,7 @@ def run(options: argparse.Namespace) -> int:
     asked = given(options)
     out = Path(f"clip.{kind}") if is_batch(options.inputs) or printed else options.out
     check_clip(out, ClipOptions.of(asked))
-    preset = file_preset(asked.preset, asked.model)
+    preset = file_preset(options)
     jobs = jobs_of(options.inputs, options.out, f".{kind}") if is_batch(options.inputs) else _single(options)
     work = ClipWork.of(asked, preset, f".{kind}", [job.source for job in jobs], say_note)
     return finish_jobs(jobs, work, options, n_cores() if is_batch(options.inputs) else 1)

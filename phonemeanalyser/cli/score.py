@@ -105,7 +105,7 @@ def run(options: argparse.Namespace) -> int:
         refuse_unused(options, ("language", "lexicon", "literal"), "goes with --texts or --script; give one of them")
     for out in (options.out, options.errors, options.phoneme_data):
         Guard(nothing_is_own, options.overwrite).check(out)
-    presets = _presets_of(options.preset, options.against, options.model)
+    presets = _presets_of(options)
     noise = None if options.noise is None else AddedNoise(NoiseKind(options.noise), options.snr, options.seed)
     mapping = None if options.map is None else load_phoneme_map(options.map)
     troubles: list[str] = []
@@ -181,11 +181,12 @@ def _scored(
     return corpus_scores_of(work.preset, predictions, work.delay)
 
 
-def _presets_of(first: Path, against: Path | None, kind: ModelKind) -> list[Named]:
-    one = file_preset(first, kind)
+def _presets_of(options: argparse.Namespace) -> list[Named]:
+    first, against = options.preset, options.against
+    one = file_preset(options)
     if against is None:
         return [Named(printable(one.name), one)]
-    other = file_preset(against, kind)
+    other = file_preset(options, against)
     if one == other:
         raise PresetError(
             f"{printable_name(first)} and {printable_name(against)} hold the same preset; name two that differ"

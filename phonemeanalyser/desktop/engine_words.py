@@ -22,6 +22,7 @@ RECOGNISERS = {"thesis": "Thesis", "learned": "Learned", "rules": "Extended rule
 WORDS = (
     # what is chosen from
     tr_noop("plain"),
+    tr_noop("Any language"),
     tr_noop("anti-aliased"),
     tr_noop("bands"),
     tr_noop("linear"),

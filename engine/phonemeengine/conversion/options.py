@@ -26,7 +26,7 @@ from phonemeengine.performance.driver import PerformancePart
 from phonemeengine.performance.livelink import read_expression
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.presets.model_choice import WITHOUT_ENCODER
-from phonemeengine.settings import MOST_CHANNELS, Channel, ModelKind
+from phonemeengine.settings import MOST_CHANNELS, Channel, Decoding, ModelKind
 
 RECORDED = ".csv"
 """Ends the name of a recorded expression."""
@@ -253,6 +253,13 @@ class ConversionOptions:
         f"model that recognises (default: the best available); {WITHOUT_ENCODER}",
         "|".join(ModelKind),
         OneOf(ModelKind),
+        elsewhere=False,
+    )
+    decoder: Decoding | None = _option(
+        "search behind the answers of rules: off, none (of no language), or the language whose statistics it uses "
+        "(default: the preset's)",
+        "|".join(Decoding),
+        OneOf(Decoding),
         elsewhere=False,
     )
     channel: Channel = _option(

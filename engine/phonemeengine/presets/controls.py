@@ -127,8 +127,7 @@ def controls_of(preset: Preset, recogniser: Recogniser | None) -> tuple[ControlG
     preset : whose numbers they read and write.
     recogniser : made from the preset; None where it cannot be made, which has the thresholds of the thesis.
     """
-    has_hysteresis = recogniser is not None and spec_of(preset.recogniser).has_deficits
-    groups = [*_groups_of(preset, recogniser), _calm(has_hysteresis=has_hysteresis)]
+    groups = [*_groups_of(preset, recogniser), _calm(preset, recogniser)]
     return tuple(group for group in groups if group.controls)
 
 
@@ -166,9 +165,13 @@ def unused_settings(preset: Preset) -> frozenset[str]:
     The names are those of `Filter` and of the fields of `AnalysisSettings`.
     """
     spec = spec_of(preset.recogniser)
-    unused: set[str] = set() if spec.looks_ahead else {"look_ahead"}
-    if not spec.has_deficits:
+    unused: set[str] = set() if spec.looks_ahead or preset.decoder else {"look_ahead"}
+    if not spec.has_deficits or preset.decoder:
         unused.add("hysteresis")
+    if not preset.has_decoder:
+        unused.add("decoder")
+    if not preset.decoder:
+        unused.add("change_cost")
     if not spec.needs_features:
         return frozenset(unused | {step.value for step in Filter})
     if spec.rules is not None:
@@ -362,7 +365,7 @@ def _deficit(sensitivities: Mapping[Phoneme, float], values: Mapping[str, float]
 # -- smoothing --------------------------------------------------------------------------------------------------
 
 
-def _calm(*, has_hysteresis: bool) -> ControlGroup:
+def _calm(preset: Preset, recogniser: Recogniser | None) -> ControlGroup:
     hold = _setting_control(
         "minimum_hold",
         "Shortest time for which a phoneme is shown. The bar shows how long the current one has lasted.",
@@ -374,7 +377,16 @@ def _calm(*, has_hysteresis: bool) -> ControlGroup:
         "now.",
         lambda _preset, moment: moment.deficit,
     )
-    return ControlGroup("Smoothing", "lower reacts faster", (hysteresis, hold) if has_hysteresis else (hold,))
+    change_cost = _setting_control(
+        "change_cost",
+        "What a change of phoneme costs the decoder, against the evidence of the rules' answers.",
+        lambda _preset, _moment: None,
+    )
+    if preset.decoder:
+        steady: tuple[Control, ...] = (change_cost,)
+    else:
+        steady = (hysteresis,) if recogniser is not None and spec_of(preset.recogniser).has_deficits else ()
+    return ControlGroup("Smoothing", "lower reacts faster", (*steady, hold))
 
 
 def _with_statistics(preset: Preset, changes: dict[str, Any]) -> Preset:

@@ -71,6 +71,7 @@ _TABLES = ("front_end", "phoneme_data", "statistics", "intensity")
 _CURVE = ("scores", "shares")
 _OPTIONAL_TABLES = (
     "variables", "rules", "successors", "templates", "sensitivities", "confidence", "judged", "pitch_sets",
+    "confusions",
 )  # fmt: skip
 _TEMPLATED = {p.label: p for p in Phoneme if p not in UNTEMPLATED}
 _TEMPLATE_NUMBERS = ("spread", "silence_below")
@@ -102,6 +103,7 @@ def preset_to_toml(preset: Preset, models: Mapping[str, str] | None = None) -> s
         "intensity": {name: getattr(settings, name) for name in INTENSITY},
         "successors": {p.label: q.label for p, q in preset.successors.items()},
         **({"sensitivities": _table_of_sensitivities(preset)} if preset.sensitivities else {}),
+        **({"confusions": {p.label: list(row) for p, row in preset.confusions.items()}} if preset.confusions else {}),
         **({"confidence": _table_of_curves(preset)} if preset.confidences else {}),
         "variables": [_document_of(variable) for variable in preset.variables],
         "rules": [_document_of_rule(rule) for rule in preset.rules],
@@ -155,6 +157,7 @@ def _preset_of(top: StrictTable, folder: Path, shipped: Path | None) -> Preset:
         sensitivities=_sensitivities_of(top.table("sensitivities")),
         successors=_successors_of(top.table("successors")),
         pitch_sets=tuple(_set_of_table(entry) for entry in top.tables("pitch_sets")),
+        confusions=_confusions_of(top.table("confusions")),
         confidences=_curves_of(top.table("confidence")),
         judged=judgement_of(top.table("judged")) if "judged" in top else None,
         notes=texts.get("notes", ""),
@@ -252,6 +255,10 @@ def _table_of_sensitivities(preset: Preset) -> dict[str, float]:
 
 def _sensitivities_of(table: StrictTable) -> dict[Phoneme, float]:
     return {phoneme: table.value(key, float) for phoneme, key in table.phonemes().items()}
+
+
+def _confusions_of(table: StrictTable) -> dict[Phoneme, tuple[float, ...]]:
+    return {phoneme: table.numbers(key) for phoneme, key in table.phonemes().items()}
 
 
 def _table_of_curves(preset: Preset) -> dict[str, Any]:

@@ -247,6 +247,7 @@ def beyond_phoneme_data(preset: Preset) -> tuple[str, ...]:
         "templates": preset.templates is not None,
         "sensitivities": any(preset.sensitivities.values()),
         "the pitch sets": bool(preset.pitch_sets),
+        "the decoder": bool(preset.confusions),
         "the table of successors": dict(preset.successors) != dict(kept.successors),
         "what it was judged by": preset.judged is not None,
         "notes": bool(preset.notes.strip()),

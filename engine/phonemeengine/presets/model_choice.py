@@ -13,6 +13,7 @@ from phonemeengine.encoder.runtime import has_runtime
 from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import STANDARD_VISEMES
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.decoder import lag_of
 from phonemeengine.recognition.encoded import EncodedRecogniser
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import LookAheadFigures, figures_by_look_ahead
@@ -172,10 +173,12 @@ def states_in(preset: Preset, logarithms: Float32Array) -> Float32Array:
 
 
 def frames_ahead(preset: Preset) -> int:
-    """Return how many frames of 10 ms what recognises with a preset looks ahead; 0 for rules."""
+    """Return how many frames of 10 ms what recognises with a preset looks ahead; 0 for rules without a decoder."""
     look_ahead, model = preset.settings.look_ahead, preset.config.model
     if preset.model_kind is ModelKind.ENCODER:
         return real_time_look_ahead(look_ahead)
+    if preset.decoder is not None:
+        return lag_of(look_ahead)
     return model.frames_ahead(look_ahead) if model is not None and _is_network(preset) else 0
 
 
@@ -198,9 +201,9 @@ def model_in_words(preset: Preset) -> str:
     seconds = frames_ahead(preset) * FRAME_PERIOD
     if preset.model_kind is ModelKind.ENCODER:
         return f"encoder, look-ahead {1000 * seconds:g} ms"
-    if model is None or not _is_network(preset):
+    if preset.decoder is None and (model is None or not _is_network(preset)):
         return preset.recogniser
-    if model.centred:
+    if preset.decoder is None and model is not None and model.centred:
         return f"offline, ±{seconds:g} s of context"
     return f"{preset.recogniser}, look-ahead {1000 * seconds:g} ms"
 

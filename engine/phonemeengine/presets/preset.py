@@ -12,6 +12,7 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, Variable, check_use
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.judgement import Judgement
 from phonemeengine.recognition.confidence import UNFITTED, ConfidenceCurve
+from phonemeengine.recognition.decoder import Confusions, Decoder, check_confusions
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, PhonemeData, PitchSet, Thresholds
 from phonemeengine.recognition.rules import Rule
@@ -19,8 +20,9 @@ from phonemeengine.recognition.scores import NO_SENSITIVITIES, check_sensitiviti
 from phonemeengine.recognition.smoothing import SUCCESSORS
 from phonemeengine.recognition.spec import THESIS, RecogniserConfig, Tuning, check_recogniser, spec_of
 from phonemeengine.recognition.templates import Templates
-from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, ModelKind
+from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decoding, ModelKind
 
+NO_CONFUSIONS: Confusions = MappingProxyType({})
 NO_CURVES: Mapping[ModelKind, ConfidenceCurve] = MappingProxyType({})
 PRE_ROLL = 100
 """Frames before a place in a sound that are analysed unseen, so that filters and networks know their past."""
@@ -57,6 +59,7 @@ class Preset(ShortRepr):
     successors : what replaces an unidentified frame after each phoneme.
     pitch_sets : sets of PhonemeData that take the place of the preset's own numbers by the pitch of the voice; of
         several whose range holds it, the first.
+    confusions : by phoneme that is spoken, how likely each answer of the rules is, nats: what a decoder goes by.
     confidences : by model, the curve that turns scores into confidences; without one a score is its own confidence,
         and rules have none.
     judged : what a calibration gained on held-out speech; None for a preset that no calibration made.
@@ -87,6 +90,7 @@ class Preset(ShortRepr):
     sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
     successors: Mapping[Phoneme, Phoneme] = field(default_factory=lambda: SUCCESSORS)
     pitch_sets: tuple[PitchSet, ...] = ()
+    confusions: Confusions = field(default_factory=lambda: NO_CONFUSIONS)
     confidences: Mapping[ModelKind, ConfidenceCurve] = field(default_factory=lambda: NO_CURVES)
     judged: Judgement | None = None
     notes: str = ""
@@ -96,6 +100,7 @@ class Preset(ShortRepr):
         check_user_variables(self.variables)
         check_recogniser(self.recogniser, self.config)
         check_sensitivities(self.sensitivities)
+        check_confusions(self.confusions)
         if self.live_model not in LIVE_KINDS:
             raise PresetError(f"live_model is one of {', '.join(LIVE_KINDS)}, got {self.live_model}")
         _check_rules(self.rules, {*BUILT_IN_NAMES, *(v.name for v in self.variables)})
@@ -109,10 +114,29 @@ class Preset(ShortRepr):
     def config(self) -> RecogniserConfig:
         """What the recogniser is made from."""
         model = self.model if self.model_kind in LIVE_KINDS else self.offline_model or self.model
-        look_ahead = self.settings.look_ahead
         return RecogniserConfig(
-            self.thresholds, self.rules, model, self.templates, look_ahead, self.sensitivities, self.pitch_sets
+            self.thresholds,
+            self.rules,
+            model,
+            self.templates,
+            self.settings.look_ahead,
+            self.sensitivities,
+            self.pitch_sets,
+            self.decoder,
         )
+
+    @property
+    def decoder(self) -> Decoder | None:
+        """What a search behind the answers of its rules goes by; None where there is none, or it is off."""
+        settings = self.settings
+        if not (settings.statistics and self.has_decoder) or settings.decoder is Decoding.OFF:
+            return None
+        return Decoder(self.confusions, settings.change_cost, settings.decoder)
+
+    @property
+    def has_decoder(self) -> bool:
+        """Whether a decoder can be switched on: it recognises by rules, and what they confuse is known."""
+        return bool(self.confusions) and spec_of(self.recogniser).rules is not None
 
     @property
     def pre_roll(self) -> int:
@@ -154,6 +178,22 @@ class Preset(ShortRepr):
         for name in _IN_BINS:
             numbers[name] /= BIN_WIDTH
         return PhonemeData(**vars(self.thresholds), **numbers)
+
+    def with_decoder(self, decoder: Decoding | None) -> "Preset":
+        """Return the preset with the decoder switched so; None leaves it as it is.
+
+        Raises
+        ------
+        PresetError : it has no decoder.
+        """
+        if decoder is None:
+            return self
+        if not self.has_decoder:
+            raise PresetError(
+                f"the preset {self.name[:60]!r} has no decoder, which needs rules and what they confuse; choose a "
+                "preset such as extended"
+            )
+        return replace(self, settings=replace(self.settings, statistics=True, decoder=decoder))
 
     def with_phoneme_data(self, data: PhonemeData) -> "Preset":
         """Return the preset with these 21 numbers; a blur or denoise that changes is on while it is above 0."""

@@ -52,9 +52,11 @@ class Recognition:
     visemes : float32, shape (n_frames, n_visemes): how likely each viseme of the set is; None where the recogniser
         tells none apart.
     viseme_set : the visemes that it tells apart.
+    decoded : uint8, shape (n_frames,): the phonemes that a search found behind those; None without one.
     """
 
     phonemes: UInt8Array
     scores: Float32Array | None = None
     visemes: Float32Array | None = None
     viseme_set: VisemeSet = STANDARD_VISEMES
+    decoded: UInt8Array | None = None

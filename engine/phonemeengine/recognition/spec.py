@@ -16,6 +16,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import PresetError, RecogniserError
 from phonemeengine.features.measure import Features
 from phonemeengine.phonemes import Phoneme
+from phonemeengine.recognition.decoder import DecodedRules, Decoder
 from phonemeengine.recognition.learned import LearnedRecogniser
 from phonemeengine.recognition.model import Model
 from phonemeengine.recognition.phoneme_data import PitchSet, Thresholds
@@ -39,6 +40,7 @@ class RecogniserConfig:
     look_ahead : seconds after a frame that it may wait for.
     sensitivities : log-odds that recognisers by scores add to those of phonemes, nats.
     pitch_sets : numbers that take the place of the thresholds by the pitch of the voice.
+    decoder : what a search behind the answers of rules goes by; None without one.
     """
 
     thresholds: Thresholds = field(default_factory=Thresholds)
@@ -48,6 +50,7 @@ class RecogniserConfig:
     look_ahead: float = 0.0
     sensitivities: Mapping[Phoneme, float] = field(default_factory=lambda: NO_SENSITIVITIES)
     pitch_sets: tuple[PitchSet, ...] = ()
+    decoder: Decoder | None = None
 
 
 class Recogniser(Protocol):
@@ -215,7 +218,16 @@ def _by_templates(config: RecogniserConfig) -> Recogniser:
 
 def _thesis(config: RecogniserConfig) -> Recogniser:
     sets = [pitch_set.data for pitch_set in config.pitch_sets]
-    return PitchSetRules(config.thresholds, sets) if sets else ThesisRules(config.thresholds)
+    return _decoded(PitchSetRules(config.thresholds, sets) if sets else ThesisRules(config.thresholds), config)
+
+
+def _by_own_rules(config: RecogniserConfig) -> Recogniser:
+    return _decoded(RuleRecogniser(config.rules, config.thresholds), config)
+
+
+def _decoded(rules: RuleRecogniser, config: RecogniserConfig) -> Recogniser:
+    """Return rules, with a search behind them where there is one."""
+    return rules if config.decoder is None else DecodedRules(rules, config.decoder, config.look_ahead)
 
 
 THESIS = RecogniserSpec(
@@ -242,7 +254,7 @@ LEARNED = RecogniserSpec(
 )
 OWN_RULES = RecogniserSpec(
     name="rules",
-    make=lambda config: RuleRecogniser(config.rules, config.thresholds),
+    make=_by_own_rules,
     tuned_by=frozenset({Tuning.RULES, Tuning.THRESHOLDS}),
     has_deficits=True,
     rules=lambda config: config.rules,

@@ -24,8 +24,9 @@ from phonemeengine.features.variables import (
 from phonemeengine.labels.visemes import STANDARD_VISEMES, VisemeSet
 from phonemeengine.mouth.table import MouthTable
 from phonemeengine.phonemes import Phoneme
-from phonemeengine.presets.model_choice import with_small_network
+from phonemeengine.presets.model_choice import frames_ahead, with_small_network
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.decoder import Decoder
 from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.rules import Rule, RuleRecogniser
 from phonemeengine.recognition.segments import line_of
@@ -37,10 +38,9 @@ from phonemeengine.settings import BIN_WIDTH, AnalysisSettings, Decimation, Filt
 # The bytes of an ``.ear`` file: little-endian numbers of 32 bits, in sections that say how long they are.
 
 MAGIC = b"EAR\x1a"
-VERSION = 2
-"""Of the layout; the runtime refuses newer ones. A file without visemes of its own is of the first."""
-OWN_VISEMES = "VISM"
-"""The section that only files of the second version have."""
+OWN_VISEMES, DECODER = "VISM", "DECO"
+VERSIONS = {OWN_VISEMES: 2, DECODER: 3}
+"""Of the layout, by the newest section that a file has, else 1; the runtime refuses newer ones than it knows."""
 
 
 class SectionWriter:
@@ -92,7 +92,7 @@ def join_sections(sections: Iterable[tuple[str, SectionWriter]]) -> bytes:
     """Return a file of sections, each with the four letters of its name."""
     parts = [(name.encode(), section.content) for name, section in sections]
     body = b"".join(name + struct.pack("<I", len(content)) + content for name, content in parts)
-    version = VERSION if any(name == OWN_VISEMES.encode() for name, _ in parts) else 1
+    version = max((VERSIONS.get(name.decode(), 1) for name, _ in parts), default=1)
     return MAGIC + struct.pack("<III", version, 16 + len(body), zlib.crc32(body)) + body
 
 
@@ -189,10 +189,12 @@ def recogniser_sections(preset: Preset) -> Iterator[Section]:
         yield _templates(config.templates)
     elif spec.rules is not None:
         asked = RuleRecogniser(spec.rules(config), config.thresholds)
-        yield _preset(live, spec, BY_RULES, 0)
+        yield _preset(live, spec, BY_RULES, frames_ahead(live))
         variables = _variables_of(live, asked.rules)
         yield _front_end(live.settings, variables)
         yield _rules(asked, [v.name if isinstance(v, Variable) else v for v in variables])
+        if config.decoder is not None:
+            yield _decoder(config.decoder)
     else:
         raise PresetError(
             f"the recogniser {preset.recogniser!r:.60} is another package's, and only those of the program can be "
@@ -233,7 +235,7 @@ def _preset(preset: Preset, spec: RecogniserSpec, kind: int, look_ahead: int) ->
     curve = preset.curve if weighs or preset.is_measured else None
     section.text(preset.name)
     section.whole(kind, look_ahead, settings.statistics, frames_held(settings.minimum_hold))
-    section.floats(settings.hysteresis if spec.has_deficits else 0.0)
+    section.floats(settings.hysteresis if spec.has_deficits and preset.decoder is None else 0.0)
     section.floats([float(part) for part in line_of(settings.intensity_low, settings.intensity_high)])
     section.whole(*(preset.successors.get(phoneme, phoneme) for phoneme in Phoneme))
     sensitivities = [preset.sensitivities.get(phoneme, 0.0) if weighs else 0.0 for phoneme in Phoneme]
@@ -324,6 +326,13 @@ def _rules(asked: RuleRecogniser, names: list[str]) -> Section:
     for rule in asked.rules:
         section.whole(rule.phoneme, len(rule.conditions), *(conditions.index(c) for c in rule.conditions))
     return "RULE", section
+
+
+def _decoder(decoder: Decoder) -> Section:
+    section = SectionWriter()
+    section.whole(len(decoder.phonemes), *decoder.phonemes.tolist())
+    section.whole(*(-decoder.evidence).ravel().tolist(), *decoder.costs.ravel().tolist())
+    return DECODER, section
 
 
 def _templates(templates: Templates) -> Section:

@@ -1299,6 +1299,11 @@
             <translation>ohne Aliasing</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>Any language</source>
+            <translation>Jede Sprache</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Apply</source>
             <translation>Übernehmen</translation>
@@ -1819,6 +1824,11 @@
             <translation>Katalanisch (Valencia)</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Change</source>
+            <translation>Wechsel</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/session/rules.py" />
             <source>change a condition</source>
             <translation>Bedingung ändern</translation>
@@ -2299,6 +2309,16 @@
             <translation>Konfusionsmatrix</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/recognition/decoder.py" />
+            <source>confusions lacks silence, with which every sound begins; add it</source>
+            <translation>confusions fehlt silence, womit jeder Klang beginnt; ergänzen.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/recognition/decoder.py" />
+            <source>confusions of {label} are {phoneme} numbers in {least_evidence}..0 nats, one for each answer; found {row}</source>
+            <translation>confusions von {label} sind {phoneme} Zahlen in {least_evidence}..0 Nat, eine für jede Antwort; gefunden: {row}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>Connection refused</source>
             <translation>Verbindung abgelehnt</translation>
@@ -2357,6 +2377,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
             <source>Corpus table: class, phone, certainty</source>
             <translation>Korpustabelle: Klasse, Phon, Gewissheit</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Cost of a change</source>
+            <translation>Kosten eines Wechsels</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -2467,6 +2492,11 @@
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Decimation</source>
             <translation>Dezimierung</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Decoder</source>
+            <translation>Decoder</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
@@ -3996,8 +4026,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. Rules need no look-ahead. The microphone has a limit of its own, since there waiting delays the mouth.</source>
-            <translation>Wie lange der Erkenner auf das warten darf, was einem Frame folgt: Länger ist genauer, erhöht aber die Latenz. Regeln brauchen keine Vorausschau. Das Mikrofon hat eine eigene Grenze, da Warten dort den Mund verzögert.</translation>
+            <source>How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. Rules need none without a decoder. The microphone has a limit of its own, since there waiting delays the mouth.</source>
+            <translation>Wie lange der Erkenner auf das warten darf, was einem Frame folgt: Länger ist genauer, erhöht aber die Latenz. Regeln brauchen ohne Decoder keine. Das Mikrofon hat eine eigene Grenze, da Warten dort den Mund verzögert.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
@@ -4551,8 +4581,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>Keeps phonemes from flickering: each lasts at least the minimum duration, and an unidentified one is replaced by the most likely successor. Another phoneme follows only if its score is higher by the stability.</source>
-            <translation>Verhindert Flackern: Jedes Phonem dauert mindestens die Mindestdauer, und ein unbekanntes wird durch den wahrscheinlichsten Nachfolger ersetzt. Ein anderes Phonem folgt nur, wenn es um die Stabilität besser bewertet ist.</translation>
+            <source>Keeps phonemes from flickering: each lasts at least the minimum duration, and an unidentified one is replaced by the most likely successor. Another phoneme follows only if its score is higher by the stability. A decoder takes the place of both: it finds the likeliest phonemes behind the answers of rules, within the look-ahead.</source>
+            <translation>Verhindert Flackern: Jedes Phonem dauert mindestens die Mindestdauer, und ein unbekanntes wird durch den wahrscheinlichsten Nachfolger ersetzt. Ein anderes Phonem folgt nur, wenn es um die Stabilität besser bewertet ist. Ein Decoder ersetzt beides: Er findet innerhalb der Vorausschau die wahrscheinlichsten Phoneme hinter den Antworten von Regeln.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -9813,6 +9843,11 @@
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>The preset of the last session is no longer there: {paths}. Choose another one in the list.</source>
             <translation>Das Preset der letzten Sitzung ist nicht mehr da: {paths}. Ein anderes in der Liste wählen.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/presets/preset.py" />
+            <source>the preset {name} has no decoder, which needs rules and what they confuse; choose a preset such as extended</source>
+            <translation>Das Preset {name} hat keinen Decoder: Dafür sind Regeln nötig und was sie verwechseln. Ein Preset wie extended wählen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />

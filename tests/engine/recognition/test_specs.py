@@ -113,7 +113,7 @@ def test_what_a_specification_names_is_there(name: str):
     recogniser = recogniser_of(name, preset.config)
     assert (recogniser.scores == SCORES) == (Tuning.SENSITIVITIES in spec.tuned_by)
     late = replace(preset, settings=replace(preset.settings, look_ahead=0.05))
-    assert (recogniser_of(name, late.config).look_ahead > 0) == spec.looks_ahead
+    assert (recogniser_of(name, late.config).look_ahead > 0) == (spec.looks_ahead or preset.has_decoder)
 
 
 def compares_recognisers(node: ast.AST) -> bool:
@@ -195,7 +195,7 @@ def test_sensitivities_thresholds_and_hysteresis_of_a_plug_in_are_controls(brigh
     controls = {c.name for g in controls_of(bright, recogniser_of("brightness", bright.config)) for c in g.controls}
     assert {"sensitivity_a", "silence_max_energy", "szsch_szsch1", "hysteresis"} <= controls
     assert "sz_s1" not in controls
-    assert unused_settings(bright) == frozenset()
+    assert unused_settings(bright) == {"decoder", "change_cost"}
     deaf = replace(bright, sensitivities={Phoneme.SILENCE: 10.0})
     assert np.mean(analysed(deaf, [])[0] == S) > np.mean(analysed(bright, [])[0] == S)
 

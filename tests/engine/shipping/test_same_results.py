@@ -32,7 +32,7 @@ from phonemeengine.recognition.model import Model, OutputHead
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.recognition.rules import Condition, Rule
 from phonemeengine.recognition.scores import scores_in
-from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, WindowFunction
+from phonemeengine.settings import HOP, SAMPLE_RATE, Decimation, Decoding, WindowFunction
 from phonemeengine.shipping.targets import format_ear
 from tests.compiled_ears import CEar, CModel, EarLibrary, Frames, ear_library
 from tests.conftest import CORPUS
@@ -189,12 +189,22 @@ def test_visemes_of_a_models_own_are_named_and_shown_the_same(library: EarLibrar
             assert shown == table.shape_of(phoneme, own.phones.get(name, "")), (phoneme, name)
 
 
-def test_only_a_file_with_visemes_of_its_own_is_of_the_second_version() -> None:
+def test_only_what_older_runtimes_do_not_know_makes_a_file_of_a_newer_version() -> None:
     own = replace(STANDARD_VISEMES, usual={})
-    plain = load_preset("learned")
+    plain, rules = load_preset("learned"), load_preset("extended")
     assert plain.model is not None
-    told = [format_ear(preset)[4] for preset in (plain, replace(plain, model=replace(plain.model, viseme_set=own)))]
-    assert told == [1, 2]
+    named = replace(plain, model=replace(plain.model, viseme_set=own))
+    told = [format_ear(preset)[4] for preset in (plain, rules.with_decoder(Decoding.OFF), named, rules)]
+    assert told == [1, 1, 2, 3]
+
+
+def test_a_decoder_finds_the_same_in_c_for_any_language_and_look_ahead(library: EarLibrary) -> None:
+    base = load_preset("extended").with_decoder(Decoding.GERMAN)
+    for ahead, hold in ((0.0, 0.0), (0.05, 0.03)):
+        settings = replace(base.settings, live_look_ahead=ahead, minimum_hold=hold)
+        preset = replace(base, settings=settings)
+        frames = heard_in_c(library, preset, speech(), [5000, 5001, 40_000])
+        check_same(frames, recognised_by_engine(preset, speech()))
 
 
 def test_an_answer_belongs_to_the_frame_at_which_the_tone_began(library: EarLibrary) -> None:

@@ -197,7 +197,7 @@ def _has_bands(preset: Preset) -> bool:
 
 def _with_rules(preset: Preset, rules: tuple[Rule, ...]) -> Preset:
     settings = replace(preset.settings, statistics=True, minimum_hold=0.0)
-    return replace(preset, recogniser=OWN_RULES.name, settings=settings, rules=rules, confidences={})
+    return replace(preset, recogniser=OWN_RULES.name, settings=settings, rules=rules, confidences={}, confusions={})
 
 
 def _settled(labelled: LabelledFeatures, preset: Preset) -> Preset:

@@ -20,6 +20,7 @@ from phonemeengine.features.variables import BUILT_IN_NAMES, PITCH_SET_COLUMNS
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
+from phonemeengine.recognition.decoder import SoundsDecoder, lag_of
 from phonemeengine.recognition.phoneme_data import Thresholds
 from phonemeengine.recognition.rules import PitchSetRules, Rule, RuleRecogniser
 from phonemeengine.recognition.scores import Sensitivity, scores_in
@@ -155,6 +156,8 @@ AFTER_MEASURING = (
     "statistics",
     "minimum_hold",
     "hysteresis",
+    "decoder",
+    "change_cost",
     "look_ahead",
     "intensity_low",
     "intensity_high",
@@ -279,7 +282,7 @@ class Retuner:
         self, values: Mapping[str, Float32Array], codes: UInt8Array, scores: Float32Array | None, edges: IndexArray
     ) -> None:
         self._values, self._codes, self._scores = values, codes, scores
-        self._smoother = BatchSmoother(edges)
+        self._smoother, self._decoder = BatchSmoother(edges), SoundsDecoder(edges)
         n_frames = int(edges[-1])
         self._numbers = np.nan_to_num(values.get(PITCH_SET_COLUMNS[1], np.zeros(n_frames, np.float32)))
         self._rule_caches: defaultdict[int, RuleCache] = defaultdict(lambda: RuleCache(values, n_frames))
@@ -294,8 +297,11 @@ class Retuner:
         scores = None if rules is not None else self.scores(preset)
         recognised = codes = self._recognised(rules, scores)
         if settings.statistics:
-            stays = self._may_stay(rules, scores, settings.hysteresis) if settings.hysteresis > 0 else None
-            codes = codes if stays is None else self._smoother.hysteresis(codes, stays)
+            if preset.decoder:
+                codes = self._decoder.decode(preset.decoder, lag_of(settings.look_ahead), codes)
+            elif settings.hysteresis > 0:
+                stays = self._may_stay(rules, scores, settings.hysteresis)
+                codes = codes if stays is None else self._smoother.hysteresis(codes, stays)
             codes = self._smoother.minimum_hold(
                 self._smoother.fill_unidentified(codes, preset.successors), settings.minimum_hold
             )

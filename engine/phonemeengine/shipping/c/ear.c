@@ -49,7 +49,10 @@ enum {
     MOST_SHAPES = 1000,
     MOST_TABLES = 16,
     MOST_NAME = 1 << 16,
-    MOVEMENTS = 64 /* that a mouth remembers */
+    MOST_EVIDENCE = 640, /* of an answer against a phoneme, in parts of a nat of which 32 are one */
+    MOST_COST = 450,     /* of a change */
+    MOST_PAST = 5,       /* frames that the search looks ahead */
+    MOVEMENTS = 64       /* that a mouth remembers */
 };
 
 static const double PI = 3.14159265358979323846;
@@ -196,7 +199,7 @@ static int begin_arena(arena *memory, void *block, size_t size, size_t needed, v
  *     sections   each 4 letters, its bytes as uint32, and those
  * ---------------------------------------------------------------------------------------------------------------- */
 
-enum { VERSION = 2, HEADER = 16 };
+enum { VERSION = 3, HEADER = 16 };
 
 typedef struct {
     const unsigned char *at, *end;
@@ -631,6 +634,13 @@ typedef struct {
 
 enum { BY_RULES, BY_NETWORK, BY_TEMPLATES };
 
+typedef struct {
+    size_t n;                                         /* 0 where there is no search */
+    uint32_t phonemes[EAR_PHONEMES];                  /* that it may find, silence first */
+    int32_t against[EAR_PHONEMES][EAR_PHONEMES + 1]; /* each of them, by answer; the last answer says nothing */
+    int32_t costs[EAR_PHONEMES][EAR_PHONEMES];        /* of a change from one to another */
+} decoder;
+
 struct ear_model {
     void *owned;
     const char *name;
@@ -649,6 +659,7 @@ struct ear_model {
     front_end front;
     rules rules;
     templates templates;
+    decoder decoder;
     size_t n_tables;
     mouth_table *tables[MOST_TABLES];
     const kernels *by;
@@ -673,6 +684,23 @@ static void read_preset(reader *in, arena *memory, ear_model *model)
     model->n_points = read_within(in, 0, MOST_POINTS);
     model->curve_scores = read_floats(in, memory, model->n_points);
     model->curve_shares = read_floats(in, memory, model->n_points);
+}
+
+/* Which phonemes the search may find, what each answer says against them, and what changes cost. */
+static void read_decoder(reader *in, arena *memory, ear_model *model)
+{
+    decoder *made = &model->decoder;
+    size_t k, j;
+    (void)memory;
+    made->n = read_within(in, 1, EAR_PHONEMES);
+    for (k = 0; k < made->n; k++)
+        made->phonemes[k] = read_within(in, 0, EAR_PHONEMES - 1);
+    for (k = 0; k < made->n; k++)
+        for (j = 0; j < EAR_PHONEMES; j++)
+            made->against[k][j] = (int32_t)read_within(in, 0, MOST_EVIDENCE);
+    for (k = 0; k < made->n; k++)
+        for (j = 0; j < made->n; j++)
+            made->costs[k][j] = (int32_t)read_within(in, 0, MOST_COST);
 }
 
 static const filter *read_filters(reader *in, arena *memory, size_t n, size_t n_bins)
@@ -993,7 +1021,7 @@ typedef struct {
 
 enum {
     PRESET_SECTION, MELS_SECTION, NETWORK_SECTION, FRONT_SECTION, RULES_SECTION, TEMPLATES_SECTION, MOUTH_SECTION,
-    VISEMES_SECTION
+    VISEMES_SECTION, DECODER_SECTION
 };
 
 static const section SECTIONS[] = {
@@ -1001,6 +1029,7 @@ static const section SECTIONS[] = {
     {TAG('N', 'E', 'T', 'W'), read_network},     {TAG('F', 'R', 'N', 'T'), read_front_end},
     {TAG('R', 'U', 'L', 'E'), read_rules},       {TAG('T', 'M', 'P', 'L'), read_templates},
     {TAG('M', 'O', 'U', 'T'), read_mouth_table}, {TAG('V', 'I', 'S', 'M'), read_visemes},
+    {TAG('D', 'E', 'C', 'O'), read_decoder},
 };
 
 /* Return which sections a recogniser needs, a bit for each. */
@@ -1057,6 +1086,8 @@ static int read_model(const unsigned char *bytes, size_t n_bytes, arena *memory,
         seen |= found;
     }
     if ((seen & needs_of(model->recogniser)) != needs_of(model->recogniser))
+        return EAR_DAMAGED_FILE;
+    if (model->decoder.n && (model->recogniser != BY_RULES || model->look_ahead > MOST_PAST))
         return EAR_DAMAGED_FILE;
     if (model->recogniser == BY_TEMPLATES && model->mels.n_warps != 1)
         return EAR_DAMAGED_FILE;
@@ -1308,7 +1339,7 @@ struct ear {
     uint32_t next;   /* number of the next frame that is given */
     size_t frame_size;
     size_t n_early;  /* answers that are about frames before the first */
-    float levels[MOST_AHEAD + 1];
+    float levels[MOST_AHEAD + 1], deficits[MOST_AHEAD + 1][EAR_PHONEMES];
     size_t level_at;
     /* the network: what each layer looks back to, [frame][lane][value], and the frame that came last */
     float *seen[MOST_LAYERS];
@@ -1319,6 +1350,8 @@ struct ear {
     workspace work;
     float *wave, *rebuilt, *magnitudes, *smoothed, *spectrum, *mel, *values;
     calming calm;
+    int32_t courses[EAR_PHONEMES]; /* of the search: how good the best one is that ends in each phoneme, and its past */
+    int is_over;                   /* whether the sound has ended */
     int32_t viseme_phoneme, viseme;
 };
 
@@ -1383,6 +1416,17 @@ static void forget_network(ear *of)
         of->evidence[k] = 0;
 }
 
+/* How good a course is stands above the bits of its past: four for the phoneme of each frame. */
+enum { PAST = 1 << 4 * MOST_PAST };
+
+static void begin_search(ear *of)
+{
+    const decoder *by = &of->model->decoder;
+    size_t k;
+    for (k = 0; k < by->n; k++) /* as if silence had been before */
+        of->courses[k] = k ? -by->costs[0][k] * PAST : 0;
+}
+
 void ear_reset(ear *of)
 {
     const ear_model *model = of->model;
@@ -1394,6 +1438,8 @@ void ear_reset(ear *of)
     of->level_at = 0;
     of->calm.current = of->calm.identified = of->calm.steady = EAR_SILENCE;
     of->calm.held = model->least_hold;
+    begin_search(of);
+    of->is_over = 0;
     of->viseme_phoneme = of->viseme = -1;
     if (of->resamples)
         restart_resampler(&of->resampler);
@@ -1852,11 +1898,10 @@ static void deficits_by_rules(const ear *of, float *deficits)
 }
 
 /* How far a phoneme is from giving way to another one, 0..1; 0.5 and below where another one is named. */
-static float separation_by_rules(const ear *of, size_t phoneme)
+static float separation_of(const float *deficits, size_t phoneme)
 {
-    float deficits[EAR_PHONEMES], nearest = HUGE_VALF, apart;
+    float nearest = HUGE_VALF, apart;
     size_t k;
-    deficits_by_rules(of, deficits);
     for (k = 0; k < EAR_PHONEMES; k++)
         if (k != phoneme && deficits[k] < nearest)
             nearest = deficits[k];
@@ -1962,6 +2007,33 @@ static uint32_t calmed(ear *of, uint32_t raw, const float *scores)
     return calm->current;
 }
 
+/* Go on with the search by an answer of the rules; returns the phoneme of the frame `look_ahead` before. */
+static uint32_t searched(ear *of, uint32_t answer)
+{
+    const decoder *by = &of->model->decoder;
+    uint32_t look_ahead = of->model->look_ahead;
+    int32_t next[EAR_PHONEMES] = {0}, past;
+    size_t i, j, best = 0;
+    for (i = 0; i < by->n; i++) { /* the phoneme of the frame before joins the past, and the oldest one leaves */
+        past = (int32_t)((uint32_t)of->courses[i] % PAST);
+        of->courses[i] -= past;
+        of->courses[i] += (int32_t)(((uint32_t)past << 4 | by->phonemes[i]) % PAST);
+    }
+    for (j = 0; j < by->n; j++) {
+        next[j] = of->courses[j];
+        for (i = 0; i < by->n; i++) {
+            int32_t entered = of->courses[i] - by->costs[i][j] * PAST;
+            next[j] = entered > next[j] ? entered : next[j];
+        }
+        next[j] -= by->against[j][answer] * PAST;
+        best = next[j] > next[best] ? j : best;
+    }
+    past = (int32_t)((uint32_t)next[best] % PAST);
+    for (j = 0; j < by->n; j++) /* relative to the best one, so that numbers stay small */
+        of->courses[j] = next[j] - (next[best] - past);
+    return look_ahead ? (uint32_t)past >> 4 * (look_ahead - 1) & 15 : by->phonemes[best];
+}
+
 /* By how much another viseme of the same phoneme must be likelier to follow. */
 static const float VISEME_MARGIN = 0.2f;
 
@@ -2009,7 +2081,7 @@ static float intensity_of(const ear_model *model, float level, int phoneme)
 static int hear_window(ear *of, const float *window, ear_frame *frame)
 {
     const ear_model *model = of->model;
-    float *visemes = frame->viseme_scores, level = peak_of(window);
+    float *visemes = frame->viseme_scores, level = peak_of(window), *deficits = of->deficits[of->level_at];
     uint32_t raw;
     memset(frame, 0, sizeof *frame);
     /* A ring of look_ahead + 1 levels: an answer is about a frame that lies so far back, and so is its loudness. */
@@ -2025,13 +2097,22 @@ static int hear_window(ear *of, const float *window, ear_frame *frame)
     if (model->recogniser != BY_RULES)
         apply_sensitivities(model, frame->scores);
     raw = model->recogniser == BY_RULES ? ask_rules(of) : (uint32_t)likeliest(frame->scores, EAR_PHONEMES);
+    if (model->recogniser == BY_RULES && model->n_points)
+        deficits_by_rules(of, deficits);
+    if (model->decoder.n) {
+        raw = searched(of, of->is_over ? EAR_PHONEMES : raw);
+        if (of->n_early) {
+            of->n_early--;
+            return 0;
+        }
+    }
     frame->number = of->next++;
     frame->phoneme = (int32_t)calmed(of, raw, frame->scores);
     frame->viseme = followed_viseme(of, frame->phoneme, visemes);
     if (model->recogniser != BY_RULES)
         frame->confidence = confidence_of(model, frame->scores[frame->phoneme]);
     else
-        frame->confidence = model->n_points ? confidence_of(model, separation_by_rules(of, (size_t)frame->phoneme)) : NAN;
+        frame->confidence = confidence_of(model, separation_of(of->deficits[of->level_at], (size_t)frame->phoneme));
     frame->intensity = intensity_of(model, of->levels[of->level_at], frame->phoneme);
     return 1;
 }
@@ -2240,6 +2321,7 @@ int ear_finish(ear *of, ear_frame *frames, size_t most, size_t *n_frames)
         finish_resampling(of, &to);
     finish_frames(of, &to);
     memset(of->window, 0, WINDOW * sizeof *of->window);
+    of->is_over = 1;
     for (k = 0; k < of->model->look_ahead; k++)
         hear_and_give(of, of->window, &to);
     *n_frames = to.given;

@@ -89,11 +89,12 @@ class LookAheadSlider(QSlider):
 
     def _tell(self) -> None:
         preset = self._preset.preset
-        waits = spec_of(preset.recogniser).looks_ahead
+        by_model = spec_of(preset.recogniser).looks_ahead and preset.model is not None
+        waits = spec_of(preset.recogniser).looks_ahead or preset.decoder is not None
         settings = preset.settings.with_number(LIVE_LOOK_AHEAD, round(self.value() * FRAME_PERIOD, 2))
         live = for_live_use(replace(preset, settings=settings))
         frames = self.value() if waits else 0
-        if waits and preset.model is not None:
+        if by_model:
             frames = frames_ahead(live)
         ahead = (
             tr("Look-ahead {ms:.0f} ms").format(ms=FRAME_MS * frames)
@@ -104,7 +105,7 @@ class LookAheadSlider(QSlider):
         if self._waiting is not None:
             late = tr("latency {ms:.0f} ms").format(ms=1000 * self._waiting + FRAME_MS * frames)
         parts = [ahead, late]
-        if waits and preset.model is not None:
+        if by_model:
             figures = figures_ahead(live, frames)
             parts.append(
                 tr("mouth-shape accuracy {percent:.0f} % · macro F1 {macro_f1:.2f}").format(
@@ -262,6 +263,8 @@ class FilterColumn(QScrollArea):
         """Show which steps do nothing to what is recognised; they still shape what is seen."""
         name = recogniser_title(self._preset.preset.recogniser)
         unused = unused_settings(self._preset.preset)
+        for of in STAGES["statistics"].parameters:
+            self.fields[of.name].setEnabled(of.name not in unused)
         for key, heading in self._headings.items():
             note = (
                 " " + tr("The recogniser “{name}” does not use it: it affects the display only.").format(name=name)
