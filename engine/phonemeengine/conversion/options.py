@@ -256,11 +256,7 @@ class ConversionOptions:
         elsewhere=False,
     )
     decoder: Decoding | None = _option(
-        "search behind the answers of rules: off, none (of no language), or the language whose statistics it uses "
-        "(default: the preset's)",
-        "|".join(Decoding),
-        OneOf(Decoding),
-        elsewhere=False,
+        "decoder of rules: off, none, or a language", "|".join(Decoding), OneOf(Decoding), elsewhere=False
     )
     channel: Channel = _option(
         "channel to analyse: mix, left, right, or a number from 1", "C", read_channel, Channel.MIX
