@@ -11,29 +11,21 @@ from typing import Any, NoReturn
 
 from phonemeengine import FORMATS
 from phonemeengine.batch.remote import place_of
-from phonemeengine.conversion.options import OPTIONS, PICTURED, ConversionOptions, Number
+from phonemeengine.conversion.options import (
+    EXPRESSED,
+    OPTIONS,
+    PICTURED,
+    WEIGHTED,
+    ConversionOptions,
+    Number,
+)
 from phonemeengine.errors import OptionError, meant_by, remedy
 from phonemeengine.mouth.exports.formats import formats_for
 from phonemeengine.settings import OLD_MODEL_KINDS
 
 HEARD = ("preset", "model", "decoder", "channel")
 SAID = ("text", "script", "speaker", "language", "lexicon", "literal", "accept-text")
-MOVED = (
-    "anticipation",
-    "detail",
-    "attack",
-    "release",
-    "steady",
-    "no-blinks",
-    "no-head",
-    "seed",
-    "style",
-    "expression",
-    "feeling",
-    "text-feeling",
-    "priority",
-)
-DRIVEN = ("text-driver", "pinyin-table", "spring", "performance", "use", "choice", "without", "keywords", "units")
+MOVED = ("anticipation", *WEIGHTED, "no-blinks", "no-head", *EXPRESSED)
 """Options of conversions that commands share: of recognition, the text, a face's movement, and its driver."""
 OLD_OPTIONS = {
     "--ear": "--model",

@@ -3,7 +3,6 @@
 import argparse
 
 from phonemeanalyser.cli.arguments import (
-    DRIVEN,
     HEARD,
     MOVED,
     SAID,
@@ -15,6 +14,7 @@ from phonemeanalyser.cli.arguments import (
 )
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_single, jobs_of, say_note, share_paths
 from phonemeengine import FORMATS, EngineError
+from phonemeengine.conversion.options import DRIVEN
 from phonemeengine.conversion.work import ConversionWork
 
 EXAMPLES = (

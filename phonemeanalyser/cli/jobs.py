@@ -18,7 +18,8 @@ from phonemeengine.presets.model_choice import model_in_words
 from phonemeengine.storage.files import is_device, is_folder, printable, printable_name
 from phonemeengine.storage.replacing import STANDARD_OUTPUT
 
-SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates", "performance", "keywords", "units", "pinyin_table"}
+DRIVING = {"performance", "face_network", "keywords", "units", "pinyin_table"}
+SHARED = {"corpus", "keep", "inputs", "out", "mesh", "movestates"} | DRIVING
 """Arguments that name files which are opened where the work is done."""
 BAR = "{percentage:3.0f}%|{bar}| {desc} [{elapsed}<{remaining}]"
 BAR_DELAY = 1.0

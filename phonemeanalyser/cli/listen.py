@@ -43,6 +43,8 @@ from phonemeengine.mouth.osc import OscAddress, OscSettings
 from phonemeengine.mouth.performer import MOUTH_ALONE, IdleMotion
 from phonemeengine.mouth.style import NEUTRAL, load_style
 from phonemeengine.mouth.table import USUAL_TABLE
+from phonemeengine.performance.driver import FACE
+from phonemeengine.performance.face_network import FaceFollower, FaceFrames, FaceNetwork, load_face_network
 from phonemeengine.presets.model_choice import figures_ahead, for_live_use, model_in_words
 from phonemeengine.presets.preset import LIVE_KINDS
 from phonemeengine.settings import PARAMETERS, ModelKind
@@ -76,7 +78,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--osc", metavar="HOST:PORT", help="send phonemes and mouth shapes as OSC and VMC messages")
     table = f"mouth table of --osc: vrm, oculus, ... or a file (default: {USUAL_TABLE})"
     parser.add_argument("--table", default=USUAL_TABLE, metavar="T", help=table)
-    add_options(parser, "decoder", "style", "expression", "feeling", "priority")
+    add_options(parser, "decoder", "style", "expression", "feeling", "priority", "face-network")
     received = "receive expressions of other programs here (/expression NAME V, or VMC blend shapes)"
     parser.add_argument("--expression-osc", metavar="HOST:PORT", help=received)
 
@@ -87,8 +89,8 @@ def run(options: argparse.Namespace) -> int:
         list_devices()
     else:
         with ExitStack() as stack:
-            osc = _osc_of(options, stack)
-            listen(_preset_of(options), input_of(options), options.seconds, options.kind, osc)
+            osc, network = _osc_of(options, stack), _network_of(options)
+            listen(_preset_of(options), input_of(options), options.seconds, options.kind, osc, network=network)
     return 0
 
 
@@ -110,6 +112,8 @@ def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None
     if options.osc is None:
         if any(value is not None for value in (options.expression, options.expression_osc, options.feeling)):
             options.parser.error("an expression is sent with the mouth; say where with --osc")
+        if options.face_network is not None:
+            options.parser.error("what --face-network moves is sent; say where with --osc")
         return None
     streams = []
     if options.expression_osc is not None:
@@ -117,6 +121,16 @@ def _osc_of(options: argparse.Namespace, stack: ExitStack) -> OscSettings | None
     style = load_style(options.style or NEUTRAL)
     idle = style.on_idle(IdleMotion(expression=given(options).expressed(*streams)))
     return OscSettings(OscAddress.of(options.osc), style.on_table(load_table(options.table)), idle.expression)
+
+
+def _network_of(options: argparse.Namespace) -> FaceNetwork | None:
+    if options.face_network is None:
+        return None
+    if not {*load_table(options.table).movestates} <= {*FACE}:
+        options.parser.error(
+            f"a network moves ARKit's blend shapes, and the table {options.table} has others; use arkit"
+        )
+    return load_face_network(options.face_network)
 
 
 def add_input(parser: argparse.ArgumentParser) -> None:
@@ -155,6 +169,7 @@ def listen(
     kind: str,
     osc: OscSettings | None = None,
     open_listener: Callable[..., Listener] = Listener,
+    network: FaceNetwork | None = None,
 ) -> None:
     """Print a line at each change of phoneme, for some seconds or until Ctrl-C.
 
@@ -163,6 +178,7 @@ def listen(
     kind : ``text``, or ``json`` for a JSON object on each line.
     osc : where the mouth is sent to as well.
     open_listener : begins to listen.
+    network : moves the mouth that is sent, in place of the phonemes.
 
     Raises
     ------
@@ -173,11 +189,16 @@ def listen(
     feeling = FeelingEstimator()
     changes = _Changes(_as_json if kind == "json" else _as_text)
     with _sending(osc) as performer, _quiet_libraries(), ended_by_signals():
+        follower, face = (None, None) if network is None else (FaceFollower(network), FaceFrames(network))
+        if performer is not None:
+            performer.play(face)
 
         def follow(analysis: Analysis) -> None:
             changes.follow(analysis)
             if performer is not None:
                 now = time.monotonic()
+                if follower is not None and face is not None:
+                    face.add(follower.follow(analysis.frames.windows), now)
                 performer.add(timed_frames(analysis, now), now, live=True)
                 if performer.feels:
                     performer.feel(feeling.follow(analysis.frames.windows), now)

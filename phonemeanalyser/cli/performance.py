@@ -12,10 +12,15 @@ from phonemeanalyser.cli.arguments import add_clip, add_examples, add_options, f
 from phonemeanalyser.cli.extras import module_that_draws
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
+from phonemeengine.errors import ModelError
 from phonemeengine.mouth.style import save_style
+from phonemeengine.performance.corpus import BuiltTable
+from phonemeengine.performance.face_learning import LearnedFace, learn_face
+from phonemeengine.performance.face_network import owns, save_face_network
 from phonemeengine.performance.making import sentences
 from phonemeengine.performance.style_fit import fit_style
 from phonemeengine.performance.table_file import TableAbout
+from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.storage.files import printable_name, read_text_file
 from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
 
@@ -31,7 +36,7 @@ EXAMPLES = (
 )
 EXAMPLES_OF = {
     "make": (
-        "phonemeanalyser performance make recorded --minutes 0.2",
+        "phonemeanalyser performance make recorded --minutes 0.6",
         "phonemeanalyser performance make other --minutes 0.1 --seed 7",
         "phonemeanalyser performance make mine --minutes 0.1 --sentences lines.txt --language en-gb",
     ),
@@ -39,6 +44,11 @@ EXAMPLES_OF = {
         "phonemeanalyser performance build recorded -o face.sqlite",
         "phonemeanalyser performance build other -o other.sqlite --name Ada",
         "phonemeanalyser performance build mine -o face.sqlite --overwrite",
+    ),
+    "learn": (
+        "phonemeanalyser performance learn recorded -o recorded.face",
+        "phonemeanalyser performance learn recorded -o ada.face --name Ada",
+        "phonemeanalyser performance learn recorded -o recorded.face --overwrite",
     ),
     "info": (
         "phonemeanalyser performance info face.sqlite",
@@ -72,6 +82,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     build.add_argument("--name", metavar="NAME", help="name of the table (default: the folder's)")
     add_options(build, "overwrite")
     build.set_defaults(act=_build)
+    learn = kinds.add_parser(
+        "learn",
+        help="learn a face from the sound alone",
+        description="Learn a network that moves a face by the sound alone, without phonemes; see --face-network.",
+    )
+    learn.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
+    learn.add_argument("-o", "--out", type=file_place, required=True, metavar="N.face", help="the network")
+    learn.add_argument("--name", metavar="NAME", help="name of the network (default: the folder's)")
+    add_options(learn, "preset", "overwrite")
+    learn.set_defaults(act=_learn)
     info = kinds.add_parser("info", help="list a table", description="List what a table holds.")
     info.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
     info.set_defaults(act=_info)
@@ -120,11 +140,32 @@ def _build(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
     with _progress(options.folder) as progress:
         built = build_table(options.folder, options.out, name=options.name, progress=progress)
-    for sentence in built.left_out:
-        say_note(printable_name(options.folder), f"a recording is left out: {sentence}")
-    for note in built.notes:
-        say_note(printable_name(options.folder), note)
+    _say_notes(options.folder, built)
     yield _summary(options.out, built.about)
+
+
+def _learn(options: argparse.Namespace) -> Iterator[str]:
+    Guard(owns, options.overwrite).check(options.out)
+    preset = load_preset(options.preset)
+    if preset.model is None:
+        raise ModelError(f"{preset.name}: this preset has no network to learn on; choose {DEFAULT_PRESET.stem}")
+    with _progress(options.folder) as progress:
+        learned = learn_face(options.folder, preset.model, name=options.name, progress=progress)
+    _say_notes(options.folder, learned)
+    save_face_network(learned.network, options.out, overwrite=options.overwrite)
+    about = learned.network.about
+    yield (
+        f"{options.out.name}: {learned.network.title}, from {about['seconds'] / 60:.1f} minutes; error "
+        f"{learned.error:.3f} on {about['left_out']} recordings that were left out ({learned.still:.3f} for a face "
+        "that stays at its mean)"
+    )
+
+
+def _say_notes(folder: Path, found: BuiltTable | LearnedFace) -> None:
+    for sentence in found.left_out:
+        say_note(printable_name(folder), f"a recording is left out: {sentence}")
+    for note in found.notes:
+        say_note(printable_name(folder), note)
 
 
 def _info(options: argparse.Namespace) -> Iterator[str]:

@@ -6,12 +6,13 @@ Two heads speak it side by side, in step, where drivers are compared.
 import argparse
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import DRIVEN, HEARD, MOVED, SAID, add_batch, add_clip, add_options, given
+from phonemeanalyser.cli.arguments import HEARD, MOVED, SAID, add_batch, add_clip, add_options, given
 from phonemeanalyser.cli.jobs import file_preset, finish_jobs, is_batch, jobs_of, say_note, share_paths
 from phonemeanalyser.rendering.clip import ClipWork, check_clip
 from phonemeanalyser.rendering.clip_options import ClipOptions
 from phonemeengine.batch.pool import n_cores
 from phonemeengine.batch.work import Job
+from phonemeengine.conversion.options import DRIVEN
 from phonemeengine.storage.replacing import STANDARD_OUTPUT
 
 CLIPS = ("mp4", "gif")

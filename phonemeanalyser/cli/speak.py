@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from phonemeanalyser.cli.arguments import DRIVEN, MOVED, add_options, format_of, given, number, refuse_unused
+from phonemeanalyser.cli.arguments import MOVED, add_options, format_of, given, number, refuse_unused
 from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import (
     DeviceError,
@@ -30,7 +30,7 @@ from phonemeengine import (
 )
 from phonemeengine.audio.output import Output, open_output
 from phonemeengine.conversion.driving import DriverChoice, Driving
-from phonemeengine.conversion.options import ConversionOptions
+from phonemeengine.conversion.options import DRIVEN, ConversionOptions
 from phonemeengine.conversion.speech_files import SpeechFiles
 from phonemeengine.conversion.spoken_texts import say_misfits
 from phonemeengine.labels.utterance_files import read_utterance

@@ -43,6 +43,7 @@ from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.movement_difference import difference_in_words, movement_difference
 from phonemeengine.mouth.movestate import MovestateSet
 from phonemeengine.mouth.table import USUAL_TABLE
+from phonemeengine.performance.face_network import sound_of
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.storage.files import printable, printable_name
@@ -416,7 +417,7 @@ class ClipWork:
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=self.options.idle.feels)
             feeling = self.texts.feeling_of(job.sound, utterance)
             shows = self if feeling is None else replace(self, options=self.options.expressing(feeling))
-            animations, captions = shows._faces_of(utterance, speech, printable_name(job.source), driving, say)
+            animations, captions = shows._faces_of(utterance, speech, reader, driving, say)
             if self.driver.beside is not None:
                 say(
                     printable_name(job.source), difference_in_words(movement_difference(animations[0], animations[1]))
@@ -428,11 +429,11 @@ class ClipWork:
             return made_of(reader, utterance, self.texts.language)
 
     def _faces_of(
-        self, utterance: Utterance | None, speech: Transcript, name: str, driving: Driving, say: Say
+        self, utterance: Utterance | None, speech: Transcript, reader: SoundReader, driving: Driving, say: Say
     ) -> tuple[list[Animation], list[str]]:
         """Return how each head moves, and their captions where there are two."""
-        drivers = self._drivers_of(utterance, name, driving)
-        tracks = [driving.track(driver, utterance, speech, say) for driver in drivers]
+        drivers = self._drivers_of(utterance, printable_name(reader.path), driving)
+        tracks = [driving.track(driver, utterance, speech, say, sound=sound_of(reader)) for driver in drivers]
         animations = [
             track.animation(speech, self.look.rate, self.options.idle)
             if track

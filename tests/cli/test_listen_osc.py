@@ -38,10 +38,10 @@ def microphone(portaudio: FakePortAudio) -> HandDrivenMicrophone:
     return HandDrivenMicrophone(name="Yeti · ALSA")
 
 
-def listen_to_speech(microphone: HandDrivenMicrophone, osc: OscSettings | None) -> None:
+def listen_to_speech(microphone: HandDrivenMicrophone, osc: OscSettings | None, **more: object) -> None:
     microphone.give(SPEECH)
     listener = partial(HandDrivenListener, Microphones(microphone), clock=Clock())
-    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "text", osc, listener)
+    listening.listen(PRESET, InputChoice(), len(SPEECH) / SAMPLE_RATE, "text", osc, listener, **more)
 
 
 def spoken(names: Iterable[str]) -> list[str]:

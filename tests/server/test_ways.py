@@ -24,6 +24,7 @@ from phonemeengine.execution import no_progress
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.key_layer import KeyCurve, KeyLayer, write_keys
 from phonemeengine.performance.corpus import build_table
+from phonemeengine.performance.face_network import LIVE, WHOLE, FaceLayer, FaceNetwork, save_face_network
 from phonemeengine.speech.pinyin.table import USUAL_PINYIN_TABLE
 from tests.engine.performance.corpora import write_recording
 from tests.glb_faces import face_with_targets
@@ -50,6 +51,7 @@ CASES: dict[str, Words] = {
         "text-feeling": ["0.6"],
         "priority": ["0.7,0.2"],
         "text-driver": ["rules"],
+        "style": ["mumbling"],
         **SPOKEN,
     },
     "pinyin": {
@@ -79,6 +81,7 @@ CASES: dict[str, Words] = {
         "model": ["real-time"],
         "overwrite": ["true"],
     },
+    "network": {"format": ["livelink-csv"], "face-network": ["ada.face"]},
     "mesh": {"format": ["gltf"], "mesh": ["face.glb"]},
     "clip": {
         "format": ["clip-gif"],
@@ -116,12 +119,21 @@ def folder(case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "pinyin.toml").write_bytes(USUAL_PINYIN_TABLE.read_bytes())
     edited = KeyCurve(np.array([0.1, 0.3, 0.5]), np.array([0, 0.7, 0.0]))
     write_keys(KeyLayer({"jawOpen": edited}), "edited.keys.toml")
+    save_face_network(still_face(), tmp_path / "ada.face")
     (tmp_path / "face.glb").write_bytes(face_with_targets(ARKIT))
     if case == "clip":
         head = load_head()
         (tmp_path / "face.obj").write_bytes(format_obj(head.mesh))
         save_morph_targets(morph_targets_of(head.mesh, head.states), tmp_path / "face.3dm")
     return tmp_path
+
+
+def still_face() -> FaceNetwork:
+    """Give a network whose jaw is half open whatever sounds."""
+    trunk = load_preset("learned").model
+    assert trunk is not None
+    layer = FaceLayer(np.zeros((3 * len(trunk.layers[-1].bias), 1), np.float32), np.full(1, 0.5, np.float32))
+    return FaceNetwork(trunk, ("jawOpen",), {LIVE: layer, WHOLE: layer}, np.full((2, 1), np.nan, np.float32), {})
 
 
 def test_every_option_is_tried() -> None:

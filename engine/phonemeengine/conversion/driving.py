@@ -1,4 +1,4 @@
-"""What moves a face by what is said: recorded faces, letters of pinyin, or rules."""
+"""What moves a face by what is said: recorded faces, a network that learned from them, pinyin letters, or rules."""
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
@@ -17,6 +17,7 @@ from phonemeengine.mouth.style import NEUTRAL, Style, load_style, neutral_style
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
+from phonemeengine.performance.face_network import FaceNetwork, FaceNetworkTrack, Sound, load_face_network
 from phonemeengine.performance.keywords import load_keywords
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import PerformanceTrack, format_units, owns
@@ -26,7 +27,7 @@ from phonemeengine.speech.pinyin.timing import has_pinyin
 from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
 from phonemeengine.storage.replacing import Guard, write_guarded
 
-FaceTrack = PerformanceTrack | PinyinTrack
+FaceTrack = PerformanceTrack | PinyinTrack | FaceNetworkTrack
 """What moves a face that does not follow its phones by rules."""
 Takes = Callable[[tuple[str, ...]], bool]
 """Whether a face or a file has what a driver moves, by the names of its movestates."""
@@ -52,13 +53,14 @@ class DriverChoice:
     use : the name of the table that is used; None where there is one.
     choice, without : among the examples of a unit, and what is left out; see `PerformanceOptions`.
     keywords : files of words with gestures.
+    network : a network's file that moves a face by the sound alone.
     units : where it is written what was taken from which recording; None writes nothing.
     overwrite : whether whatever is there is replaced.
     style : in which the face speaks; None for the neutral one.
 
     Raises
     ------
-    EngineError : nothing would use the tables of recorded faces, or there are none.
+    EngineError : nothing would use the tables of recorded faces or the network, or there are none.
     """
 
     driver: FaceDriver = FaceDriver.AUTO
@@ -72,17 +74,22 @@ class DriverChoice:
     without: frozenset[PerformancePart] = frozenset()
     keywords: tuple[Path, ...] = ()
     units: Path | None = None
+    network: Path | None = None
     overwrite: bool = field(default=False, compare=False)
     style: Style | None = None
 
     def __post_init__(self) -> None:
         drivers = {self.driver, self.beside}
-        if not self.performance and FaceDriver.TABLE in drivers:
-            option = "--text-driver" if self.driver is FaceDriver.TABLE else "--beside"
-            raise EngineError(f"{option} table needs a table of recorded faces; name it with --performance")
-        if self.performance and not drivers & {FaceDriver.AUTO, FaceDriver.TABLE}:
-            words = "leaves the table of --performance unused; leave one of them out"
-            raise EngineError(f"--text-driver {self.driver} {words}")
+        for driver, given, option, what in (
+            (FaceDriver.TABLE, bool(self.performance), "--performance", "table"),
+            (FaceDriver.NETWORK, self.network is not None, "--face-network", "network"),
+        ):
+            if not given and driver in drivers:
+                asked = "--text-driver" if self.driver is driver else "--beside"
+                raise EngineError(f"{asked} {driver} needs a {what} of recorded faces; name it with {option}")
+            if given and not drivers & {FaceDriver.AUTO, driver}:
+                words = f"leaves the {what} of {option} unused; leave one of them out"
+                raise EngineError(f"--text-driver {self.driver} {words}")
 
     @classmethod
     def of(cls, options: ConversionOptions) -> "DriverChoice":
@@ -104,6 +111,7 @@ class DriverChoice:
             options.without or frozenset(),
             options.keywords,
             options.units,
+            options.face_network,
             options.overwrite,
             load_style(options.style or NEUTRAL),
         )
@@ -126,7 +134,8 @@ class DriverChoice:
         options = PerformanceOptions(self.choice, self.seed or 0, self.without, style, keywords)
         with ExitStack() as stack:
             tables = [stack.enter_context(PerformanceTable.open(path)) for path in self.performance]
-            yield Driving(self, pinyin, self._chosen(tables) if tables else None, options)
+            network = None if self.network is None else load_face_network(self.network)
+            yield Driving(self, pinyin, self._chosen(tables) if tables else None, options, network)
 
     def _chosen(self, tables: list[PerformanceTable]) -> PerformanceTable:
         named = [table for table in tables if self.use in {None, table.about.name}]
@@ -150,18 +159,22 @@ class Driving:
     pinyin : the pinyin table.
     recorded : the recorded faces; None where they move nothing.
     options : how these are looked up.
+    network : moves a face by the sound alone; None where none does.
     """
 
     asked: DriverChoice
     pinyin: PinyinTable
     recorded: PerformanceTable | None
     options: PerformanceOptions
+    network: FaceNetwork | None = None
 
     def say_notes(self, say: Say) -> None:
         """Say if no person, but a model of one, moved in the recorded faces."""
+        words = "the performer is synthetic: no person moved, but a model of one"
         if self.recorded is not None and self.recorded.about.synthetic:
-            words = "the performer is synthetic: no person moved, but a model of one"
             say(self.recorded.about.name, words)
+        if self.network is not None and self.network.synthetic:
+            say(self.network.name, words)
 
     def chosen(
         self, utterance: Utterance | None, name: str, takes: Takes | None = None, driver: FaceDriver | None = None
@@ -183,7 +196,11 @@ class Driving:
         if driver is FaceDriver.AUTO:
             letters = utterance is not None and has_pinyin(utterance)
             moves = takes is None or takes(self.pinyin.mouth.movestates)
-            driver = usual_driver(has_table=self.recorded is not None, has_letters=letters and moves)
+            driver = usual_driver(
+                has_table=self.recorded is not None,
+                has_letters=letters and moves,
+                has_network=self.network is not None,
+            )
         if driver in _NEEDS_WORDS and (utterance is None or is_other_text(utterance)):
             raise EngineError(
                 f"{name}: {_NEEDS_WORDS[driver]}, which are unknown; give the text with --text, or the text or "
@@ -204,7 +221,13 @@ class Driving:
             raise EngineError(f"{name}: there is no syllable of pinyin in what is said; choose another driver")
 
     def track(
-        self, driver: FaceDriver, utterance: Utterance | None, speech: Transcript, say: Say, text: str = ""
+        self,
+        driver: FaceDriver,
+        utterance: Utterance | None,
+        speech: Transcript,
+        say: Say,
+        text: str = "",
+        sound: Sound | None = None,
     ) -> FaceTrack | None:
         """Return how a chosen driver moves a face; None by rules.
 
@@ -215,7 +238,19 @@ class Driving:
         utterance, speech : what is said, and how loud and high.
         say : told what the table lacks.
         text : the same as it is written, for the marks of its pauses.
+        sound : in which it is said; None where there is none to follow.
+
+        Raises
+        ------
+        EngineError : a network is to follow the sound, and there is none.
         """
+        if driver is FaceDriver.NETWORK and self.network is not None:
+            if sound is None:
+                raise EngineError(
+                    f"{speech.name}: a network moves a face by a sound, and this has none; have a voice say it, or "
+                    "choose another --text-driver"
+                )
+            return FaceNetworkTrack(self.network, sound())
         if utterance is not None and driver is FaceDriver.PINYIN:
             return pinyin_track(utterance, self.pinyin, text=text, seed=self.asked.seed)
         if utterance is None or driver is not FaceDriver.TABLE or self.recorded is None:
@@ -245,4 +280,6 @@ class Driving:
         """Return what people call a chosen driver."""
         if driver is FaceDriver.TABLE and self.recorded is not None:
             return self.recorded.about.title
+        if driver is FaceDriver.NETWORK and self.network is not None:
+            return self.network.title
         return driver.caption

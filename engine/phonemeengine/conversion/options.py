@@ -15,7 +15,7 @@ from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.composer import Expression
 from phonemeengine.mouth.expression.felt import FeelingAmounts
 from phonemeengine.mouth.expression.streams import ExpressionStream, expression_presets, held_expression
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
 from phonemeengine.mouth.head import Framing
 from phonemeengine.mouth.morpher import Detail
 from phonemeengine.mouth.performer import IdleMotion
@@ -31,7 +31,7 @@ from phonemeengine.settings import MOST_CHANNELS, Channel, Decoding, ModelKind
 RECORDED = ".csv"
 """Ends the name of a recorded expression."""
 OTHER_DRIVERS = tuple(driver for driver in FaceDriver if driver is not FaceDriver.AUTO)
-SERVED_DRIVERS = tuple(driver for driver in FaceDriver if driver is not FaceDriver.TABLE)
+SERVED_DRIVERS = tuple(driver for driver in FaceDriver if driver not in NEEDS_FILE)
 """What moves a face where no file of recorded faces can be named."""
 CLIP_EDGES = 16, 4096
 """The least and the most pixels along an edge of a clip."""
@@ -321,7 +321,7 @@ class ConversionOptions:
         "priority of speech over expressions, 0..1, on its own and on other channels", "S[,E]"
     )
     text_driver: FaceDriver = _option(
-        "driver of the face (auto: a table of --performance, pinyin for Chinese, else rules)",
+        "driver of the face (auto: what --performance or --face-network names, pinyin for Chinese, else rules)",
         "|".join(FaceDriver),
         OneOf(FaceDriver),
         FaceDriver.AUTO,
@@ -337,6 +337,7 @@ class ConversionOptions:
     performance: tuple[Path, ...] = _files(
         "table of recorded faces that moves the face; --use chooses one of several", "T.sqlite"
     )
+    face_network: Path | None = _file("network that moves the face by the sound alone (performance learn)", "N.face")
     use: str | None = _option("name of the table to use", "NAME", needs=_TABLE, elsewhere=False)
     choice: ExampleChoice | None = _option(
         f"how to choose among examples of a unit (default: {ExampleChoice.VITERBI})",
@@ -446,24 +447,12 @@ PICTURED = ("size", "view", "transparent", "theme")
 """Options that say how pictures and clips look."""
 WEIGHTED = ("detail", "attack", "release", "steady", "seed", "style")
 """Options that say how the weights of movestates move."""
-FACIAL = (
-    "no-blinks",
-    "no-head",
-    "expression",
-    "feeling",
-    "text-feeling",
-    "priority",
-    "text-driver",
-    "pinyin-table",
-    "spring",
-    "performance",
-    "use",
-    "choice",
-    "without",
-    "keywords",
-    "units",
-    "keys",
-)
+EXPRESSED = ("expression", "feeling", "text-feeling", "priority")
+"""Those that say what a face expresses."""
+_OF_TABLES = ("performance", "use", "choice", "without", "keywords", "units")
+DRIVEN = ("text-driver", "pinyin-table", "spring", *_OF_TABLES, "face-network")
+"""Those that say what moves a face."""
+FACIAL = ("no-blinks", "no-head", *EXPRESSED, *DRIVEN, "keys")
 """Those that say what a whole face does."""
 OPTIONS: dict[str, Option] = {
     each.name.replace("_", "-"): each.metadata["option"] for each in fields(ConversionOptions)

@@ -8,6 +8,8 @@ from io import BytesIO
 from pathlib import Path
 from typing import BinaryIO
 
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.batch.work import Say
 from phonemeengine.conversion.driving import Driving, FaceTrack
@@ -19,6 +21,7 @@ from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.expression.text_feeling import spoken_feeling
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.performance.face_network import Sound, sound_of
 from phonemeengine.settings import SAMPLE_RATE
 from phonemeengine.speech.pinyin.timing import (
     PLAN_COLUMNS,
@@ -89,10 +92,13 @@ class SpeechFiles:
         with self._opened() as files:
             noted = self._noted(sentences, files)
             if self._moves:
+                blocks: list[Float32Array] = []  # which a network follows once all is said
+                if self.driving.network is not None:
+                    noted = _with_samples_in(blocks, noted)
                 felt = self.exporter is not None and self.exporter.idle.feels
                 sound = files.get(self.sound)
                 said = spoken_text(noted, language=language, sound=sound, path=self.sound, felt=felt)
-                track = self._track_of(said.utterance, said.transcript, text)
+                track = self._track_of(said.utterance, said.transcript, text, sound=lambda: blocks)
                 self._export(files, said.transcript, track, text)
             else:
                 deque(written_as_spoken(noted, files.get(self.sound)), maxlen=0)
@@ -103,7 +109,7 @@ class SpeechFiles:
         with self._opened() as files:
             self._write_plan(files, plan.rows)
             text = " ".join(word.text for word in utterance.words)
-            self._export(files, speech, self._track_of(utterance, speech) if self._moves else None, text)
+            self._export(files, speech, self._track_of_recording(utterance, speech) if self._moves else None, text)
 
     def write_silent(self, text: SilentText, name: str) -> tuple[str, ...]:
         """Write what is said in a text without sound; returns what of it is not said.
@@ -187,15 +193,27 @@ class SpeechFiles:
                 yield from part.rows
         self.driving.check_letters(self.driving.asked.driver, name, letters=letters)
 
+    def _track_of_recording(self, utterance: Utterance, speech: Transcript) -> FaceTrack | None:
+        """Return what moves the face by a recording."""
+        if self.driving.network is None or speech.path is None:
+            return self._track_of(utterance, speech)
+        with SoundReader(speech.path) as reader:
+            return self._track_of(utterance, speech, sound=sound_of(reader))
+
     def _track_of(
-        self, utterance: Utterance, speech: Transcript, text: str = "", letters: PinyinTrack | None = None
+        self,
+        utterance: Utterance,
+        speech: Transcript,
+        text: str = "",
+        letters: PinyinTrack | None = None,
+        sound: Sound | None = None,
     ) -> FaceTrack | None:
         """Return what moves the face."""
         takes = None if self.exporter is None else self.exporter.takes
         driver = self.driving.chosen(utterance, speech.name, takes)
         if driver is FaceDriver.PINYIN and letters is not None:
             return letters
-        return self.driving.track(driver, utterance, speech, self.say, text)
+        return self.driving.track(driver, utterance, speech, self.say, text, sound)
 
     def _export(
         self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None, text: str = ""
@@ -210,3 +228,10 @@ class SpeechFiles:
     ) -> None:
         if self.plan is not None:
             files[self.plan].writelines(line.encode() for line in plan_lines(rows, header=header))
+
+
+def _with_samples_in(blocks: list[Float32Array], sentences: Iterable[SpokenSentence]) -> Iterator[SpokenSentence]:
+    """Return sentences as they come, and keep their samples."""
+    for sentence in sentences:
+        blocks.append(sentence.samples)
+        yield sentence

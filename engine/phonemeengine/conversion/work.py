@@ -21,6 +21,7 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.formats import FORMATS, Format
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.transcript import Script
+from phonemeengine.performance.face_network import sound_of
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
@@ -239,7 +240,7 @@ class ConversionWork:
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=felt)
             exporter = exporter.expressing(self.texts.feeling_of(job.sound, utterance))
             driver = driving.chosen(utterance, printable_name(job.source), exporter.takes)
-            track = driving.track(driver, utterance, speech, say)
+            track = driving.track(driver, utterance, speech, say, sound=sound_of(reader))
             movement = driving.movement(track, speech, exporter, say)
             made = made_of(reader, utterance, self.texts.language)
         parts = exporter.chunks_of(speech, movement, self.keys.get(job.sound, NO_KEYS))

@@ -1,4 +1,4 @@
-"""What can move a face where the words are known."""
+"""What can move a face by what is said."""
 
 from enum import StrEnum
 
@@ -9,6 +9,7 @@ class FaceDriver(StrEnum):
     AUTO = "auto"
     PINYIN = "pinyin"
     TABLE = "table"
+    NETWORK = "network"
     RULES = "rules"
 
     @property
@@ -21,18 +22,25 @@ _CAPTIONS = {
     FaceDriver.AUTO: "Automatic",
     FaceDriver.PINYIN: "Pinyin letters",
     FaceDriver.TABLE: "Recorded faces",
+    FaceDriver.NETWORK: "Sound alone (network)",
     FaceDriver.RULES: "Phonemes (rules)",
 }
 
 
-def usual_driver(*, has_table: bool, has_letters: bool) -> FaceDriver:
-    """Return what moves a face unless another is chosen: recorded faces, letters of pinyin for Chinese, else rules.
+NEEDS_FILE = (FaceDriver.TABLE, FaceDriver.NETWORK)
+"""What moves a face by a file that is learned from recorded faces."""
+
+
+def usual_driver(*, has_table: bool, has_letters: bool, has_network: bool = False) -> FaceDriver:
+    """Return what moves a face unless another is chosen: what recorded faces taught, letters of pinyin, else rules.
 
     Parameters
     ----------
-    has_table : whether there is a table of recorded faces.
+    has_table, has_network : whether there is a table of recorded faces, or a network that learned from some.
     has_letters : whether Chinese is said, and letters can move the face.
     """
     if has_table:
         return FaceDriver.TABLE
+    if has_network:
+        return FaceDriver.NETWORK
     return FaceDriver.PINYIN if has_letters else FaceDriver.RULES

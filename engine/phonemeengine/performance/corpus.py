@@ -310,12 +310,12 @@ def build_table(
     Cancelled : it was not wanted any more; nothing has changed.
     """
     corpus = find_recordings(Path(folder))
-    reading = _CorpusReading(corpus, progress)
+    reading = CorpusReading(corpus, progress)
     about = write_table(path, reading.performances(), name=name or corpus.name, folder=folder)
     return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
 
 
-class _CorpusReading:
+class CorpusReading:
     """Reads the recordings of a corpus, and remembers what is to be said of them."""
 
     def __init__(self, corpus: Corpus, progress: Progress) -> None:
@@ -324,7 +324,11 @@ class _CorpusReading:
         self._corpus, self._progress = corpus, progress
 
     def performances(self) -> Iterator[Performance]:
-        """Return those that can be read, one after the other.
+        """Return those that can be read, one after the other; see `recordings`."""
+        return (performance for _, performance in self.recordings())
+
+    def recordings(self) -> Iterator[tuple[RecordingFiles, Performance]]:
+        """Return those that can be read with their files, one after the other.
 
         Raises
         ------
@@ -341,7 +345,7 @@ class _CorpusReading:
                 self.left_out.append(str(error))
                 continue
             self.notes += notes[: MOST_NOTES - len(self.notes)]
-            yield performance
+            yield recording, performance
         if first is None:
             raise PerformanceError(f"no recording can be used; of the first one: {self.left_out[0]}")
         report_progress(self._progress, 1.0)

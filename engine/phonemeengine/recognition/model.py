@@ -119,7 +119,7 @@ class Model(ShortRepr):
     def digest(self) -> str:
         """A fingerprint of the arrays."""
         hashed = sha256()
-        for name, array in sorted(_arrays_of(self).items()):
+        for name, array in sorted(arrays_of_model(self).items()):
             hashed.update(name.encode() + array.tobytes())
         return hashed.hexdigest()
 
@@ -154,7 +154,7 @@ def save_model(model: Model, path: Path) -> None:
     about = np.frombuffer(json.dumps(model.about, sort_keys=True).encode(), np.uint8)
     try:
         with atomic_write(path) as file:
-            np.savez_compressed(file, allow_pickle=False, about=about, **_arrays_of(model))
+            np.savez_compressed(file, allow_pickle=False, about=about, **arrays_of_model(model))
     except OSError as error:
         raise ModelError(f"{path.name}: cannot be written ({reason_of(error)}); choose another folder") from error
 
@@ -172,7 +172,7 @@ def load_model(path: Path) -> Model:
                 f"{path.name}: a model is smaller than 8 MB, this has {path.stat().st_size / 1e6:.0f} MB; "
                 "choose another"
             )
-        return _model_of(read_npz(path, LARGEST_FILE))
+        return model_of_arrays(read_npz(path, LARGEST_FILE))
     except OSError as error:
         raise ModelError(
             f"{path.name}: the model cannot be read ({reason_of(error)}); put it beside its preset"
@@ -183,7 +183,8 @@ def load_model(path: Path) -> Model:
         raise ModelError(f"{path.name}: the model's file is damaged; get it anew, or train it again") from error
 
 
-def _arrays_of(model: Model) -> dict[str, NDArray[Any]]:
+def arrays_of_model(model: Model) -> dict[str, NDArray[Any]]:
+    """Return the arrays of a model's file, but for its words."""
     arrays: dict[str, NDArray[Any]] = {
         "format": np.array(_format_of(model)),
         "dilations": np.array([layer.dilation for layer in model.layers]),
@@ -215,7 +216,13 @@ def _format_of(model: Model) -> int:
     return 3 if model.centred else 2 if model.viseme_heads else 1
 
 
-def _model_of(arrays: dict[str, NDArray[Any]]) -> Model:
+def model_of_arrays(arrays: dict[str, NDArray[Any]]) -> Model:
+    """Return the model whose file has some arrays.
+
+    Raises
+    ------
+    ModelError, ValueError, KeyError : they are none of a model.
+    """
     if not 1 <= int(arrays["format"]) <= FORMAT:
         raise ModelError(
             f"the model is of version {int(arrays['format'])}, and this program reads those up to {FORMAT}; "

@@ -389,6 +389,16 @@
             <translation>Ein Gesicht hat höchstens {most_states} Blendshapes, dieses {targets}; einige weglassen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/face_learning.py" />
+            <source>a face is learned from {least_seconds} s of performances and {left_out} recordings at least, found {duration} s; record more</source>
+            <translation>Ein Gesicht wird aus mindestens {least_seconds} s und {left_out} Aufnahmen gelernt, gefunden wurden {duration} s; mehr aufnehmen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/face_learning.py" />
+            <source>a face is learned on a real-time model with the usual visemes; choose the preset learned</source>
+            <translation>Ein Gesicht wird auf einem Echtzeitmodell mit den üblichen Visemen gelernt; die Voreinstellung learned wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>a file beside a mesh</source>
             <translation>eine Datei neben einem Mesh</translation>
@@ -572,6 +582,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>a mouth table</source>
             <translation>eine Mundtabelle</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/face_network.py" />
+            <source>a network of a face is smaller than 8 MB; choose another file</source>
+            <translation>Ein Netz eines Gesichts ist kleiner als 8 MB; eine andere Datei wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/exports/gltf_rotation.py" />
@@ -4776,8 +4791,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/conversion/driving.py" />
-            <source>leaves the table of --performance unused; leave one of them out</source>
-            <translation>lässt die Tabelle von --performance ungenutzt; eins von beiden weglassen</translation>
+            <source>leaves the {what} of {option} unused; leave one of them out</source>
+            <translation>lässt {what} von {option} ungenutzt; eines von beiden weglassen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
@@ -9765,6 +9780,11 @@
             <translation>Das Netz lässt sich nicht öffnen ({error})</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/face_network.py" />
+            <source>the network is of version {version}, and this program reads {format}; update the program</source>
+            <translation>Das Netz hat die Version {version}, dieses Programm liest {format}; das Programm aktualisieren</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>The new preset is not saved yet.</source>
             <translation>Das neue Preset ist noch nicht gespeichert.</translation>
@@ -11555,6 +11575,11 @@
             <translation>{about}, Spitzenpegel {peak} dBFS; zur Erkennung um {gain} dB verstärkt</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/conversion/driving.py" />
+            <source>{asked} {driver} needs a {what} of recorded faces; name it with {option}</source>
+            <translation>{asked} {driver} braucht {what} aufgenommener Gesichter; mit {option} angeben</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{cause} at {seconds} s of {sound}</source>
             <translation>{cause} bei {seconds} s von {sound}</translation>
@@ -12220,6 +12245,11 @@
             <translation>{name}: Ein Modell ist kleiner als 8 MB, dieses hat {st_size} MB; anderes wählen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/conversion/driving.py" />
+            <source>{name}: a network moves a face by a sound, and this has none; have a voice say it, or choose another --text-driver</source>
+            <translation>{name}: Ein Netz bewegt ein Gesicht nach einem Klang, und hier gibt es keinen; von einer Stimme sprechen lassen oder ein anderes --text-driver wählen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/calibration/takes/take_list.py" />
             <source>{name}: a newer version of the program wrote this project (version {version} of its list, known is {version_2}); open it with that</source>
             <translation>{name}: Dieses Projekt stammt von einer neueren Programmversion (Version {version} der Liste, bekannt ist {version_2}); mit dieser öffnen</translation>
@@ -12323,6 +12353,11 @@
             <location filename="../../../engine/phonemeengine/mouth/files/io.py" />
             <source>{name}: its ending must be one of {kinds}; choose another file</source>
             <translation>{name}: Die Endung muss eine sein von {kinds}; andere Datei wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/face_learning.py" />
+            <source>{name}: its face has no blend shapes of a mouth; record ARKit's</source>
+            <translation>{name}: Das Gesicht hat keine Blendshapes eines Mundes; die von ARKit aufnehmen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/files.py" />
@@ -12865,11 +12900,6 @@
             <translation>{one} und {other}: {decibels:.1f} dB, bis {highest:.0f} Hz, beide mit den aktuellen Filtern neu gemessen</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/conversion/driving.py" />
-            <source>{option} table needs a table of recorded faces; name it with --performance</source>
-            <translation>{option} table braucht eine Tabelle von Gesichtsaufnahmen; mit --performance angeben</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>{output} stands for the WAV file to write, {text} for the text; without {text}, the program reads the text from standard input. If it writes a TextGrid beside the WAV file, its times are used.</source>
             <translation>{output} steht für die zu schreibende WAV-Datei, {text} für den Text; ohne {text} liest das Programm den Text von der Standardeingabe. Schreibt es ein TextGrid neben die WAV-Datei, gelten dessen Zeiten.</translation>
@@ -12915,6 +12945,11 @@
             <translation>{path}: Die Datei kann nicht geschrieben werden ({reason_of}); einen anderen Ordner wählen</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/face_network.py" />
+            <source>{path}: it cannot be read ({error}); choose another</source>
+            <translation>{path}: nicht lesbar ({error}); eine andere wählen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/performance/table_file.py" />
             <source>{path}: it cannot be written ({reason}); choose another folder</source>
             <translation>{path}: Lässt sich nicht schreiben ({reason}); anderen Ordner wählen</translation>
@@ -12923,6 +12958,11 @@
             <location filename="../../../engine/phonemeengine/text/script.py" />
             <source>{path}: it has words without phones; name their language</source>
             <translation>{path}: Enthält Wörter ohne Laute; ihre Sprache angeben</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/face_network.py" />
+            <source>{path}: it is no network of a face, or damaged; learn one with performance learn</source>
+            <translation>{path}: kein Netz eines Gesichts, oder beschädigt; mit performance learn eines lernen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/files.py" />

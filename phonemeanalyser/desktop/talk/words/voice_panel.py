@@ -58,7 +58,7 @@ class VoicePanel(QFrame):
             tr("Speech rate of the voices of espeak-ng; people speak four to five syllables a second"),
         )
         self.driver = choice(
-            ((tr(driver.caption), driver) for driver in FaceDriver),
+            ((tr(driver.caption), driver) for driver in FaceDriver if driver is not FaceDriver.NETWORK),
             tr("Driven by"),
             tr(
                 "What moves the mouth where the words are known, from a voice or a recording. Automatic: recorded "
