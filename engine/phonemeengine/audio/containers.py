@@ -63,7 +63,7 @@ def import_av(what: str) -> ModuleType:
 
 
 class ContainerDecoder:
-    """The sound of a container; it is read as a `Decoder` is.
+    """The sound of a container; it is read as a `FileDecoder` is.
 
     Parameters
     ----------

@@ -17,7 +17,7 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.containers import CONTAINER_SUFFIXES, ContainerDecoder, container_format
 from phonemeengine.audio.file_access import FileSlice, open_checked
 from phonemeengine.audio.headers import ADVICE, Extent, after_id3, extent_of
-from phonemeengine.audio.libsndfile import Decoder, DecodingError
+from phonemeengine.audio.libsndfile import DecodingError, FileDecoder
 from phonemeengine.audio.mixing import PLAIN, Mix, measured_mix
 from phonemeengine.audio.resampling import HIGHEST_RATE, LOWEST_RATE, Resampler
 from phonemeengine.errors import AudioError
@@ -391,12 +391,12 @@ def _extent(raw: BinaryIO, name: str) -> Extent:
     return extent_of(raw, name)
 
 
-def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder | ContainerDecoder:
+def _decoder(raw: BinaryIO, extent: Extent, name: str) -> FileDecoder | ContainerDecoder:
     part = FileSlice(raw, extent.end, extent.corrections, extent.begin, extent.lead)
     raw.seek(after_id3(raw))
     form = container_format(raw.read(8))
     try:
-        return Decoder(part) if form is None else ContainerDecoder(io.BufferedReader(part), form)
+        return FileDecoder(part) if form is None else ContainerDecoder(io.BufferedReader(part), form)
     except (DecodingError, TypeError) as error:
         reason = "" if form is None else f" ({error})"
         raise AudioError(
@@ -407,7 +407,7 @@ def _decoder(raw: BinaryIO, extent: Extent, name: str) -> Decoder | ContainerDec
         raise AudioError(f"{name}: {error}") from error
 
 
-def _checked_length(file: Decoder | ContainerDecoder, extent: Extent, name: str) -> int:
+def _checked_length(file: FileDecoder | ContainerDecoder, extent: Extent, name: str) -> int:
     """Return the number of frames, after the refusals that concern the file as a whole."""
     rate, n_frames = int(file.samplerate), int(file.frames)
     if not LOWEST_RATE <= rate <= HIGHEST_RATE:
@@ -425,7 +425,7 @@ def _checked_length(file: Decoder | ContainerDecoder, extent: Extent, name: str)
     return n_frames
 
 
-def _frames_there(file: Decoder | ContainerDecoder, most: int) -> int:
+def _frames_there(file: FileDecoder | ContainerDecoder, most: int) -> int:
     """Count the frames of a file whose length is only guessed, by looking where it ends."""
     here, beyond = -1, most
     probe = most - 1
@@ -438,7 +438,7 @@ def _frames_there(file: Decoder | ContainerDecoder, most: int) -> int:
     return beyond
 
 
-def _has_frame(file: Decoder | ContainerDecoder, frame: int) -> bool:
+def _has_frame(file: FileDecoder | ContainerDecoder, frame: int) -> bool:
     try:
         file.seek(frame)
         return len(file.read(1)) > 0
@@ -446,7 +446,7 @@ def _has_frame(file: Decoder | ContainerDecoder, frame: int) -> bool:
         return False
 
 
-def _is_mp3(file: Decoder | ContainerDecoder) -> bool:
+def _is_mp3(file: FileDecoder | ContainerDecoder) -> bool:
     return str(file.subtype).startswith("MPEG_LAYER")
 
 

@@ -49,7 +49,7 @@ def _comments(number: int, gap: Gap, rate: int) -> tuple[bytes, bytes]:
 
 
 DecodingError = soundfile.SoundFileError
-"""What a `Decoder` raises where a file is damaged, or is no sound."""
+"""What a `FileDecoder` raises where a file is damaged, or is no sound."""
 
 LOWEST_FLAC_RATE, HIGHEST_FLAC_RATE = 4_000, 655_350
 """Rates at which FLAC is written, Hz: the format's own limit, and one below which a block would last too long."""
@@ -74,7 +74,7 @@ class _NonSeekingFile(soundfile.SoundFile):  # type: ignore[misc]
         return False
 
 
-class Decoder(_NonSeekingFile):
+class FileDecoder(_NonSeekingFile):
     """A sound file whose `read` only reads.
 
     soundfile seeks after every reading of a seekable file, and a seek makes an MP3 decoder forget the bits that

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QProcess, QTimer, Signal
 
+from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.server.activity import Activity, Happening
 from phonemeanalyser.server.limits import USUAL_HOST, USUAL_PORT
 from phonemeengine.errors import EngineError
@@ -174,9 +175,8 @@ def write_token(token: str) -> Path:
         with os.fdopen(os.open(path, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w") as file:
             file.write(f"{token}\n")
     except OSError as error:
-        raise EngineError(
-            f"{printable_name(path)}: cannot be written ({reason_of(error)}); choose another folder"
-        ) from error
+        words = tr("{path}: it can't be written ({reason}); free space there, or let it be written to")
+        raise EngineError(words.format(path=printable_name(path), reason=reason_of(error))) from error
     return path
 
 

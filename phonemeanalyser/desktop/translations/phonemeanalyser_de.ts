@@ -396,7 +396,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/performance/face_learning.py" />
             <source>a face is learned on a real-time model with the usual visemes; choose the preset learned</source>
-            <translation>Ein Gesicht wird auf einem Echtzeitmodell mit den üblichen Visemen gelernt; die Voreinstellung learned wählen</translation>
+            <translation>Ein Gesicht wird auf einem Echtzeitmodell mit den üblichen Visemen gelernt; das Preset learned wählen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
@@ -2326,7 +2326,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/recognition/decoder.py" />
             <source>confusions lacks silence, with which every sound begins; add it</source>
-            <translation>confusions fehlt silence, womit jeder Klang beginnt; ergänzen.</translation>
+            <translation>confusions fehlt silence, womit jeder Klang beginnt; ergänzen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/decoder.py" />
@@ -12943,6 +12943,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/scripts.py" />
             <source>{path}: cannot be written ({reason_of}); choose another folder</source>
             <translation>{path}: Die Datei kann nicht geschrieben werden ({reason_of}); einen anderen Ordner wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/session/serving.py" />
+            <source>{path}: it can't be written ({reason}); free space there, or let it be written to</source>
+            <translation>{path}: nicht schreibbar ({reason}); dort Platz schaffen oder das Schreiben erlauben</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/performance/face_network.py" />
