@@ -192,7 +192,7 @@ def test_ranges_and_defaults_of_the_docs_are_those_of_the_settings() -> None:
             assert told[name][2].startswith(f"{of.low:g}..{of.high:g}"), name
     assert {name for name in PARAMETERS if not name.startswith("high_pass")} <= told.keys()
     for field in fields(AnalysisSettings):
-        if field.name in told and told[field.name][3] != "-":
+        if field.name in told and told[field.name][3] != "-" and not isinstance(field.default, str):
             assert float(told[field.name][3]) == field.default, field.name
 
 

@@ -243,11 +243,7 @@ class ConversionOptions:
     """
 
     preset: Path = _option(
-        "preset (.toml), PhonemeData file, or name of a factory preset",
-        "PRESET",
-        Path,
-        DEFAULT_PRESET,
-        elsewhere=False,
+        "preset, PhonemeData file, or name of a factory preset", "PRESET", Path, DEFAULT_PRESET, elsewhere=False
     )
     model: ModelKind | None = _option(
         f"model that recognises (default: the best available); {WITHOUT_ENCODER}",

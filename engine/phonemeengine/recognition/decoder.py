@@ -192,7 +192,7 @@ class Trellis:
 
 
 class SoundDecoder:
-    """The search over one sound, whose answers come in pieces.
+    """The search over one sound, whose answers come in chunks.
 
     Parameters
     ----------
@@ -325,5 +325,5 @@ class DecodedRules:
 
 
 def lag_of(look_ahead: float) -> int:
-    """Return how many frames a search looks ahead in so many seconds."""
+    """Return how many frames a search looks ahead in a time in seconds."""
     return int(look_ahead / FRAME_PERIOD + 1e-6)
