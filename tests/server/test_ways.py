@@ -77,7 +77,8 @@ CASES: dict[str, Words] = {
         "pinyin-table": ["pinyin.toml"],
         "longest": ["60"],
         "keys": ["edited.keys.toml"],
-        "preset": ["thesis"],
+        "preset": ["extended"],
+        "decoder": ["de"],
         "model": ["real-time"],
         "overwrite": ["true"],
     },
@@ -172,7 +173,7 @@ def asked_of(words: Words) -> ConversionOptions:
 
 
 def preset_of(asked: ConversionOptions) -> Preset:
-    return for_files(load_preset(asked.preset), asked.model)
+    return for_files(load_preset(asked.preset).with_decoder(asked.decoder), asked.model)
 
 
 def by_program(asked: ConversionOptions, kind: str, job: Job) -> None:

@@ -9867,7 +9867,7 @@
         <message>
             <location filename="../../../engine/phonemeengine/presets/preset.py" />
             <source>the preset {name} has no decoder, which needs rules and what they confuse; choose a preset such as extended</source>
-            <translation>Das Preset {name} hat keinen Decoder: Dafür sind Regeln nötig und was sie verwechseln. Ein Preset wie extended wählen.</translation>
+            <translation>Das Preset {name} hat keinen Decoder: Dafür sind Regeln nötig und was sie verwechseln. Ein Preset wie extended wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/presets/model_choice.py" />
