@@ -89,6 +89,7 @@ class EarLibrary:
     """The functions of `ear.h`."""
 
     def __init__(self, path: Path) -> None:
+        self.path = path
         self.c = ctypes.CDLL(str(path))
         self.c.ear_error_text.restype = ctypes.c_char_p
         self.c.ear_latency.restype = ctypes.c_double

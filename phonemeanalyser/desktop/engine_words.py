@@ -81,7 +81,7 @@ WORDS = (
     tr_noop("the same as an npm package, without the page"),
     tr_noop("WebAssembly and AudioWorklet, with a page that shows a talking head"),
     tr_noop("Unity package: C#, a talking face and a talking sprite"),
-    tr_noop("add-on for Godot 4 with .NET, with the same two"),
+    tr_noop("add-on for Godot 4 (GDScript and C#), with the same two"),
     # units of an utterance, and of a recorded face
     tr_noop("word"),
     tr_noop("syllable"),

@@ -42,6 +42,7 @@ class ShipOrder:
     target: str
     tables: tuple[str, ...]
     overwrite: bool = False
+    embed: bool = False
 
     def write(self) -> tuple[Path, ...]:
         """Write the folder; return its files.
@@ -51,7 +52,8 @@ class ShipOrder:
         EngineError : it cannot be shipped, or not written.
         """
         preset = load_preset(self.preset) if isinstance(self.preset, Path) else self.preset
-        return ship(preset, self.folder, self.target, tables=self.tables, overwrite=self.overwrite)
+        choices = {"embed": self.embed, "overwrite": self.overwrite}
+        return ship(preset, self.folder, self.target, tables=self.tables, **choices)
 
 
 class ShipDialog(QDialog):
@@ -64,7 +66,7 @@ class ShipDialog(QDialog):
 
     Attributes
     ----------
-    preset, target, tables, folder, overwrite : choices.
+    preset, target, tables, embed, folder, overwrite : choices; embed is for C alone.
     note : what of the preset is not shipped.
     choose, start : buttons.
 
@@ -95,6 +97,7 @@ class ShipDialog(QDialog):
         )
         self.tables = named(QListWidget(), tr("Mouth tables"))
         self.folder, self.choose = named(QLineEdit(), tr("Folder")), QPushButton(tr("Choose…"))
+        self.embed = QCheckBox(tr("Preset as a C array, too (preset.c)"))
         self.overwrite = QCheckBox(tr("Overwrite changed files"))
         self._fill()
         self._lay_out()
@@ -105,7 +108,9 @@ class ShipDialog(QDialog):
         tables = tuple(item.text() for item in items if item.checkState() == CHECKED)
         chosen = self.preset.path or self._in_hand
         folder = Path(self.folder.text()).expanduser()
-        return ShipOrder(chosen, folder, self.target.currentData(), tables, self.overwrite.isChecked())
+        target = self.target.currentData()
+        embed = target == "c" and self.embed.isChecked()
+        return ShipOrder(chosen, folder, target, tables, self.overwrite.isChecked(), embed)
 
     def accept(self) -> None:
         """Order it, and close."""
@@ -137,6 +142,7 @@ class ShipDialog(QDialog):
         form.addRow(tr("Target"), self.target)
         form.addRow(tr("Mouth tables"), self.tables)
         form.addRow(tr("Folder"), row((self.folder, 1), self.choose))
+        form.addRow("", self.embed)
         form.addRow("", self.overwrite)
         form.addRow(words)
         buttons = dialog_buttons(self, CANCEL, verb=tr("Ship"))
@@ -144,6 +150,8 @@ class ShipDialog(QDialog):
         form.addRow(buttons)
         self._form = form
         self.preset.changed.connect(self._show_note)
+        self.target.currentIndexChanged.connect(self._show_embed)
+        self._show_embed()
         self._show_note()
         self.choose.setAutoDefault(False)  # Return ships
         self.choose.clicked.connect(self._ask_folder)
@@ -158,6 +166,9 @@ class ShipDialog(QDialog):
         words = tr_engine(note)
         self.note.setText(f"{words[:1].upper()}{words[1:]}.")
         self._form.setRowVisible(self.note, bool(note))
+
+    def _show_embed(self) -> None:
+        self._form.setRowVisible(self.embed, self.target.currentData() == "c")
 
     def _allow(self) -> None:
         self.start.setEnabled(bool(self.folder.text().strip()))

@@ -65,9 +65,24 @@ def test_the_preset_in_hand_is_shipped_with_its_changes_and_the_chosen_tables(de
         item = dialog.tables.item(row)
         is_wanted = item.text() in {"five", "vrm"}
         item.setCheckState(Qt.CheckState.Checked if is_wanted else Qt.CheckState.Unchecked)
+    dialog.target.setCurrentIndex(dialog.target.findData("web"))
+    assert not dialog.embed.isVisible()
+    dialog.target.setCurrentIndex(dialog.target.findData("c"))
+    QTest.mouseClick(dialog.embed, LEFT, pos=dialog.embed.rect().center() * 0.1)
+    assert dialog.embed.isChecked()
     start(dialog, window, qtbot)
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
-    words = ["ship", str(tmp_path / "mine.toml"), "-o", str(tmp_path / "typed"), "--table", "five", "--table", "vrm"]
+    words = [
+        "ship",
+        str(tmp_path / "mine.toml"),
+        "-o",
+        str(tmp_path / "typed"),
+        "--table",
+        "five",
+        "--table",
+        "vrm",
+        "--embed",
+    ]
     assert main(words) == 0
     assert contents(tmp_path / "chosen") == contents(tmp_path / "typed")
 

@@ -14,7 +14,7 @@ import tempfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from phonemeengine.shipping.targets import PREBUILT, prebuild
+from phonemeengine.shipping.compiling import PREBUILT, prebuild
 from tools.blender.build import build
 from tools.bundle.making import make_bundle
 

@@ -6,14 +6,11 @@ import io
 import json
 import os
 import shutil
-import struct
 import subprocess
-import sys
 import tarfile
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.util import find_spec
 from pathlib import Path
 
 import phonemeengine
@@ -22,6 +19,7 @@ from phonemeengine.mouth.exports.glb import shipped_glb
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import ModelKind
+from phonemeengine.shipping.compiling import LIBRARIES, MODULE, library, module
 from phonemeengine.shipping.sections import (
     is_ear_file,
     join_sections,
@@ -30,7 +28,7 @@ from phonemeengine.shipping.sections import (
     viseme_sections,
     viseme_set_of,
 )
-from phonemeengine.shipping.unity_package import metas, package_files
+from phonemeengine.shipping.unity_package import PLACES, metas, package_files
 from phonemeengine.storage.files import atomic_write, reason_of
 
 # The way to npm, which fetches the library that draws the demo page's head.
@@ -83,137 +81,7 @@ def _contents(package: bytes) -> dict[str, bytes]:
         return {name: file.read() for name, file in found.items() if file is not None}
 
 
-# The way to zig, a C compiler that builds for all systems and for WebAssembly.
-
-COMPILE_TIMEOUT = 900.0
-"""Seconds; its first call for a system compiles the C library, too."""
-FAT_MAGIC, PAGE = 0xCAFEBABE, 1 << 14
-
-
-_EAR = Path(__file__).resolve().with_name("c") / "ear.c"
-_SHARED = ("-shared", "-s", "-fvisibility=hidden")
-_SEEN = '-DEAR_API=__attribute__((visibility("default")))'
-_SYSTEMS = {
-    "libear.so": (("--target=x86_64-linux-gnu.2.17", "-fPIC", _SEEN),),
-    "ear.dll": (("--target=x86_64-windows-gnu", "-DEAR_API=__declspec(dllexport)"),),
-    "libear.dylib": tuple(
-        (f"--target={processor}-macos.11.0", "-Wl,-install_name,@rpath/libear.dylib", _SEEN)
-        for processor in ("x86_64", "aarch64")
-    ),
-}
-"""Options of zig, once for each processor."""
-
-
-def shared_libraries() -> dict[str, bytes]:
-    """Return the runtime as a shared library for Linux, Windows and macOS, by file name.
-
-    Raises
-    ------
-    ExportError : they did not come with the program, and there is no zig, or it fails.
-    """
-    return {name: prebuilt(name) or _compile_library(name) for name in _SYSTEMS}
-
-
-def _compile_library(name: str) -> bytes:
-    slices = [compile_ear((*_SHARED, *flags), name) for flags in _SYSTEMS[name]]
-    return slices[0] if len(slices) == 1 else _universal(slices)
-
-
-PREBUILT = Path(__file__).resolve().with_name("prebuilt")
-"""What a wheel and a bundle bring compiled; a checkout has it after a release, and compiles with zig otherwise."""
-
-
-def prebuilt(name: str, folder: Path = PREBUILT) -> bytes | None:
-    """Return a part that came compiled; None where there is none, or sources or options have changed since."""
-    made_of, part = folder / "SOURCES", folder / f"{name}.bin"  # a name that packers do not take for a library
-    if not (part.is_file() and made_of.is_file() and made_of.read_text(encoding="ascii") == _sources()):
-        return None
-    return part.read_bytes()
-
-
-def prebuild(folder: Path) -> None:
-    """Compile all parts anew into a folder.
-
-    Raises
-    ------
-    ExportError : there is no zig, or it fails.
-    """
-    parts = {name: _compile_library(name) for name in _SYSTEMS} | {_MODULE: compile_ear(_WASM, _MODULE)}
-    for name, content in parts.items():
-        (folder / f"{name}.bin").write_bytes(content)
-    (folder / "SOURCES").write_text(_sources(), encoding="ascii")
-
-
-def _sources() -> str:
-    """Return a checksum of all that compiled parts are made of."""
-    digest = hashlib.sha256(repr((_SHARED, _SYSTEMS, _WASM)).encode())
-    for path in (_EAR, *sorted(_EAR.parent.glob("*.h"))):
-        digest.update(path.read_bytes())
-    return digest.hexdigest()
-
-
-def compile_ear(flags: tuple[str, ...], name: str) -> bytes:
-    """Return what zig makes of `ear.c`, which may tell the name of its file.
-
-    Raises
-    ------
-    ExportError : there is no zig, or it fails.
-    """
-    with tempfile.TemporaryDirectory() as folder:
-        command = [*_zig(), "cc", "-std=c99", "-O3", *flags, str(_EAR), "-o", name]
-        try:
-            done = subprocess.run(  # noqa: S603 - our own words
-                command,
-                cwd=folder,
-                capture_output=True,
-                text=True,
-                errors="replace",
-                timeout=COMPILE_TIMEOUT,
-                check=False,
-            )
-        except (OSError, subprocess.SubprocessError) as error:
-            raise ExportError(f"the compiler zig does not run ({error}); install it again") from error
-        made = Path(folder) / name
-        if done.returncode or not made.exists():
-            why = next((line for line in done.stderr.splitlines() if "error" in line), "no reason given")
-            raise ExportError(f"the compiler zig cannot compile the runtime ({why:.200}); install a newer one")
-        return made.read_bytes()
-
-
-def _universal(slices: Sequence[bytes]) -> bytes:
-    """Join libraries for several processors into one file, as macOS has them; see ``mach-o/fat.h``."""
-    header, body, at = struct.pack(">II", FAT_MAGIC, len(slices)), b"", PAGE
-    for content in slices:
-        processor = struct.unpack_from("<II", content, 4)
-        header += struct.pack(">IIIII", *processor, at + len(body), len(content), PAGE.bit_length() - 1)
-        body += content + bytes(-len(content) % PAGE)
-    return header.ljust(PAGE, b"\0") + body
-
-
-def _zig() -> list[str]:
-    """Return the words that begin a call of zig: the one of the system, or that of the package ziglang."""
-    if found := shutil.which("zig"):
-        return [found]
-    if find_spec("ziglang"):
-        return [sys.executable, "-m", "ziglang"]
-    raise ExportError(
-        "this target is compiled by zig, which is not installed; install zig, or pip install "
-        "'phonemeanalyser[ship]', or ship the target c"
-    )
-
-
 _HERE = Path(__file__).resolve().parent
-_MODULE = "ear.wasm"
-_WASM = (
-    "--target=wasm32-wasi",
-    "-mexec-model=reactor",
-    "-msimd128",
-    "-fvisibility=hidden",
-    '-DEAR_API=__attribute__((visibility("default")))',
-    "-Wl,--export-dynamic,--export=malloc,--export=free,--strip-all",
-)
-"""For a module that asks its page for nothing, and gives all functions of ``ear.h``."""
-
 _LICENCE = next(folder for folder in (_HERE, _HERE.parents[2]) if (folder / "LICENSE").is_file()) / "LICENSE"
 """Of the program, and so of all that is shipped: beside this module where it is installed, as in a checkout."""
 _WORKLET_PLACE = 'const WORKLET = "";'
@@ -285,10 +153,10 @@ def _web_module() -> Files:
         "sideEffects": False,
         "files": ["ear.js", "ear.d.ts", "ear-worklet.js", "ear-wasm.js", "ear-preset.js", "examples", "LICENSE"],
     }
-    wasm = prebuilt(_MODULE) or compile_ear(_WASM, _MODULE)
+    wasm = module()
     return {
         "ear.js": _with_worklet(),
-        "ear.wasm": wasm,
+        MODULE: wasm,
         "ear-wasm.js": _as_module(wasm),
         "package.json": _json(package),
     }
@@ -315,7 +183,7 @@ def _demo_page() -> Files:
 
 def _unity_libraries() -> Files:
     """Return all that belongs to the package for Unity beside its sources."""
-    return package_files(shared_libraries(), DESCRIPTION)
+    return package_files({name: library(name) for name in PLACES}, DESCRIPTION)
 
 
 def _godot_add_on() -> Files:
@@ -327,8 +195,23 @@ def _godot_add_on() -> Files:
         "version": phonemeengine.__version__,
         "script": "plugin.gd",
     }
-    lines = ("[plugin]", *(f'{key}="{words}"' for key, words in about.items()))
-    return {"plugin.cfg": ("\n".join(lines) + "\n").encode(), **shared_libraries()}
+    plugin = {"plugin": about}
+    extension = {
+        "configuration": {"entry_symbol": "ear_godot", "compatibility_minimum": "4.2"},
+        "libraries": {name.partition("/")[0]: f"bin/{name}" for name in LIBRARIES},
+        "icons": {"PhonemeRecogniser": "icons/phoneme_recogniser.svg"},
+    }
+    libraries = {f"bin/{name}": library(name) for name in LIBRARIES}
+    return {"plugin.cfg": _config(plugin), "phoneme_ear.gdextension": _config(extension), **libraries}
+
+
+def _config(sections: Mapping[str, Mapping[str, str]]) -> bytes:
+    """Return sections as Godot's own files have them."""
+    parts = (
+        "\n".join((f"[{name}]", *(f'{key}="{words}"' for key, words in section.items()), ""))
+        for name, section in sections.items()
+    )
+    return "\n".join(parts).encode()
 
 
 def _json(document: object) -> bytes:
@@ -355,7 +238,7 @@ TARGETS: Mapping[str, ShipTarget] = {
         describe=(metas,),
     ),
     "godot": ShipTarget(
-        "add-on for Godot 4 with .NET, with the same two", {"godot": "", "csharp": ""}, (_godot_add_on,)
+        "add-on for Godot 4 (GDScript and C#), with the same two", {"godot": "", "csharp": ""}, (_godot_add_on,)
     ),
 }
 """What can be shipped for, by name."""

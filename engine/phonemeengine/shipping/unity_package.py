@@ -12,6 +12,12 @@ from phonemeengine.mouth.face_mapping import SHAPE_NAMES
 Files = dict[str, bytes]
 
 UNITY_NAME = "com.phonemeanalyser.ear"
+PLACES = {
+    "linux.x86_64/libear.so": "Runtime/Plugins/x86_64/libear.so",
+    "windows.x86_64/ear.dll": "Runtime/Plugins/x86_64/ear.dll",
+    "macos/libear.dylib": "Runtime/Plugins/macOS/libear.dylib",
+}
+"""Of the libraries that the package brings; other systems compile the source."""
 _SOURCE_FOLDER = "Runtime/Plugins/Source"
 """Of the C that Unity compiles itself, where a program has no libraries that it could load."""
 
@@ -21,7 +27,7 @@ def package_files(shared: Files, description: str) -> Files:
 
     Parameters
     ----------
-    shared : libraries for Linux, Windows and macOS, by file name.
+    shared : the libraries of `PLACES`, by name.
     description : what the package says that it does.
     """
     package = {
@@ -41,8 +47,7 @@ def package_files(shared: Files, description: str) -> Files:
             }
         ],
     }
-    places = {".dylib": "macOS", ".so": "x86_64", ".dll": "x86_64"}
-    libraries = {f"Runtime/Plugins/{places[Path(name).suffix]}/{name}": content for name, content in shared.items()}
+    libraries = {PLACES[name]: content for name, content in shared.items()}
     source = {
         f"{_SOURCE_FOLDER}/{path.name}": path.read_bytes()
         for path in sorted((Path(__file__).with_name("c")).glob("ear*.[ch]"))

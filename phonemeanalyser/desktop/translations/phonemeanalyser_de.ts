@@ -1000,8 +1000,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
-            <source>add-on for Godot 4 with .NET, with the same two</source>
-            <translation>Add-on für Godot 4 mit .NET, mit denselben beiden</translation>
+            <source>add-on for Godot 4 (GDScript and C#), with the same two</source>
+            <translation>Add-on für Godot 4 (GDScript und C#), mit denselben beiden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -7170,6 +7170,11 @@
             <translation>Preset</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
+            <source>Preset as a C array, too (preset.c)</source>
+            <translation>Preset auch als C-Array (preset.c)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>Preset Notes</source>
             <translation>Notizen zum Preset</translation>
@@ -9455,12 +9460,12 @@
             <translation>Der Befehl {template} sagt nicht, wohin die Audiodatei kommt; {output} an die Stelle des Namens der WAV-Datei setzen und {text} an die des Textes</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/shipping/targets.py" />
+            <location filename="../../../engine/phonemeengine/shipping/compiling.py" />
             <source>the compiler zig cannot compile the runtime ({why}); install a newer one</source>
             <translation>Der Compiler zig kann die Laufzeitbibliothek nicht kompilieren ({why}); neueren installieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/shipping/targets.py" />
+            <location filename="../../../engine/phonemeengine/shipping/compiling.py" />
             <source>the compiler zig does not run ({error}); install it again</source>
             <translation>Der Compiler zig läuft nicht ({error}); neu installieren</translation>
         </message>
@@ -10605,7 +10610,7 @@
             <translation>Das dauert einige Sekunden</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/shipping/targets.py" />
+            <location filename="../../../engine/phonemeengine/shipping/compiling.py" />
             <source>this target is compiled by zig, which is not installed; install zig, or pip install 'phonemeanalyser[ship]', or ship the target c</source>
             <translation>Dieses Ziel wird mit zig kompiliert, das nicht installiert ist; zig installieren, pip install 'phonemeanalyser[ship]' ausführen oder das Ziel c wählen</translation>
         </message>

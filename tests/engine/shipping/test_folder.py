@@ -23,6 +23,7 @@ from phonemeengine import (
 )
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.shipping import targets
+from phonemeengine.shipping.compiling import LIBRARIES
 from tests.compiled_ears import CModel, EarLibrary, compiled
 from tests.conftest import ROOT
 from tests.engine.shipping.test_same_results import speech
@@ -176,7 +177,8 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, target: str
 ) -> None:
     compiler = tmp_path / "zig"  # what the real one makes is tried by make test-csharp
-    compiler.write_text("#!/bin/sh\nfor last; do :; done\nprintf 'a library of zig' > \"$last\"\n", encoding="utf-8")
+    words = "#!/bin/sh\nfor last; do :; done\n[ $1 = ar ] && last=$4\nprintf 'a library of zig' > \"$last\"\n"
+    compiler.write_text(words, encoding="utf-8")
     compiler.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path), prepend=os.pathsep)
     files = ship(load_preset("thesis"), tmp_path / target, target)
@@ -193,9 +195,10 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
         keys = re.findall(r'^(\w+)="[^"]+"$', about, re.MULTILINE)
         assert keys == ["name", "description", "author", "version", "script"]
         assert 'script="plugin.gd"' in about
-        exported = (tmp_path / target / "export_plugin.gd").read_text(encoding="utf-8")
-        libraries = {path.name for path in files if path.suffix in (".so", ".dll", ".dylib")}
-        assert {*re.findall(r'"(\w+\.(?:so|dll|dylib))"', exported)} == libraries
+        extension = (tmp_path / target / "phoneme_ear.gdextension").read_text(encoding="utf-8")
+        named = re.findall(r'="(bin/[^"]+|icons/[^"]+)"', extension)
+        assert {path.relative_to(tmp_path / target).as_posix() for path in files} >= {*named}
+        assert len(named) == len(LIBRARIES) + 1
 
 
 SOURCES_OF_TARGETS = ("c", "csharp", "godot", "unity", "web", "web_demo")

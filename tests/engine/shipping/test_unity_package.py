@@ -8,7 +8,7 @@ import pytest
 
 import phonemeengine
 from phonemeengine.shipping.targets import TARGETS, Files
-from phonemeengine.shipping.unity_package import UNITY_NAME, metas, package_files
+from phonemeengine.shipping.unity_package import PLACES, UNITY_NAME, metas, package_files
 
 SOURCES = Path(phonemeengine.__file__).parent / "shipping"
 
@@ -20,7 +20,7 @@ def files() -> Files:
     for source, place in TARGETS["unity"].sources.items():
         for path in (path for path in (SOURCES / source).rglob("*") if path.is_file()):
             found[(Path(place) / path.relative_to(SOURCES / source)).as_posix()] = path.read_bytes()
-    found |= package_files({"libear.so": b"so", "ear.dll": b"dll", "libear.dylib": b"dylib"}, "Recognises.")
+    found |= package_files(dict.fromkeys(PLACES, b"library"), "Recognises.")
     return found | metas(found)
 
 

@@ -12,7 +12,7 @@ import pytest
 from phonemeengine import ExportError, Morpher, Phoneme, load_preset, load_table, ship
 from phonemeengine.labels.visemes import VISEME_PHONES, Viseme
 from phonemeengine.mouth.blending import blended_weights
-from phonemeengine.shipping import targets
+from phonemeengine.shipping import compiling, targets
 from tests.engine.shipping.test_same_results import check_same, recognised_by_engine, says_several, speech
 from tests.sounds import silence, vowel
 from tests.web_ears import frames_of, in_node
@@ -129,7 +129,7 @@ def test_a_compiler_that_is_not_there_is_a_sentence(tmp_path: Path, monkeypatch:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setitem(sys.modules, "ziglang", None)
     with pytest.raises(ExportError, match=r"compiled by zig, which is not installed; install zig, or pip install"):
-        targets.prebuild(tmp_path)
+        compiling.prebuild(tmp_path)
     assert list(tmp_path.iterdir()) == []
 
 
@@ -140,7 +140,7 @@ def test_a_compiler_that_fails_is_a_sentence(tmp_path: Path, monkeypatch: pytest
     with pytest.raises(
         ExportError, match=r"cannot compile the runtime \(x: error: unknown target\); install a newer one"
     ):
-        targets.prebuild(tmp_path)
+        compiling.prebuild(tmp_path)
 
 
 @needs_shell

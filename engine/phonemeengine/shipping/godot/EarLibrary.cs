@@ -20,8 +20,10 @@ namespace PhonemeEar
                 return IntPtr.Zero;
             var system = OS.GetName();
             var file = system == "Windows" ? "ear.dll" : system == "macOS" ? "libear.dylib" : "libear.so";
+            var arm = RuntimeInformation.ProcessArchitecture == Architecture.Arm64;
+            var kind = system == "Windows" ? "windows.x86_64" : system == "macOS" ? "macos" : arm ? "linux.arm64" : "linux.x86_64";
             var program = Path.GetDirectoryName(OS.GetExecutablePath());
-            foreach (var place in new[] { program, Path.Combine(program, "..", "Frameworks"), ProjectSettings.GlobalizePath(Folder) })
+            foreach (var place in new[] { program, Path.Combine(program, "..", "Frameworks"), ProjectSettings.GlobalizePath($"{Folder}/bin/{kind}") })
                 if (File.Exists(Path.Combine(place, file)) && NativeLibrary.TryLoad(Path.Combine(place, file), out var library))
                     return library;
             return IntPtr.Zero;

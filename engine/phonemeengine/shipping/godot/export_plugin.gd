@@ -1,20 +1,15 @@
 # SPDX-License-Identifier: MIT
 @tool
 extends EditorExportPlugin
-## Puts the system's library beside the exported program, and presets of this folder into it.
-
-const LIBRARIES := {"windows": "ear.dll", "linux": "libear.so", "macos": "libear.dylib"}
+## Puts presets of this folder into an exported program; libraries come along by themselves.
 
 
 func _get_name() -> String:
 	return "phoneme_ear"
 
 
-func _export_begin(features: PackedStringArray, _debug: bool, _path: String, _flags: int) -> void:
+func _export_begin(_features: PackedStringArray, _debug: bool, _path: String, _flags: int) -> void:
 	var folder: String = (get_script() as Script).resource_path.get_base_dir()
-	for system: String in LIBRARIES:
-		if system in features:
-			add_shared_object(folder.path_join(LIBRARIES[system]), PackedStringArray(), "")
 	for file in DirAccess.get_files_at(folder):
 		if file.get_extension() == "ear":
 			var path := folder.path_join(file)
