@@ -31,7 +31,8 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
     )
     if app.styleSheet() == sheet:
         return  # Qt would polish every widget anew, which takes a second
-    app.setStyle("Fusion")
+    if not app.styleSheet():  # else it is Fusion already, and Qt would polish every widget once more
+        app.setStyle("Fusion")
     palette = QPalette()
     roles = {
         QPalette.ColorRole.Window: theme.window,

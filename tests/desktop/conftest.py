@@ -28,7 +28,7 @@ from phonemeengine.presets.files import THESIS_PRESET, save_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import WINDOW
 from tests.desktop.hands import DialogHand, shown
-from tests.desktop.lent_window import WindowLender
+from tests.desktop.lent_window import WindowLender, close_popups
 from tests.desktop.studio import DESK, Booth, Studio
 from tests.fakes.microphones import HandDrivenMicrophone
 from tests.fakes.outputs import Outputs
@@ -66,7 +66,13 @@ def settings_in(folder: Path) -> QSettings:
 @pytest.fixture
 def settings(request: pytest.FixtureRequest, tmp_path: Path) -> QSettings:
     """Where the program keeps its choices, for one test only, or for as long as its window is lent."""
-    return request.getfixturevalue("lender").settings if "lender" in request.fixturenames else settings_in(tmp_path)
+    return request.getfixturevalue("lender").settings if lends(request) else settings_in(tmp_path)
+
+
+def lends(request: pytest.FixtureRequest) -> bool:
+    """Say whether a test uses the window that is lent."""
+    names = {*request.fixturenames}
+    return bool(names & {"desktop", "open_booth"}) and not names & {"own_desktop", "open_own_booth"}
 
 
 @pytest.fixture
@@ -91,8 +97,13 @@ def collector(qapp: QApplication) -> Iterator[WindowThreadCollector]:
 
 
 @pytest.fixture(autouse=True)
-def collected(collector: WindowThreadCollector) -> Iterator[None]:
-    """Collects after each test what is due, since no event loop runs between tests."""
+def collected(
+    request: pytest.FixtureRequest, collector: WindowThreadCollector, lender: WindowLender
+) -> Iterator[None]:
+    """Collects after each test what is due, since no event loop runs between tests; hides a window that rests."""
+    close_popups()
+    if not lends(request):
+        lender.rest()
     yield
     collector.collect()
 
@@ -148,27 +159,28 @@ def forget_windows(app: QApplication) -> None:
 
 
 @pytest.fixture(scope="module")
-def lender(qapp: QApplication, tmp_path_factory: pytest.TempPathFactory) -> Iterator[WindowLender]:
-    """Lends one program to all tests of a module that use this; those that begin or end it ask for `own_desktop`."""
+def lender(
+    request: pytest.FixtureRequest, qapp: QApplication, tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[WindowLender]:
+    """Lends one program to all tests of a module; those that begin or end it ask for `own_desktop`."""
     folder = tmp_path_factory.mktemp("lent")
-    settings = settings_in(folder)
-    lender = WindowLender(lambda: begin(qapp, settings, Studio(folder).model), settings)
+    settings, whole = settings_in(folder), request.path.parent.name in {"calibrate", "talk"}
+    lender = WindowLender(lambda microphone: begin(qapp, settings, microphone), settings, folder, whole=whole)
     yield lender
     lender.close()
 
 
 @pytest.fixture
-def desktop(request: pytest.FixtureRequest) -> Desktop:
-    """The program with its window, without a sound card; it begins with the rules of the thesis."""
-    if "lender" in request.fixturenames:
-        return request.getfixturevalue("lender").lend()
-    return request.getfixturevalue("own_desktop")
+def desktop(request: pytest.FixtureRequest, lender: WindowLender) -> Desktop:
+    """The program with its window, without a sound card; it begins with the rules of the thesis.
+
+    It is the one that is lent, unless the test uses `own_desktop`: since it ends it, or dresses it anew.
+    """
+    return request.getfixturevalue("own_desktop") if "own_desktop" in request.fixturenames else lender.lend()
 
 
 @pytest.fixture
-def own_desktop(
-    qapp: QApplication, tmp_path: Path, settings: QSettings, no_microphone: Microphone
-) -> Iterator[Desktop]:
+def own_desktop(qapp: QApplication, settings: QSettings, no_microphone: Microphone) -> Iterator[Desktop]:
     """The same, for one test only."""
     desktop = begin(qapp, settings, no_microphone)
     yield desktop
@@ -215,14 +227,35 @@ def studio(open_studio: Callable[..., Studio], mic: HandDrivenMicrophone) -> Stu
 
 
 @pytest.fixture
-def open_booth(
+def open_booth(request: pytest.FixtureRequest, lender: WindowLender, qtbot: QtBot) -> Callable[..., Booth]:
+    """Has the window listen to microphones that are opened in turn; a file is in hand.
+
+    The window is the one that is lent, unless the test uses `open_own_booth`.
+    """
+    if "open_own_booth" in request.fixturenames:
+        own: Callable[..., Booth] = request.getfixturevalue("open_own_booth")
+        return own
+
+    def make(*microphones: HandDrivenMicrophone | None) -> Booth:
+        desktop = lender.lend()
+        lender.studio.tidy(*microphones)
+        booth = Booth(desktop, lender.settings, lender.studio, qtbot)
+        shown(desktop, qtbot)
+        return booth
+
+    return make
+
+
+@pytest.fixture
+def open_own_booth(
     qapp: QApplication, settings: QSettings, qtbot: QtBot, open_studio: Callable[..., Studio]
 ) -> Iterator[Callable[..., Booth]]:
-    """Makes windows before microphones that are opened in turn; a file is in hand."""
+    """The same with a window for one test only."""
     booths: list[Booth] = []
 
     def make(*microphones: HandDrivenMicrophone | None) -> Booth:
-        booths.append(Booth(qapp, settings, open_studio(*microphones), qtbot))
+        studio = open_studio(*microphones)
+        booths.append(Booth(begin(qapp, settings, studio.model), settings, studio, qtbot))
         shown(booths[-1].desktop, qtbot)
         return booths[-1]
 

@@ -88,17 +88,13 @@ class User(QTimer):
     def _leave(self) -> None:
         if self._way.startswith("SIG"):
             os.kill(os.getpid(), getattr(signal, self._way))
-        elif self._way == "menu":
-            window().menus.actions["Quit"].trigger()
-        elif self._way == "frame":
-            window().close()
         elif self._way == "busy":
             for _ in range(N_BUSY):
                 threading.Thread(target=transform_for_ever, daemon=True).start()
             window().close()
         elif self._way == "look":
             show()
-            window().close()
+            window().menus.actions["Quit"].trigger()
 
 
 def transform_for_ever() -> None:

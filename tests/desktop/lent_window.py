@@ -1,43 +1,57 @@
 """One window that tests use in turn, since making one takes twenty times as long as most tests."""
 
+import shutil
 from collections import Counter
 from collections.abc import Callable
 from enum import Enum
+from functools import cache
 from pathlib import Path
 
-import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QSettings
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
-    QAbstractSlider,
     QApplication,
     QComboBox,
     QDialog,
+    QDockWidget,
     QLabel,
     QLineEdit,
     QMenu,
+    QScrollBar,
+    QSlider,
     QSplitter,
     QStackedWidget,
+    QToolButton,
     QWidget,
 )
 
 from phonemeanalyser.desktop.analyse.spectra.waveform_view import SOFTEST
 from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.calibrate.model import TAKES_FOLDER
+from phonemeanalyser.desktop.language import tr, use_language
+from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.session import Session
+from phonemeanalyser.desktop.talk.head.face_model import HEADS
+from phonemeanalyser.desktop.talk.head.head_view import HeadView
+from phonemeanalyser.desktop.talk.page import TalkPage
+from phonemeanalyser.desktop.theme import apply_theme
 from phonemeanalyser.desktop.widgets.plot_menu import PlotMenu
-from phonemeanalyser.desktop.window import ANALYSE, MainWindow
+from phonemeanalyser.desktop.window import ANALYSE, CALIBRATE, TALK, MainWindow
 from phonemeengine.audio.tone.settings import Tone
+from phonemeengine.mouth.files.io import FaceFiles
+from phonemeengine.mouth.head import USUAL_HEAD
 from phonemeengine.presets.files import THESIS_PRESET
 from phonemeengine.settings import Channel
+from tests.desktop.studio import Studio
 from tests.waiting import wait_for
 
 SEEN: dict[type, tuple[str, ...]] = {
     QWidget: ("isHidden", "isEnabled"),
     QAbstractButton: ("text", "isChecked"),
-    QAbstractSlider: ("value",),
+    QSlider: ("value",),
     QComboBox: ("currentIndex", "currentText", "count"),
     QLabel: ("text",),
     QLineEdit: ("text",),
@@ -53,65 +67,152 @@ LAYOUT = {"geometry", "layout", "layout_width", "layout_stacked", "rows", "spect
 class WindowLender:
     """Lends a window, tidied, to each test in turn; one that cannot be tidied is replaced by a new one.
 
+    No window is made before one is asked for. Once a test made another page than the first, all are made beforehand.
+
     Parameters
     ----------
     make : makes a program that begins with the rules of the thesis.
     settings : where it keeps its choices.
+    folder : where its microphones record, a folder of its own.
+    whole : makes all pages beforehand.
     """
 
-    def __init__(self, make: Callable[[], Desktop], settings: QSettings) -> None:
+    def __init__(
+        self, make: Callable[[Microphone], Desktop], settings: QSettings, folder: Path, *, whole: bool = False
+    ) -> None:
         self.settings = settings
+        self._folder = folder
         self._make = make
         self._first = _choices(settings)
-        self._desktop = self._begin()
-        menus = self._desktop.window.menus.actions
-        self._checked = {text: action.isChecked() for text, action in menus.items()}
-        self._desktop.window.save_state()
-        self._usual = {name: value for name, value in _choices(settings).items() if name not in LAYOUT}
-        self._tidy()
-        self._clean = _looks(self._desktop)  # no test has changed anything yet
+        self._desktop: Desktop | None = None
+        self._whole = whole
 
     def lend(self) -> Desktop:
-        """Return a program that is as one that was just begun, but that its window is seen already."""
-        for _ in range(2):  # what the first time hides leaves its room to others with the events of the second
-            self._tidy()
-            if _looks(self._desktop) == self._clean:
-                return self._desktop
+        """Return a program that is as one that was just begun, but that its window is seen already.
+
+        Its microphones are those of `studio`, which has none.
+        """
+        if self._desktop is not None:
+            app = QApplication.instance()
+            use_language(app, "en")
+            apply_theme(app, self._desktop.window.theme)  # both may be those of another window
+            for _ in range(2):  # what the first time hides leaves its room to others with the events of the second
+                self._tidy(self._desktop)
+                if _looks(self._desktop) == self._clean:
+                    return self._desktop
+            made = self._desktop._calibration, self._desktop.window.findChild(TalkPage)
+            self._whole = self._whole or made != (None, None)
         self.close()
         self._desktop = self._begin()
         return self._desktop
 
+    def rest(self) -> None:
+        """Hide the window while a test needs none: it would be drawn all the time."""
+        if self._desktop is not None:
+            self._desktop.window.hide()
+
     def close(self) -> None:
         """Let the window go."""
-        self._desktop.close()
+        desktop, self._desktop = self._desktop, None
+        if desktop is not None:
+            desktop.close()
 
     def _begin(self) -> Desktop:
+        """Make a window, and note what a clean one is like."""
         _choose(self.settings, self._first)
-        desktop = self._make()
+        self.studio = Studio(self._folder)
+        desktop = self._make(self.studio.model)
         _show(desktop.window)
+        for page in (CALIBRATE, TALK, ANALYSE) if self._whole else ():
+            desktop.window.show_page(page)
+            QApplication.processEvents()
+        for dock in desktop.window.findChildren(QDockWidget):
+            dock.raise_()  # it lays itself out when it is seen for the first time
+            QApplication.processEvents()
+        self.studio.model.refresh_devices()
+        if self._whole:
+            wait_for(lambda: not (QApplication.processEvents() or desktop.talking.face.states is None), "the head")
+        desktop.window.reset_layout()
+        QApplication.processEvents()
+        menus = desktop.window.menus.actions
+        self._checked = {text: action.isChecked() for text, action in menus.items()}
+        desktop.window.save_state()
+        self._layout = desktop.window.saveState()
+        self._ways = desktop.files.show, desktop.session.playback.open_device
+        self._learn = desktop.calibration.guide.learn if self._whole else None
+        self._sizes = [splitter.sizes() for splitter in desktop.window.findChildren(QSplitter)]
+        self._usual = {name: value for name, value in _choices(self.settings).items() if name not in LAYOUT}
+        self._tidy(desktop)
+        self._clean = _looks(desktop)  # no test has changed anything yet
         return desktop
 
-    def _tidy(self) -> None:
-        desktop, window = self._desktop, self._desktop.window
+    def _tidy(self, desktop: Desktop) -> None:
+        window = desktop.window
         _show(window)
         _choose(self.settings, self._usual)
-        _leave_sound(desktop.session)
+        self.studio.tidy()
+        desktop.files.show, desktop.session.playback.open_device = self._ways
+        desktop.demo = window.status.without_look_ahead = None
         _forget_edits(desktop)
+        _leave_sound(desktop.session)
         _show_usual(window, self._checked)
+        if window.saveState() != self._layout:
+            window.reset_layout()
+            window.restoreState(self._layout)
         window.state.restore(desktop.session, window.analysis)
+        _leave_talk(desktop)
+        if self._whole:
+            self._leave_takes(desktop)
         window.redraw.refresh_all()
-        wait_for(lambda: _is_at_rest(desktop.session), "the window")
+        wait_for(lambda: _is_at_rest(desktop), "the window")
         for _ in range(3):
             QApplication.processEvents()  # what hides leaves its room to its parent, which then does so to the page
+        for splitter, sizes in zip(window.findChildren(QSplitter), self._sizes, strict=False):
+            splitter.setSizes(sizes)
         window.analysis.variable.phonemes.clear()  # it tells sooner or later that nothing is measured
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         _choose(self.settings, self._first)
 
+    def _leave_takes(self, desktop: Desktop) -> None:
+        """Have no takes and no recordings, in the folder where the program has takes unless another one is chosen."""
+        model, page = desktop.calibration, desktop.window.calibration
+        guide = model.guide
+        guide.learn = self._learn
+        guide.cancel()
+        guide._language_chosen = guide.by_sounds = False
+        guide.begin()  # at the first step again
+        guide.cancel()
+        model.room.cancel()
+        model.fit.refuse()
+        model.rule_finding.refuse()
+        model.recordings.clear()
+        folder = self._folder / "takes" / TAKES_FOLDER
+        if model.takes.folder != folder or model.takes.now.takes or model.takes.now.n_deleted:
+            for place in (self._folder / "no takes", folder):  # a project that is open would not be opened again
+                shutil.rmtree(place, ignore_errors=True)
+                model.takes.open(place)
+                wait_for(lambda: not (QApplication.processEvents() or model.takes.busy), "the takes")
+        model.takes.speaker = ""
+        page.takes.speaker.clear()
 
-def _is_at_rest(session: Session) -> bool:
+
+def _leave_talk(desktop: Desktop) -> None:
+    """Have a head that says nothing, and moves by the usual table."""
+    talking = desktop.talking
+    desktop.window.talking_dialogs.restore()
+    talking.clear_visemes()
+    talking.text.drivers.compare(None)
+    talking.expression.set_file(None)
+    talking.expression.clear()
+    if talking.face.name != tr(HEADS[USUAL_HEAD]):
+        talking.face.load(FaceFiles())
+
+
+def _is_at_rest(desktop: Desktop) -> bool:
     """Let events come, and return whether all is measured that they ask for."""
     QApplication.processEvents()
-    return not session.busy and not session.score.busy
+    session, talking = desktop.session, desktop.talking
+    return not (session.busy or session.score.busy or talking.text.busy or talking.face.busy)
 
 
 def _choices(settings: QSettings) -> dict[str, object]:
@@ -124,11 +225,24 @@ def _choose(settings: QSettings, choices: dict[str, object]) -> None:
         settings.setValue(name, value)
 
 
+def close_popups() -> None:
+    """Close what a test left open over all windows: it gets their keys, and no window becomes active meanwhile."""
+    while (popup := QApplication.activePopupWidget()) is not None:
+        popup.hide()
+
+
 def _show(window: MainWindow) -> None:
     window.resize(*SIZE)
     window.show()
     window.activateWindow()
     QTest.qWaitForWindowActive(window)
+    if not window.isActiveWindow():  # it came to the front while a popup was open, of which Qt takes no note
+        other = QWidget()
+        other.show()
+        QTest.qWaitForWindowActive(other)
+        other.close()
+        window.activateWindow()
+        QTest.qWaitForWindowActive(window)
 
 
 def _leave_sound(session: Session) -> None:
@@ -144,9 +258,9 @@ def _leave_sound(session: Session) -> None:
 
 def _forget_edits(desktop: Desktop) -> None:
     """Have the rules of the thesis in use, as they are in their file."""
+    desktop.preset.load(THESIS_PRESET)  # first, since the recogniser of another preset may be gone
     desktop.preset.set_bypassed(False)
     desktop.preset.try_out(None)
-    desktop.preset.load(THESIS_PRESET)
     desktop.session.curves.take_away(desktop.session.curves.curves)
 
 
@@ -154,7 +268,8 @@ def _show_usual(window: MainWindow, checked: dict[str, bool]) -> None:
     """Show all as it is at first: the page, the zoom and scales of the plots, no mouse over them, and no message."""
     window.show_page(ANALYSE)
     window.set_frozen(False)
-    window.banner.show_error("")
+    while window.banner.isVisible():
+        window.banner.dismiss.click()  # messages first, then what is offered
     window.dialogs.sound_opened.emit()  # which lists the recent ones
     for text, on in checked.items():
         window.menus.show_checked(text, on)
@@ -162,7 +277,10 @@ def _show_usual(window: MainWindow, checked: dict[str, bool]) -> None:
     for view in (page.spectrum, page.averaged, page.waveform):
         view.scale.setValue(0)
     page.waveform._loudest = SOFTEST
-    page.averaged.region.setRegion((1000, 1500))
+    window.transport.tone.show_tone(Tone())
+    window.preset_box.list.search.clear()
+    window.preset_box.list.for_other = False
+    window.redraw.timer.start()
     for view in window.findChildren(pg.GraphicsView):
         QApplication.sendEvent(view.parentWidget(), QEvent(QEvent.Type.Leave))
     for menu in window.findChildren(PlotMenu):
@@ -170,7 +288,21 @@ def _show_usual(window: MainWindow, checked: dict[str, bool]) -> None:
             reset.trigger()
     for dialog in window.findChildren(QDialog):
         dialog.deleteLater()
+    _show_from_the_beginning(window)
+
+
+def _show_from_the_beginning(window: MainWindow) -> None:
+    """Have nothing marked, written or scrolled to."""
+    page = window.analysis
+    if page.averaged.measure.isChecked():
+        page.averaged.drop_region()  # the button would ask for a name
+    page.averaged.region.setRegion((1000, 1500))
     page.file.view.editor.clear()
+    page.rules.phoneme.setCurrentIndex(0)
+    page.rules.phoneme.activated.emit(0)
+    page.rules.tree.setCurrentItem(None)
+    for bar in window.findChildren(QScrollBar):
+        bar.setValue(bar.minimum())
     page.main_view.setFocus()
 
 
@@ -179,21 +311,37 @@ def _looks(desktop: Desktop) -> Counter[object]:
     window, session, preset = desktop.window, desktop.session, desktop.preset
     found: Counter[object] = Counter()
     for child in (window, *window.findChildren(QWidget), *window.findChildren(QAction)):
-        if child.objectName().startswith("qt_"):
-            continue  # Qt's own, such as what holds a scroll bar
-        if isinstance(child, QWidget) and isinstance(child.parent(), QMenu):
-            continue  # which a menu hides until it was opened once; what it holds is looked at
-        seen = [getattr(child, name)() for kind, names in SEEN.items() if isinstance(child, kind) for name in names]
-        kept = sorted((k, repr(v)) for k, v in vars(child).items() if isinstance(v, (bool, str, Enum, Path)))
-        found[type(child).__name__, child.objectName(), repr(seen), repr(kept)] += 1
+        apart = isinstance(child, QWidget) and isinstance(child.parent(), QMenu | QLineEdit | HeadView)
+        if not apart and not child.objectName().startswith("qt_"):
+            # none of Qt's own, what a menu hides until it was opened once, what fades, and the picture of a head
+            found[_looks_of(child)] += 1
     for view in window.findChildren(pg.GraphicsView):
         for item in view.scene().items():
             region = item.getRegion() if isinstance(item, pg.LinearRegionItem) else ()
-            x = np.round(item.viewRange()[0] if isinstance(item, pg.ViewBox) else region, 3).tolist()
+            x = [f"{end:.3f}" for end in (item.viewRange()[0] if isinstance(item, pg.ViewBox) else region)]
             found[type(item).__name__, item.isVisible(), repr(x)] += 1
     found[preset.bypassed, preset.has_unsaved_changes, preset.undo_stack.count(), str(preset.path)] += 1
     playback, kind = session.playback, session.source.kind
     found[playback.loop, playback.volume, playback.speed, session.channel, kind, playback.tone] += 1
     found[session.history.n, session.averages.n_frames, session.view.seen, session.labels.state] += 1
     found[type(window.focusWidget()).__name__, window.size().toTuple(), window.theme] += 1
+    found[window.redraw.timer.isActive(), desktop.talking.face.name] += 1
     return found
+
+
+def _looks_of(child: QWidget | QAction) -> tuple[str, ...]:
+    """Return what is seen of something; what is hidden, or off, gets its text or its choice when it is shown."""
+    rests = (
+        (isinstance(child, QLabel | QToolButton) and child.isHidden())
+        or (isinstance(child, QComboBox) and not child.isEnabled())
+        or (isinstance(child, QSplitter) and not child.isVisible())
+    )
+    names = SEEN[QWidget] if rests else _names_of(type(child))
+    seen = [getattr(child, name)() for name in names]
+    kept = sorted((name, repr(v)) for name, v in vars(child).items() if isinstance(v, (bool, str, Enum, Path)))
+    return type(child).__name__, child.objectName(), repr(seen), repr(kept)
+
+
+@cache
+def _names_of(kind: type) -> tuple[str, ...]:
+    return tuple(name for known, names in SEEN.items() if issubclass(kind, known) for name in names)

@@ -15,15 +15,12 @@ from pytestqt.qtbot import QtBot
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.history import NOWHERE
 from phonemeanalyser.desktop.session.microphone import Microphone
-from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.audio.devices import Device, InputChoice
-from phonemeengine.audio.output import ClockOutput
 from phonemeengine.errors import DeviceError
 from phonemeengine.live.loopback import Loopback, measure_loopback
-from phonemeengine.presets.files import THESIS_PRESET
 from tests.desktop.hands import answer, press
 from tests.fakes.microphones import HandDrivenListener, HandDrivenMicrophone, Microphones, frames_in
 from tests.sounds import silence
@@ -38,10 +35,8 @@ class Studio:
 
     def __init__(self, folder: Path, *microphones: HandDrivenMicrophone | None) -> None:
         self.takes, self.journal = folder / "takes", folder / "unfinished"
-        self.openers = Microphones(*microphones)
-        self.devices, self.refusal = [HEADSET, DESK], ""
-        self.measure: Callable[[InputChoice], Loopback] = measure_loopback
-        self.given: Counter[HandDrivenMicrophone] = Counter()
+        self.openers = Microphones()
+        self._begin_anew(microphones)
         self.model = Microphone(
             partial(HandDrivenListener, self.openers),
             self._list_devices,
@@ -49,14 +44,42 @@ class Studio:
             folder=self.takes,
             measure=self._measured,
         )
+        self.model.info.connect(self.told.append)
+        self.model.error.connect(self.failed.append)
+        self.model.recorded.connect(self._note_recording)  # a lambda would keep all of this alive
+
+    def _begin_anew(self, microphones: tuple[HandDrivenMicrophone | None, ...]) -> None:
+        self.openers.waiting.extend(microphones)
+        self.devices, self.refusal = [HEADSET, DESK], ""
+        self.measure: Callable[[InputChoice], Loopback] = measure_loopback
+        self.given: Counter[HandDrivenMicrophone] = Counter()
         self.taken: list[Analysis] = []
         self.told: list[str] = []
         self.failed: list[str] = []
         self.recorded: list[tuple[str, float]] = []
         self.gaps: list[str] = []
-        self.model.info.connect(self.told.append)
-        self.model.error.connect(self.failed.append)
-        self.model.recorded.connect(self._note_recording)  # a lambda would keep all of this alive
+
+    def tidy(self, *microphones: HandDrivenMicrophone | None) -> None:
+        """Be as one that is new, with these microphones, which are opened in turn."""
+        model, openers = self.model, self.openers
+        openers.may_answer.set()
+        openers.waiting.clear()
+        model.stop()
+        model.capture.end()
+        wait_for(
+            lambda: not (QApplication.processEvents() or model._cards.busy or model._files.busy), "the microphone"
+        )
+        openers.asked.clear()
+        if model.since_clear is not None:
+            model.since_clear.close()
+            model.since_clear = None
+        model.latency_test.result = None
+        for path in (*self.takes.glob("*.*"), *self.journal.glob("*"), *(p for p in (self.takes,) if p.is_file())):
+            path.unlink()
+        named, self.devices = self.devices, [HEADSET, DESK]
+        self._begin_anew(microphones)
+        if named != self.devices:
+            model.refresh_devices()
 
     def _note_recording(self, path: str, seconds: float, gaps: str) -> None:
         self.recorded.append((path, seconds))
@@ -92,23 +115,22 @@ class Studio:
     @property
     def files(self) -> list[str]:
         """Names of what lies in the folder of recordings."""
-        return sorted(path.name for path in self.takes.iterdir()) if self.takes.exists() else []
+        return sorted(path.name for path in self.takes.iterdir() if path.is_file()) if self.takes.exists() else []
 
     @property
     def take(self) -> Path:
         """The only recording."""
-        (path,) = (path for path in self.takes.iterdir() if path.suffix != ".csv")
+        (path,) = (path for path in self.takes.iterdir() if path.suffix not in {"", ".csv"})
         return path
 
 
 class Booth:
     """The window of a studio, and a hand on the microphone."""
 
-    def __init__(self, app: QApplication, settings: QSettings, studio: Studio, qtbot: QtBot) -> None:
+    def __init__(self, desktop: Desktop, settings: QSettings, studio: Studio, qtbot: QtBot) -> None:
         self.studio, self.settings, self.qtbot = studio, settings, qtbot
-        self.app = app
+        self.desktop = desktop
         self._given = studio.given
-        self.desktop = Desktop(app, settings, lambda _n: ClockOutput(), studio.model, PresetModel(THESIS_PRESET))
 
     @property
     def window(self) -> MainWindow:

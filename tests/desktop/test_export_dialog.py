@@ -268,6 +268,7 @@ def test_only_choices_that_make_a_difference_to_the_format_are_shown(dialog):
         assert {name for name in (*names, "blinks", "head") if getattr(dialog.choices, name).isVisible()} == expected
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_path):
     window, text = shown(desktop, qtbot, None), desktop.talking.text
     text.tools = TextTools(speak=FakeVoice().speak)
@@ -325,6 +326,7 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     (folder / "deep" / "two.flac").unlink()
     dialog.files.selectAll()
     QTest.mouseClick(dialog.remove, LEFT)
+    soundfile.write(folder / "one.flac", soundfile.read(CARDS, frames=SAMPLE_RATE)[0], SAMPLE_RATE)
     dialog.add([folder / "one.flac"])
     assert not dialog.choices.isRowVisible(dialog.choices.width)
     choose(dialog, "clip-gif")

@@ -23,8 +23,6 @@ from tests.conftest import ROOT
 from tests.desktop.accessible import controls_of
 from tests.desktop.hands import CARDS, LEFT, shown
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 
 @pytest.fixture
 def window(desktop, qtbot):

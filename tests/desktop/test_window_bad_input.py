@@ -21,8 +21,6 @@ from phonemeengine.labels.tiers import read_tiers, write_tiers
 from tests.desktop.hands import CARDS, DEMO, LEFT, shown, wav
 from tests.sounds import noise
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 SECONDS = 2.0
 
 

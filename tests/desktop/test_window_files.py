@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+from itertools import cycle
 from pathlib import Path
 
 import pytest
@@ -80,7 +81,9 @@ def test_a_file_that_macos_asks_for_comes_as_an_event(qapp):
     assert asked == [DEMO]
 
 
-@pytest.mark.parametrize("given", ["preset", "sound", "nothing"])
+@pytest.mark.parametrize(
+    "given", ["preset", *(pytest.param(given, marks=pytest.mark.long) for given in ("sound", "nothing"))]
+)
 def test_a_program_that_is_started_with_a_preset_has_a_sound_too(tmp_path, given):
     save_preset(load_preset(THESIS_PRESET), tmp_path / "mine.toml")
     words = {"preset": [str(tmp_path / "mine.toml")], "sound": [str(CARDS)], "nothing": []}[given]
@@ -103,7 +106,8 @@ def test_a_program_that_is_started_with_a_preset_has_a_sound_too(tmp_path, given
     ), done.stderr
 
 
-def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
+def test_a_sound_may_be_dropped_onto_any_view(desktop, window, tmp_path):
+    sounds = cycle([wav(tmp_path, tone(1000, 0.05), name) for name in ("one.wav", "other.wav")])
     for view in (
         window.analysis.spectrum,
         window.analysis.averaged,
@@ -112,12 +116,9 @@ def test_a_sound_may_be_dropped_onto_any_view(desktop, window):
         window.filters,
         window.analysis.thresholds,
     ):
-        desktop.session.open(CARDS)
         for target in [view, *(w for w in view.findChildren(QWidget) if w.isVisible())]:
-            welcome = drop(target, DEMO)
-            assert welcome, (view, target)
-            assert desktop.session.path == DEMO, (view, target)
-            desktop.session.open(CARDS)
+            sound = next(sounds)
+            assert (drop(target, sound), desktop.session.path) == (True, sound), (view, target)
 
 
 def test_a_dropped_preset_is_loaded(desktop, window, tmp_path):

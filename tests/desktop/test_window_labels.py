@@ -18,8 +18,6 @@ from phonemeengine.labels.textgrid import Tier
 from phonemeengine.labels.tiers import read_tiers, write_tiers
 from tests.desktop.hands import CARDS, FileAnswers, press, shown
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 TIERS = (
     Tier("phones", (RawLabel(0.5, 1.0, "o", ""), RawLabel(1.0, 1.5, "s", ""))),
     Tier("words", (RawLabel(0.5, 1.5, "os", ""),)),

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QDockWi
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.engine_words import sound_name
+from phonemeanalyser.desktop.preset_dialogs import IN_USE, NOT_IN_USE
 from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.shortcuts import ShortcutsDialog
 from phonemeanalyser.desktop.window import MainWindow
@@ -38,73 +39,55 @@ def lightness(image: np.ndarray) -> float:
 # -- themes -------------------------------------------------------------------------------------------
 
 
-def test_light_is_light_and_dark_is_dark_and_neither_is_blank(desktop, qtbot):
-    followed(desktop, qtbot)
-    images = {}
-    for name in ("light", "dark"):
-        desktop.set_theme(name)
-        images[name] = pixels(desktop.window)
-        assert desktop.window.theme.name == desktop.theme.name == name
-        assert len(np.unique(images[name])) > 500
-    assert lightness(images["light"]) > 200
-    assert lightness(images["dark"]) < 60
-    assert np.mean(images["light"] != images["dark"]) > 0.7
-
-
-def test_another_theme_keeps_sound_history_and_unsaved_changes(desktop, qtbot):
-    window = followed(desktop, qtbot, seconds=2.0)
+@pytest.mark.usefixtures("own_desktop")
+def test_another_theme_changes_the_colours_and_nothing_else(desktop, settings, qtbot, tmp_path):
+    others = {*QApplication.topLevelWidgets()} - {desktop.window}  # such as the one that is lent
+    window, session = followed(desktop, qtbot, seconds=2.0), desktop.session
     type_number(window.analysis.thresholds.rows["sz_s1"].number, "3.5")
+    session.curves.add([session.averages.save(tmp_path / "voice.csv")])
     press(window, Qt.Key.Key_F)
-    n, path = desktop.session.history.n, desktop.session.path
+    known, images = (session.history.n, session.path), [pixels(window)]
     next(a for a in menu(window, "&View").actions() if a.text() == "Theme: Dark").trigger()
-    assert desktop.window is not window
-    assert desktop.window.isVisible()
-    assert not window.isVisible()
-    assert (desktop.session.history.n, desktop.session.path) == (n, path)
-    assert desktop.window.isWindowModified()
-    assert desktop.window.redraw.frozen
-    assert desktop.window.menus.actions["Freeze Views"].isChecked()
-    assert desktop.window.analysis.thresholds.rows["sz_s1"].number.value() == 3.5
-    qtbot.waitUntil(desktop.window.isActiveWindow)
-    press(desktop.window, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
-    assert not desktop.window.isWindowModified()
+    new = desktop.window
+    assert (new is window, new.isVisible(), window.isVisible()) == (False, True, False)
+    assert marked_theme(desktop, settings) == ("Theme: Dark", "dark", "dark")
+    new.resize(window.size())  # Qt holds a restored window within the screen, and the offscreen one is small
+    settle()
+    images.append(pixels(new))
+    assert all(len(np.unique(image)) > 500 for image in images)
+    assert lightness(images[0]) > 200
+    assert lightness(images[1]) < 60
+    assert np.mean(images[0] != images[1]) > 0.7
+    assert (session.history.n, session.path) == known
+    assert new.isWindowModified()
+    assert new.redraw.frozen
+    assert new.menus.actions["Freeze Views"].isChecked()
+    assert new.analysis.thresholds.rows["sz_s1"].number.value() == 3.5
+    assert len(new.analysis.averaged.item.curves) == 2
+    assert [label.text for _, label in new.analysis.averaged.legend.items] == ["voice Δ 0.0 dB"]
+    qtbot.waitUntil(new.isActiveWindow)
+    press(new, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert not new.isWindowModified()
 
-
-def test_another_theme_keeps_loaded_curves(desktop, qtbot, tmp_path):
-    followed(desktop, qtbot, seconds=1.0)
-    desktop.session.curves.add([desktop.session.averages.save(tmp_path / "voice.csv")])
-    desktop.set_theme("dark")
-    assert len(desktop.window.analysis.averaged.item.curves) == 2
-    assert [label.text for _, label in desktop.window.analysis.averaged.legend.items] == ["voice Δ 0.0 dB"]
-
-
-def test_another_theme_does_not_interrupt_the_sound(desktop, qtbot):
-    window = shown(desktop, qtbot)
-    desktop.session.playback.set_loop(True)  # however long the window takes, the sound goes on
-    click(window.transport.play)
-    qtbot.waitUntil(lambda: desktop.session.history.n > 10)
-    desktop.set_theme("dark")
-    assert desktop.session.source.playing
-    n = desktop.session.history.n
-    qtbot.waitUntil(lambda: desktop.session.history.n > n + 20)
+    press(new, Qt.Key.Key_F)
+    session.playback.set_loop(True)  # however long the window takes, the sound goes on
+    click(new.transport.play)
+    desktop.set_theme("system")
+    assert session.source.playing
+    n = session.history.n
+    qtbot.waitUntil(lambda: session.history.n > n + 20)
     assert desktop.window.analysis.phoneme.meters
+    assert marked_theme(desktop, settings) == ("Theme: System", "system", desktop.theme.name)
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    assert {w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)} - others == {desktop.window}
 
 
-def test_a_theme_that_is_left_leaves_no_window_and_no_timer_behind(desktop, qtbot):
-    shown(desktop, qtbot)
-    for name in ("dark", "light", "dark"):
-        desktop.set_theme(name)
-        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
-    assert [w for w in QApplication.topLevelWidgets() if isinstance(w, MainWindow)] == [desktop.window]
-
-
-def test_the_chosen_theme_is_marked_in_the_menu_and_kept(desktop, settings, qtbot):
-    shown(desktop, qtbot, None)
-    for name in ("dark", "light", "system"):
-        desktop.set_theme(name)
-        themes = [a for a in menu(desktop.window, "&View").actions() if a.text().startswith("Theme: ")]
-        assert [a.text() for a in themes if a.isChecked()] == [f"Theme: {name.title()}"]
-        assert settings.value("theme") == name
+def marked_theme(desktop, settings) -> tuple[str, object, str]:
+    """Give the theme that the menu marks, the one that is kept, and that of the window."""
+    (marked,) = [
+        a for a in menu(desktop.window, "&View").actions() if a.text().startswith("Theme: ") and a.isChecked()
+    ]
+    return marked.text(), settings.value("theme"), desktop.window.theme.name
 
 
 # -- keys ---------------------------------------------------------------------------------------------
@@ -248,6 +231,7 @@ def start_again(desktop, qapp, settings):
         other.close()
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_layout_and_choices_come_back(desktop, qtbot, start_again):
     window = shown(desktop, qtbot)
     window.resize(1500, 900)
@@ -306,49 +290,37 @@ def test_a_closed_dock_comes_back_from_the_menu(desktop, qtbot):
         assert dock.isVisible()
 
 
-def test_the_preset_in_use_comes_back(desktop, qtbot, start_again, tmp_path):
+@pytest.mark.usefixtures("own_desktop")
+def test_a_and_b_come_back_and_the_one_in_use_is_in_use(desktop, qtbot, start_again, tmp_path):
     window = shown(desktop, qtbot, None)
     desktop.preset.save(tmp_path / "mine.toml")
     window.dialogs.presets.load(tmp_path / "mine.toml")
-    again = start_again()
-    again.window.dialogs.presets.restore()
-    assert again.preset.path == tmp_path / "mine.toml"
-    assert not again.window.isWindowModified()
-
-
-@pytest.mark.parametrize("in_use", ["A", "B"])
-def test_a_and_b_come_back_and_the_one_in_use_is_in_use(desktop, qtbot, start_again, tmp_path, in_use):
-    shown(desktop, qtbot, None)
-    desktop.preset.save(tmp_path / "mine.toml")
     desktop.preset.set_other(PresetDocument.read(preset_path("extended")))
-    if in_use == "B":
-        desktop.preset.switch()
+    desktop.preset.switch()
     again = start_again()
     again.window.dialogs.presets.restore()
-    assert again.preset.letter == in_use
+    assert again.preset.letter == "B"
     assert [preset.name for preset in again.preset.sides.values()] == ["mine", "Extended rules"]
     assert again.window.banner.label.text() == ""
     assert not again.window.isWindowModified()
 
 
 @pytest.mark.parametrize("gone", ["a", "b", "ab"])
-def test_a_preset_whose_file_is_gone_is_said_once_in_one_sentence(desktop, qtbot, start_again, tmp_path, gone):
-    shown(desktop, qtbot, None)
-    for name in "ab":
+def test_a_preset_whose_file_is_gone_is_said_once_in_one_sentence(desktop, settings, qtbot, tmp_path, gone):
+    presets, banner = shown(desktop, qtbot, None).dialogs.presets, desktop.window.banner
+    for key, name in ((IN_USE, "a"), (NOT_IN_USE, "b")):
         save_preset(Preset(name=name), tmp_path / f"{name}.toml")
-    desktop.preset.load(tmp_path / "a.toml")
-    desktop.preset.set_other(PresetDocument.read(tmp_path / "b.toml"))
+        settings.setValue(key, str(tmp_path / f"{name}.toml"))
     for name in gone:
         (tmp_path / f"{name}.toml").unlink()
-    again = start_again()
-    again.window.dialogs.presets.restore()
-    said = again.window.banner.label.text()
-    assert all(str(tmp_path / f"{name}.toml") in said for name in gone)
-    assert list(again.preset.sides) == ["A"]
-    assert again.preset.preset.name == {"a": "b", "b": "a", "ab": "Learned"}[gone]
-    again.window.banner.show_error("")
-    again.window.dialogs.presets.restore()
-    assert again.window.banner.label.text() == ""
+    before = desktop.preset.preset.name
+    presets.restore()
+    assert all(str(tmp_path / f"{name}.toml") in banner.label.text() for name in gone)
+    assert list(desktop.preset.sides) == ["A"]
+    assert desktop.preset.preset.name == {"a": "b", "b": "a", "ab": before}[gone]
+    banner.show_error("")
+    presets.restore()
+    assert banner.label.text() == ""
 
 
 def test_settings_of_nonsense_do_not_keep_the_window_from_opening(qapp, settings, qtbot):

@@ -18,6 +18,7 @@ from tests.desktop.hands import FileAnswers, choose, click, copied, press, settl
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_a_page_is_made_when_it_is_first_looked_at_and_stays(desktop, qtbot):
     window = shown(desktop, qtbot)
     assert not window.findChildren(TalkPage)
@@ -84,6 +85,7 @@ def test_a_right_click_on_the_head_opens_its_menu_and_a_right_drag_does_not(desk
     head.menu.close()
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_the_sound_is_opened_after_the_window_has_been_painted(desktop, qtbot):
     waiting = FirstPaint(desktop.window)
     said = []

@@ -9,8 +9,6 @@ from PySide6.QtWidgets import QMessageBox
 from phonemeengine.presets.files import THESIS_PRESET, load_preset, parse_phoneme_data, save_preset
 from tests.desktop.hands import FileAnswers, answer, click, press, shown, type_number
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 BUTTON = QMessageBox.StandardButton
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
@@ -106,12 +104,14 @@ def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, wi
     assert desktop.preset.path == THESIS_PRESET
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_closing_without_changes_asks_nothing(desktop, window, hand):
     assert window.close()
     assert said(hand) == 0
     assert not window.redraw.timer.isActive()
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_closing_while_it_plays_silences_it(desktop, window):
     click(window.transport.play)
     assert window.close()
@@ -129,6 +129,7 @@ def test_cancel_keeps_the_window_and_the_changes(desktop, window, hand):
     assert window.redraw.timer.isActive()
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_discard_closes_and_writes_nothing(desktop, window, hand, tmp_path):
     save_preset(desktop.preset.preset, tmp_path / "mine.toml")
     window.dialogs.presets.load(tmp_path / "mine.toml")
@@ -139,6 +140,7 @@ def test_discard_closes_and_writes_nothing(desktop, window, hand, tmp_path):
     assert (tmp_path / "mine.toml").read_bytes() == before
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_save_writes_and_closes(desktop, window, hand, tmp_path):
     change(window)
     hand.press(BUTTON.Save)

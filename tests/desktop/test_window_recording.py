@@ -153,6 +153,7 @@ def test_a_folder_that_takes_nothing_is_one_sentence_and_nothing_claims_to_recor
     assert "waiting" not in booth.window.transport.time.text()
 
 
+@pytest.mark.usefixtures("open_own_booth")
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows keeps folders of open files")
 def test_a_folder_that_vanishes_is_one_sentence_and_what_was_recorded_is_kept(
     booth: Booth, mic: HandDrivenMicrophone, tmp_path: Path
@@ -192,6 +193,7 @@ def test_to_stop_listening_ends_the_recording(booth: Booth, mic: HandDrivenMicro
     assert not booth.studio.model.recording
 
 
+@pytest.mark.usefixtures("open_own_booth")
 def test_another_theme_records_on(booth: Booth, mic: HandDrivenMicrophone):
     booth.record()
     booth.hear(mic, known(0, 30))
@@ -203,6 +205,7 @@ def test_another_theme_records_on(booth: Booth, mic: HandDrivenMicrophone):
     np.testing.assert_array_equal(samples_in(booth.studio.take)[:, 0], known(0, 60))
 
 
+@pytest.mark.usefixtures("open_own_booth")
 def test_closing_the_window_finishes_the_recording(booth: Booth, mic: HandDrivenMicrophone):
     booth.record()
     booth.hear(mic, known(0, 50))
@@ -235,7 +238,7 @@ def test_the_recordings_folder_is_chosen_shown_and_kept(booth: Booth, mic: HandD
 def cut_off(open_booth: Open, tmp_path: Path) -> tuple[Booth, Path]:
     """A window at its start, after a process died while it recorded."""
     booth = open_booth()
-    booth.studio.takes.mkdir()
+    booth.studio.takes.mkdir(exist_ok=True)
     words = [sys.executable, "-c", CUT_OFF, str(booth.studio.takes / "cut off.wav"), str(booth.studio.journal)]
     assert subprocess.run(words, check=False).returncode == 9
     booth.window.dialogs.offer_unfinished()

@@ -162,11 +162,12 @@ def is_seen(area: QScrollArea) -> bool:
     return any(not widget.visibleRegion().isEmpty() for widget in (area, *area.findChildren(QWidget)))
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.usefixtures("own_desktop")
+@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.long), "de"])  # whose words are longer
 def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, request, qtbot, language):
     settings.setValue("language", language)
     window = shown(request.getfixturevalue("desktop"), qtbot)
-    for preset, size, page in product(("learned", "thesis"), (SMALLEST, (1272, 800), (1920, 1080)), range(3)):
+    for preset, size, page in product(("learned", "thesis"), (SMALLEST, (1272, 800)), range(3)):
         if (size, page) == (SMALLEST, 0):
             window.dialogs.presets.load(FACTORY / f"{preset}.toml")
         window.show_page(page)
@@ -183,6 +184,7 @@ def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, requ
     assert len(around_visemes) == 2
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_the_window_opens_within_the_screen(desktop, qapp):
     available = desktop.window.screen().availableSize()
     assert available.width() < 1280  # else this says nothing
@@ -190,6 +192,7 @@ def test_the_window_opens_within_the_screen(desktop, qapp):
     assert desktop.window.height() < available.height()
 
 
+@pytest.mark.usefixtures("own_desktop")
 @pytest.mark.parametrize(("width", "together"), [(1016, True), (1280, False)])
 def test_a_narrow_window_has_the_filters_behind_the_thresholds_until_the_user_moves_them(
     desktop, qtbot, width, together
@@ -222,7 +225,8 @@ def test_docks_give_way_when_the_window_becomes_narrow_and_come_back_as_wide_as_
     assert window.dockWidgetArea(filters) is Qt.DockWidgetArea.LeftDockWidgetArea
 
 
-@pytest.mark.parametrize(("width", "moved"), [(1280, True), (1016, False)])
+@pytest.mark.usefixtures("own_desktop")
+@pytest.mark.parametrize(("width", "moved"), [(1280, True), pytest.param(1016, False, marks=pytest.mark.long)])
 def test_a_layout_of_a_wide_window_is_changed_for_a_narrow_one_and_that_of_a_narrow_one_is_kept(
     desktop, qapp, settings, qtbot, width, moved
 ):

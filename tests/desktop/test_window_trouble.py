@@ -60,6 +60,7 @@ def test_a_microphone_that_vanishes_in_mid_recording_is_waited_for_and_the_loss_
     assert len(booth.studio.files) == 1
 
 
+@pytest.mark.usefixtures("open_own_booth")
 def test_the_window_lives_while_a_microphone_hangs_and_another_source_can_be_chosen(
     open_booth: Open, mic: HandDrivenMicrophone
 ):

@@ -17,8 +17,6 @@ from tests.desktop.hands import CARDS, FileAnswers, button, press, shown
 from tests.labelled import recordings
 from tests.sounds import tone
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 
 @pytest.fixture
 def window(desktop, qtbot):

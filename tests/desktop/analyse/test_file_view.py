@@ -21,8 +21,6 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD
 from tests.desktop.hands import CARDS, click, press, shown, turn_wheel
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 
 @pytest.fixture
 def panel(desktop, qtbot):

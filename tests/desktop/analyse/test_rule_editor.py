@@ -21,8 +21,6 @@ from phonemeengine.recognition.rules import RULES, Condition, Rule
 from tests.desktop.hands import CARDS, LEFT, press, shown
 from tests.labelled import recording
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 ALT, CONTROL = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ControlModifier
 QUIET = Condition("volume", "<", limit=0.05)
 OWN = (

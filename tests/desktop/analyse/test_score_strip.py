@@ -22,6 +22,8 @@ from phonemeengine.presets.preset import Preset
 from tests.desktop.calibrate.calibrating import corpus
 from tests.desktop.hands import CARDS, click, press, shown
 
+pytestmark = pytest.mark.usefixtures("own_desktop")  # what was scored last stays beside a score
+
 
 @pytest.fixture
 def window(desktop, qtbot):
@@ -241,6 +243,7 @@ def test_labels_of_another_sound_and_words_are_refused_in_one_sentence(desktop, 
     assert strip.why_not.text() == "No labels yet."
 
 
+@pytest.mark.long
 def test_the_scope_and_whether_it_is_shown_outlive_the_window(desktop, window, strip):
     strip.scope.setCurrentIndex(strip.scope.findData(Scope.LOADED.value))
     strip.shown.setChecked(False)

@@ -15,8 +15,6 @@ from phonemeengine.settings import FRAME_PERIOD
 from tests.conftest import ROOT
 from tests.desktop.hands import LEFT, click, drag, followed, press, shown, type_number
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 CONTROL = Qt.KeyboardModifier.ControlModifier
 

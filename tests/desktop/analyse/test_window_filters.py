@@ -27,8 +27,6 @@ from phonemeengine.settings import PARAMETERS, STAGES, AnalysisSettings, Filter
 from tests.desktop.hands import CARDS, click, press, shown, type_number
 from tests.sounds import noise
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 TELLING = {
     "frequency_smooth": 0.5,
     "time_smooth": 0.5,

@@ -18,8 +18,6 @@ from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, FileAnswers, press, shown
 from tests.tables import analysed
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 
@@ -165,6 +163,7 @@ def wait_behind(held: threading.Event, desktop: Desktop, sound: Path) -> None:
     writer.write("another", lambda: held.wait(60) and SoundReader(sound), desktop.preset.preset, target)
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, window, qtbot, sound, answer, held):
     answer(sound.with_suffix(".TextGrid"))
     wait_behind(held, desktop, sound)

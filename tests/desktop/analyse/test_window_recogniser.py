@@ -23,6 +23,7 @@ from tests.fakes.plug_ins import Shelf, environment_with
 from tests.tables import rows_of
 
 CONTROL, SHIFT = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier
+
 FAILS_LATER = """
 class Own(Plain):
     def recognise(self, windows, features):
@@ -56,6 +57,12 @@ def choose(window, name: str) -> None:
 
 def told(window) -> str:
     return window.banner.label.text()
+
+
+@pytest.fixture
+def desktop(desktop):
+    yield desktop
+    desktop.preset.load(THESIS_PRESET)  # a plug-in that is in use ends with its test
 
 
 @pytest.fixture

@@ -29,8 +29,6 @@ from tests.desktop.hands import (
 )
 from tests.sounds import noise, tone
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 SECONDS = 1.0
 
 

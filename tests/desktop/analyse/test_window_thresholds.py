@@ -14,8 +14,6 @@ from phonemeengine.recognition.rules import CONDITIONS
 from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import click, drag, followed, press, shown, type_number
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 CONTROL = Qt.KeyboardModifier.ControlModifier
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 NAMES = [field.name for field in fields(PhonemeData)]

@@ -34,8 +34,6 @@ from tests.desktop.hands import (
 )
 from tests.sounds import tone
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 GREY = "grey"
 
 

@@ -191,6 +191,8 @@ def test_the_file_is_not_lost_by_a_tone(desktop, qtbot):
     qtbot.waitUntil(lambda: desktop.session.source.position > 1.4)
 
 
+@pytest.mark.long
+@pytest.mark.usefixtures("own_desktop")
 def test_another_theme_keeps_the_tone(desktop, window, heard, qtbot):
     choose(window.transport.tone.kind, "vowel")
     choose(window.transport.tone.vowel, "o")

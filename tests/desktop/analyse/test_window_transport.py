@@ -9,8 +9,6 @@ from phonemeengine.settings import Channel
 from tests.desktop.hands import CARDS, FileAnswers, TimeEyes, click, drag, press, shown, wav
 from tests.sounds import silence, tone
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 

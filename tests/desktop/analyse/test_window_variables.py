@@ -14,8 +14,6 @@ from phonemeengine.presets.files import load_preset
 from phonemeengine.settings import BIN_WIDTH
 from tests.desktop.hands import LEFT, back_in, click, followed, place, press
 
-pytestmark = pytest.mark.usefixtures("lender")
-
 
 @dataclass(frozen=True)
 class Seen:

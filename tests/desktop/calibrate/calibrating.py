@@ -83,7 +83,7 @@ class Calibrator:
         def look() -> bool:
             hears = self.model.guide.phase is not Phase.LEARNING and self.mic.n_waiting < LEFT
             if hears and not silently:
-                self.booth.give(self.mic, in_room(silence(0.05)))
+                self.booth.give(self.mic, in_room(silence(0.1)))
             return bool(true())
 
         self.booth.qtbot.waitUntil(look)

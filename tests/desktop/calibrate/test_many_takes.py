@@ -4,6 +4,7 @@ from pathlib import Path
 from threading import Event
 
 import numpy as np
+import pytest
 
 from phonemeanalyser.desktop.calibrate.takes.takes_model import TakesModel
 from phonemeengine.calibration.takes.project import TakeProject
@@ -54,6 +55,7 @@ def test_opening_is_cancelled_and_whatever_else_was_asked_is_done(qtbot, tmp_pat
     takes.close()
 
 
+@pytest.mark.usefixtures("open_own_booth")  # no folder is open yet
 def test_the_panel_shows_how_far_it_is_beside_a_button_that_cancels(open_booth, mic, tmp_path):
     calibrator = Calibrator(open_booth(mic), mic)
     panel, takes, many = calibrator.page.takes, calibrator.model.takes, filled(tmp_path / "many", 1)

@@ -166,6 +166,8 @@ def test_a_file_without_the_channel_is_mixed_and_the_choice_comes_back(desktop, 
     assert window.transport.channel.currentText() == "5"
 
 
+@pytest.mark.long
+@pytest.mark.usefixtures("own_desktop")
 def test_the_choice_is_there_after_another_start(desktop, qtbot, eight):
     window = shown(desktop, qtbot, eight)
     choose(window, "7")

@@ -148,6 +148,8 @@ def test_clear_forgets_what_was_heard_and_listening_goes_on(booth: Booth, mic: H
     assert booth.desktop.session.history.n == 40
 
 
+@pytest.mark.long
+@pytest.mark.usefixtures("open_own_booth")
 def test_another_theme_goes_on_listening(booth: Booth, mic: HandDrivenMicrophone):
     booth.hear(mic, A)
     old = booth.window
@@ -229,6 +231,7 @@ def test_another_buffer_is_asked_of_the_microphone_at_once(open_booth: Open):
     assert booth.studio.model.listener.lost_seconds == 0
 
 
+@pytest.mark.usefixtures("open_own_booth")
 def test_the_choice_survives_a_restart_and_nothing_is_opened_at_the_start(booth: Booth, qtbot, qapp, tmp_path):
     bar = booth.window.transport.microphone
     booth.until(lambda: bar.device.count() == 3)

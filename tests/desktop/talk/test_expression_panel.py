@@ -184,6 +184,7 @@ def test_a_place_where_nobody_can_be_heard_switches_it_off(
     assert not panel.switch.isChecked()
 
 
+@pytest.mark.usefixtures("own_desktop")
 def test_recording_and_address_are_there_again_at_the_next_start(
     desktop: Desktop, qapp: QApplication, settings: QSettings, no_microphone: Microphone, qtbot: QtBot, tmp_path: Path
 ) -> None:

@@ -46,6 +46,8 @@ from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoi
 from tests.desktop.test_window_sizes import SMALLEST, fits
 from tests.engine.performance.test_track import recorded
 
+pytestmark = pytest.mark.usefixtures("own_desktop")  # with a voice and an aligner of its own
+
 DURATION = len(AN_A) / 44100
 SAID = Utterance((word("so", 0.2, 0.6, 0.1), word("oh", 0.6, 1.1, 3.0)), DURATION, "en-us")
 
@@ -61,8 +63,17 @@ def aligner() -> FakeAligner:
 
 
 @pytest.fixture
-def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, voice: FakeVoice, aligner: FakeAligner) -> MainWindow:
-    """The page of the head, on a sound without labels."""
+def window(
+    request: pytest.FixtureRequest,
+    desktop: Desktop,
+    qtbot: QtBot,
+    tmp_path: Path,
+    voice: FakeVoice,
+    aligner: FakeAligner,
+) -> MainWindow:
+    """The page of the head, on a sound without labels; the head is drawn where a test needs `graphics` only."""
+    if "graphics" not in request.fixturenames:
+        request.getfixturevalue("no_opengl")
     texts = desktop.talking.text
     texts.tools = TextTools(aligner.align, voice.speak)
     texts.voice.look, texts.voice.warm_up = lambda: INSTALLED, lambda: None
@@ -96,11 +107,14 @@ def test_escape_stops_the_voice_while_the_text_has_the_focus(window, desktop, qt
     assert not desktop.session.source.playing
 
 
-def test_letters_and_space_that_are_typed_hold_no_mouth_shape_and_play_nothing(window, desktop):
+def test_what_is_typed_plays_nothing_and_without_a_language_a_sentence_says_what_to_do(window, desktop):
     write(window, "a house")
     assert panel(window).field.toPlainText() == "a house"
     assert not desktop.session.source.playing
     assert not desktop.talking.visemes.phonemes
+    assert panel(window).language.currentText() == NO_LANGUAGE
+    panel(window).act.click()
+    assert "choose it beside the text" in window.banner.findChild(QLabel).text()
 
 
 def test_the_tour_points_at_what_is_there_by_keyboard_and_is_left_by_escape(window, desktop, settings, qtbot):
@@ -143,14 +157,9 @@ def test_a_language_is_found_by_any_part_of_its_name_and_what_is_none_is_forgott
     assert not desktop.session.source.playing
 
 
-def test_without_a_language_a_sentence_says_what_to_do(window):
-    write(window, "so oh")
-    assert panel(window).language.currentText() == NO_LANGUAGE
-    panel(window).act.click()
-    assert "choose it beside the text" in window.banner.findChild(QLabel).text()
-
-
-def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(window, qtbot):
+def test_the_lanes_are_words_syllables_and_phones_poor_words_are_marked_and_nothing_is_asked_at_the_end(
+    window, qtbot
+):
     aligned(window, qtbot)
     lanes = window.talk.lanes.line.lanes
     assert [(lane.name, list(lane.texts)) for lane in lanes] == [
@@ -160,6 +169,7 @@ def test_the_lanes_are_words_syllables_and_phones_and_poor_words_are_marked(wind
         ("Feeling", []),
     ]
     assert lanes[0].marked == {1}
+    assert window.close()
 
 
 def test_a_click_on_a_word_plays_it(window, desktop, qtbot):
@@ -215,11 +225,6 @@ def test_who_moved_a_boundary_can_save_it_when_he_quits(window, desktop, qtbot, 
     assert spans_of(read_utterance(target, DURATION), LabelUnit.WORD)[0][1] == pytest.approx(0.7, abs=0.01)
 
 
-def test_who_moved_nothing_quits_without_a_question(window, qtbot):
-    aligned(window, qtbot)
-    assert window.close()
-
-
 def test_a_spoken_text_is_saved_by_the_menu_and_opened_from_the_banner(window, desktop, qtbot, tmp_path):
     write(window, "hello")
     choose(window, "German")
@@ -248,8 +253,10 @@ def opened(window: MainWindow, qtbot: QtBot) -> VoicePanel:
 
 
 @popping_up
-def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot):
+def test_voice_rate_mouth_and_a_program_of_ones_own_are_chosen_by_the_keyboard(window, desktop, qtbot):
     below = opened(window, qtbot)
+    names = [below.name.itemText(k) for k in range(below.name.count())]  # women and men come first, a program last
+    assert names == [OWN_VOICE, "f1 (female)", "f2 (female)", "m1 (male)", "croak", "klatt", "Reed", OWN_PROGRAM]
     QTest.keyClicks(below.name, "f2")
     QTest.keyClick(below.name, Qt.Key.Key_Return)
     type_number(below.rate, "5.5")
@@ -259,36 +266,16 @@ def test_voice_rate_and_mouth_are_chosen_by_the_keyboard(window, desktop, qtbot)
     assert (texts.voice.choice.name, texts.voice.choice.rate) == ("f2", 5.5)
     assert texts.drivers.chosen is FaceDriver.RULES
     assert "f2, 5.5 syllables/s" in panel(window).voice.toolTip()
-    QTest.keyClick(below, Qt.Key.Key_Escape)
-    assert not below.isVisible()
-
-
-@popping_up
-def test_voices_of_women_and_men_come_first_and_a_program_last(window, qtbot):
-    below = opened(window, qtbot)
-    assert [below.name.itemText(k) for k in range(below.name.count())] == [
-        OWN_VOICE,
-        "f1 (female)",
-        "f2 (female)",
-        "m1 (male)",
-        "croak",
-        "klatt",
-        "Reed",
-        OWN_PROGRAM,
-    ]
-
-
-@popping_up
-def test_a_program_of_ones_own_has_a_command_and_a_rate_of_its_own(window, desktop, qtbot):
-    below = opened(window, qtbot)
     assert not below.program.isVisible()
+    below.name.setFocus()
     QTest.keyClick(below.name, Qt.Key.Key_End)
     assert below.program.isVisible()
     assert not below.rate.isEnabled()
     QTest.keyClicks(below.program, "mine {output}")
     QTest.keyClick(below.program, Qt.Key.Key_Return)
-    choice = desktop.talking.text.voice.choice
-    assert (choice.by_program, choice.program) == (True, "mine {output}")
+    assert (texts.voice.choice.by_program, texts.voice.choice.program) == (True, "mine {output}")
+    QTest.keyClick(below, Qt.Key.Key_Escape)
+    assert not below.isVisible()
 
 
 def test_a_text_whose_place_a_script_has_taken_comes_back_by_undo(window, qtbot, tmp_path):
@@ -419,6 +406,7 @@ def test_units_are_played_by_a_click_in_german_too(window, desktop, qtbot, qapp,
     assert ", Originalaufnahme aus ann" in told[0]
 
 
+@pytest.mark.usefixtures("graphics")
 def test_two_heads_are_compared_and_looked_at_alike(window, desktop, qtbot, table):
     performed(window, desktop, table, qtbot)
     actions = {action.text(): action for action in window.talk.comparisons.actions()}
