@@ -52,6 +52,7 @@ WORDS = (
     tr_noop("Automatic"),
     tr_noop("Pinyin letters"),
     tr_noop("Recorded faces"),
+    tr_noop("Sound alone (network)"),
     tr_noop("Phonemes (rules)"),
     tr_noop("Rectangle"),
     tr_noop("Eleven mouth shapes"),

@@ -207,9 +207,9 @@ def test_everything_frequent_has_a_key(desktop, qtbot):
 def test_about_says_what_it_is(desktop, qtbot, hand):
     shown(desktop, qtbot, None).menus.actions["About PhonemeAnalyser"].trigger()
     assert "MIT" in hand.texts[0]
-    notes = load_preset(DEFAULT_PRESET).notes.split()
-    assert "left out of a training, but not of the choice of its settings" in " ".join(notes)
-    assert " ".join(notes) in unescape(hand.texts[0])
+    preset = load_preset(DEFAULT_PRESET)
+    assert "left out of a training, but not of the choice of its settings" in " ".join(preset.notes.split())
+    assert preset.summary in unescape(hand.texts[0])
 
 
 # -- the next start -----------------------------------------------------------------------------------

@@ -31,6 +31,10 @@ class RuleComparison:
     margin: float
 
 
+def _asked(comparison: RuleComparison) -> tuple[str, str, str, str]:
+    return comparison.rule, comparison.variable, comparison.sign, comparison.threshold
+
+
 @dataclass(frozen=True)
 class Trace:
     """The rule that fired, and every comparison on the way to it."""
@@ -38,6 +42,12 @@ class Trace:
     phoneme: Phoneme
     rule: str
     comparisons: tuple[RuleComparison, ...]
+
+    def turned_since(self, earlier: "Trace") -> RuleComparison | None:
+        """Return the first comparison whose answer is another than in an earlier trace; None where none is."""
+        answers = {_asked(c): c.margin > 0 for c in earlier.comparisons}
+        turned = (c for c in self.comparisons if (c.margin > 0) != answers.get(_asked(c), c.margin > 0))
+        return next(turned, None)
 
 
 @dataclass(frozen=True)

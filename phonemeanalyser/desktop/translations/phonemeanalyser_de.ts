@@ -1904,6 +1904,11 @@
             <translation>Datei geändert</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
+            <source>Changes often: {variable} crossed {limit} in {n} of {all} changes seen</source>
+            <translation>Wechselt oft: {variable} kreuzte {limit} in {n} von {all} gesehenen Wechseln</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
             <source>Changes/s</source>
             <translation>Wechsel/s</translation>
@@ -6866,8 +6871,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/phoneme_view.py" />
-            <source>Phoneme changes per second, over the last 3 seconds</source>
-            <translation>Phonemwechsel pro Sekunde, über die letzten 3 Sekunden</translation>
+            <source>Phoneme changes per second, over the last 3 seconds; speech has about 9. A preset with more smoothing, such as thesis-calm, changes less often</source>
+            <translation>Phonemwechsel pro Sekunde in den letzten 3 Sekunden; Sprache hat etwa 9. Ein Preset mit mehr Glättung wie thesis-calm wechselt seltener</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
@@ -8823,6 +8828,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
             <source>Sound</source>
             <translation>Laut</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>Sound alone (network)</source>
+            <translation>Klang allein (Netz)</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/slowed_output.py" />

@@ -1,8 +1,12 @@
 """Which lines of a decision the window tells: all of a few rules, the nearest of many."""
 
-from phonemeanalyser.desktop.analyse.recognition.phoneme_view import N_ROWS, rows_of
+from phonemeanalyser.colours import LIGHT
+from phonemeanalyser.desktop.analyse.recognition.phoneme_view import N_ROWS, PhonemeView, rows_of
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
+from tests.conftest import ROOT
+
+DEMO = ROOT / "phonemeanalyser" / "demo" / "demo.flac"
 
 
 def compared(rule: str, margin: float, limit: float = 1.0, variable: str = "energy") -> RuleComparison:
@@ -37,3 +41,31 @@ def test_a_rule_of_many_comparisons_leaves_no_room_for_others() -> None:
     fired = tuple(compared("o", 1.0, variable=f"b{k}") for k in range(N_ROWS + 2))
     rows = rows_of(Trace(Phoneme.O, "o", (compared("a", -1.0), *fired)))
     assert [c for c, _, _ in rows] == list(fired[:N_ROWS])
+
+
+def test_the_trace_names_the_comparison_that_turns_most_where_the_phoneme_flickers(session, play):
+    session.open(DEMO)
+    view = PhonemeView(session, LIGHT)
+    flickers = []
+    for _ in range(150):
+        play(0.02)
+        view.refresh()
+        flickers.append(view.flicker)
+    assert flickers[0] == ""
+    told = [words for words in flickers if words]
+    assert told
+    assert all(words.startswith("Changes often: ") for words in told)
+    assert max(int(words.split(" of ")[-1].split()[0]) for words in told) > 10
+    assert len(rows_of(view.trace, N_ROWS - 1)) <= N_ROWS - 1
+
+
+def test_a_comparison_has_turned_whose_answer_is_another_than_before() -> None:
+    def trace(*margins: float) -> Trace:
+        names = "energy", "volume"
+        compared = (RuleComparison("a", n, 0, "<", f"{n}_limit", 0, m) for n, m in zip(names, margins, strict=True))
+        return Trace(Phoneme.A, "a", tuple(compared))
+
+    assert trace(1, 1).turned_since(trace(2, 3)) is None
+    turned = trace(1, -1).turned_since(trace(2, 3))
+    assert turned is not None
+    assert (turned.variable, turned.margin) == ("volume", -1)

@@ -1,5 +1,6 @@
 """The recognised phoneme in large letters, its intensity, why it was recognised, and the plain measures."""
 
+from collections import Counter, deque
 from html import escape
 from typing import Any
 
@@ -18,6 +19,7 @@ from phonemeengine.analyser import latest_reading
 from phonemeengine.features.variables import readable_name
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.recognition import RuleComparison, Trace
+from phonemeengine.settings import FRAME_PERIOD
 
 ROW = 15
 """Height of a line of the trace in pixels."""
@@ -28,6 +30,8 @@ MARK_WIDTH, NAME_WIDTH, GAP = 16, 40, 8
 N_ROWS = 10
 FLICKER_SECONDS = 3.0
 """Over how long the changes of the phoneme are counted."""
+FLICKERS = 12.0
+"""Changes a second from which the trace names the comparison that turns most: speech has about 9."""
 METERS = (
     ("zc", "zero_crossings", "{:.0f}", tr_noop("Zero crossings in the current window of 46.4 ms")),
     ("vol", "volume", "{:.3f}", tr_noop("Volume: peak level in the current window of 46.4 ms, full scale 1")),
@@ -41,7 +45,10 @@ CONFIDENCE_TIP = tr_noop(
     "Estimated probability that the phoneme is right, fitted on labelled speech: of 100 answers with 80 %, 80 are "
     "right"
 )
-CHANGES_TIP = tr_noop("Phoneme changes per second, over the last 3 seconds")
+CHANGES_TIP = tr_noop(
+    "Phoneme changes per second, over the last 3 seconds; speech has about 9. A preset with more smoothing, such as "
+    "thesis-calm, changes less often"
+)
 TRACE_TIP = tr_noop(
     "What each rule compared in the current frame, down to the one that fired: value, limit, and the margin by which "
     "the comparison held (✓) or failed (✗)"
@@ -56,6 +63,7 @@ class PhonemeView(QWidget):
         self._session = session
         self._theme = theme
         self.trace: Trace | None = None
+        self._turned: deque[tuple[int, RuleComparison]] = deque()  # with the number of the frame
         self.phoneme = self.recognised = Phoneme.SILENCE
         self.intensity = 0.0
         self.confidence: float | None = None
@@ -85,7 +93,7 @@ class PhonemeView(QWidget):
         if at.y() < meters.bottom():
             cell = int(len(METERS) * (at.x() - meters.left()) / meters.width())
             return tr(METERS[min(max(cell, 0), len(METERS) - 1)][3])
-        rows = [] if self.trace is None else rows_of(self.trace)
+        rows = [] if self.trace is None else rows_of(self.trace, self._n_rows)
         row = int((at.y() - line.top()) / ROW)
         if not 0 <= row < len(rows):
             return tr(TRACE_TIP)
@@ -133,9 +141,37 @@ class PhonemeView(QWidget):
             if values["f0"] == 0:
                 self.meters["f(g)"] = "–"
         self.changes = None if self.input_silent else self._session.history.changes_per_s(FLICKER_SECONDS)
-        self.trace = None if self.input_silent else self._session.results.explain()
+        before, self.trace = self.trace, None if self.input_silent else self._session.results.explain()
+        self._note_turn(before)
         self.setAccessibleName(tr("No signal") if self.input_silent else sound_name(self.phoneme))
         self.update()
+
+    def _note_turn(self, before: Trace | None) -> None:
+        """Remember which comparison turned where another phoneme is recognised than before."""
+        now = self._session.history.n
+        if before is None or self.trace is None:
+            self._turned.clear()
+        elif before.phoneme != self.trace.phoneme and (turned := self.trace.turned_since(before)):
+            self._turned.append((now, turned))
+        while self._turned and not now - FLICKER_SECONDS / FRAME_PERIOD < self._turned[0][0] <= now:
+            self._turned.popleft()
+
+    @property
+    def flicker(self) -> str:
+        """Which comparison turned most, where the phoneme changes more often than speech does; empty where not."""
+        if self.changes is None or self.changes < FLICKERS or not self._turned:
+            return ""
+        counted = Counter((c.variable, c.threshold) for _, c in self._turned)
+        (most, n), *_ = counted.most_common(1)
+        last = next(c for _, c in reversed(self._turned) if (c.variable, c.threshold) == most)
+        words = tr("Changes often: {variable} crossed {limit} in {n} of {all} changes seen")
+        named = self._readable(last.variable)
+        return words.format(variable=named, limit=_short(last.limit), n=n, all=len(self._turned))
+
+    @property
+    def _n_rows(self) -> int:
+        """How many comparisons there is room for; what is said of flicker takes a row."""
+        return N_ROWS - bool(self.flicker)
 
     def paintEvent(self, _event: Any) -> None:
         """Paint phoneme, intensity, measures and trace from top to bottom."""
@@ -191,7 +227,7 @@ class PhonemeView(QWidget):
             draw_text(painter, place.adjusted(0, 14, 0, 0), self.meters.get(name, "–"), self._theme.text, 14)
 
     def _paint_trace(self, painter: QPainter, trace: Trace, line: QRectF) -> None:
-        rows = [(comparison, tr_engine(rule), fired) for comparison, rule, fired in rows_of(trace)]
+        rows = [(comparison, tr_engine(rule), fired) for comparison, rule, fired in rows_of(trace, self._n_rows)]
         set_size(painter, 11)
         widths = [painter.fontMetrics().horizontalAdvance(asked) for _, asked, _ in rows]
         indent = MARK_WIDTH + max([NAME_WIDTH, *widths]) + GAP
@@ -210,6 +246,9 @@ class PhonemeView(QWidget):
         if not trace.comparisons:
             draw_text(painter, line.adjusted(MARK_WIDTH, 0, 0, 0), tr_engine(trace.rule), self._theme.text, 11)
             line = line.translated(0, ROW)
+        if flicker := self.flicker:
+            draw_text(painter, line, flicker, self._theme.bad, 11)
+            line = line.translated(0, ROW)
         if self.recognised is not self.phoneme:
             calmed = tr("Smoothing: {recognised} → {phoneme}").format(
                 recognised=sound_name(self.recognised), phoneme=sound_name(self.phoneme)
@@ -227,7 +266,7 @@ class PhonemeView(QWidget):
         return tr_engine(readable_name(variable, self._session.preset.preset.variables))
 
 
-def rows_of(trace: Trace) -> list[tuple[RuleComparison, str, bool]]:
+def rows_of(trace: Trace, n_rows: int = N_ROWS) -> list[tuple[RuleComparison, str, bool]]:
     """Return a line for each rule that failed (its first failed comparison) and all of the one that fired.
 
     Where these are more than fit, only those rules are listed that failed by the least share of a limit,
@@ -237,14 +276,14 @@ def rows_of(trace: Trace) -> list[tuple[RuleComparison, str, bool]]:
     for comparison in trace.comparisons:
         if comparison.rule != trace.rule and comparison.margin <= 0:
             failed.setdefault(comparison.rule, []).append(comparison)
-    room = max(0, N_ROWS - sum(c.rule == trace.rule for c in trace.comparisons))
+    room = max(0, n_rows - sum(c.rule == trace.rule for c in trace.comparisons))
     told = {rule: reasons[0] for rule, reasons in failed.items()}
     if len(told) > room:
         worst = {rule: min(reasons, key=_share) for rule, reasons in failed.items()}
         nearest = sorted(worst, key=lambda rule: _share(worst[rule]), reverse=True)
         told = {rule: worst[rule] for rule in nearest[:room]}
     rows = [(c, c.rule, c.rule == trace.rule) for c in trace.comparisons]
-    return [(c, rule, fired) for c, rule, fired in rows if fired or told.get(rule) is c][:N_ROWS]
+    return [(c, rule, fired) for c, rule, fired in rows if fired or told.get(rule) is c][:n_rows]
 
 
 def _share(comparison: RuleComparison) -> float:

@@ -83,6 +83,7 @@ class ExpressionPanel(QWidget):
             ),
         )
         self._of_text = label(width=PERCENT_WIDTH)
+        self._of_text.setToolTip(self.text_feeling.toolTip())
         self.priority = slider_of_percent(
             tr("Speech priority"),
             tr(

@@ -89,6 +89,9 @@ class StylePanel(QWidget):
         self._blended = label(width=PERCENT_WIDTH)
         self.sliders = {name: slider_of_percent(tr(words), tr(tip)) for name, (words, tip) in AMOUNT_WORDS.items()}
         self._percents = {name: label(width=PERCENT_WIDTH) for name in AMOUNTS}
+        self._blended.setToolTip(self.blend.toolTip())
+        for name, percent in self._percents.items():
+            percent.setToolTip(self.sliders[name].toolTip())
         self.part = choice(
             ((tr(words), name) for name, words in TABLES.items()),
             tr("Table of the style"),
