@@ -185,7 +185,7 @@ def test_help_is_given(words: list[str], capsys: pytest.CaptureFixture[str]) -> 
         ),
         (
             ["export", "x.wav", "-o", "x.json"],
-            "export: several formats end as 'x.json' does; choose one of rhubarb-json, curves-json; see",
+            "export: several formats end as 'x.json' does; choose one of rhubarb-json, azure-json, curves-json; see",
         ),
         (["export", "x.wav", "-o", "x.fbx"], "export: --format is missing; choose one of rhubarb-tsv, rhubarb-xml"),
     ],

@@ -241,6 +241,8 @@ def test_all_formats_lie_side_by_side_in_one_folder_with_the_tables(sound: Path,
         "speech.oculus.csv",
         "speech.glb",
         "speech.curves.json",
+        "speech.azure.json",
+        "speech.marks",
     }
 
 

@@ -204,7 +204,10 @@ def by_window(asked: ConversionOptions, kind: str, job: Job, qtbot: QtBot) -> No
     queue = ExportQueue()
     assert job.target is not None
     with qtbot.waitSignal(queue.finished, timeout=60_000):
-        look = ClipOptions.of(asked)
-        queue.start({job.source: job.target}, replace(order, keys=keys, overwrite=asked.overwrite, look=look))
+        order = replace(order, look=ClipOptions.of(asked), text_feeling=asked.text_feeling)
+        queue.start(
+            {job.source: job.target},
+            replace(order, keys=keys, overwrite=asked.overwrite),
+        )
     assert [done.words for done in queue.jobs] == [""]
     queue.close()

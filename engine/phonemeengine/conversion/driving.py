@@ -113,7 +113,7 @@ class DriverChoice:
             options.units,
             options.face_network,
             options.overwrite,
-            load_style(options.style or NEUTRAL),
+            None if options.style in {None, NEUTRAL} else load_style(options.style),
         )
 
     @contextmanager

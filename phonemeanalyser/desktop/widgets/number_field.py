@@ -1,5 +1,6 @@
 """The field for a number that all views use."""
 
+from PySide6.QtCore import QLocale
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox
 
@@ -29,6 +30,7 @@ class NumberField(QDoubleSpinBox):
         waits: bool = False,
     ) -> None:
         super().__init__()
+        self.setLocale(QLocale.c())
         self.setDecimals(decimals)
         self.setRange(low, high)
         self.setSingleStep(step)

@@ -89,8 +89,7 @@ def test_what_is_heard_while_a_key_is_held_becomes_a_take(listening: Calibrator)
     (take,) = listening.takes
     assert (take.speaker, take.phoneme) == ("Ann", Phoneme.A)
     samples, rate = soundfile.read(listening.model.takes.path_of(take), dtype="float32")
-    assert rate == SAMPLE_RATE
-    assert len(samples) == len(A)
+    assert (rate, len(samples)) == (SAMPLE_RATE, len(A))
     np.testing.assert_allclose(samples, A, atol=2**-15)
     assert take.start == pytest.approx(0.2, abs=0.07)
     assert take.end == pytest.approx(0.8, abs=0.07)

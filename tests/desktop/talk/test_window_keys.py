@@ -113,6 +113,7 @@ def test_a_double_click_adds_a_key_and_a_marked_range_is_smoothed_raised_and_res
 
 
 def test_a_range_is_marked_from_a_key_and_raised_by_keyboard_in_another_curve(desktop, lanes):
+    lanes.selected = lanes.marked = None  # what a test before left in the window that is lent
     lanes.setFocus()
     QTest.keyClick(lanes, Qt.Key.Key_PageDown)
     QTest.keyClick(lanes, Qt.Key.Key_PageDown, Qt.KeyboardModifier.ControlModifier)

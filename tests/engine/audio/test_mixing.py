@@ -147,5 +147,5 @@ def test_a_microphone_whose_channels_cancel_is_told_of(sign: int, cancelled: boo
     heard = MicrophoneAnalyser(microphone, 0, EXTENDED, pitch=False, start=0)
     heard.analyse(np.stack([SPEECH, sign * SPEECH], axis=1))
     assert heard.cancels is cancelled
-    words = status_of(microphone, heard=True, silent=0.0, cancels=heard.cancels).words
+    words = status_of(microphone, analysed=True, silent=0.0, cancels=heard.cancels).words
     assert ("its channels cancel each other out when mixed" in words) is cancelled

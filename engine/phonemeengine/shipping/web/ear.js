@@ -376,11 +376,11 @@ export async function createRecogniser(options = {}) {
     const mouth = model.tables.includes(table) ? model.mouth(table) : null;
     undo.push(() => mouth?.close());
     const recogniser = new Recogniser(model, context, mouth, table, close);
-    const onFrame = (frame) => {
+    const take = (frame) => {
       recogniser.take(frame);
       onFrame?.(frame);
     };
-    const node = (recogniser.node = await earNode(context, model, onFrame, worklet));
+    const node = (recogniser.node = await earNode(context, model, take, worklet));
     undo.push(() => node.close());
     const stream = isNode ? null : (source ?? (await openMicrophone()));
     if (stream && !source) undo.push(() => stream.getTracks().forEach((track) => track.stop()));
