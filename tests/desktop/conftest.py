@@ -228,7 +228,7 @@ def studio(open_studio: Callable[..., Studio], mic: HandDrivenMicrophone) -> Stu
 
 @pytest.fixture
 def open_booth(request: pytest.FixtureRequest, lender: WindowLender, qtbot: QtBot) -> Callable[..., Booth]:
-    """Has the window listen to microphones that are opened in turn; a file is in hand.
+    """Has the window listen to microphones that are opened in turn; a file is open.
 
     The window is the one that is lent, unless the test uses `open_own_booth`.
     """

@@ -103,7 +103,7 @@ class FaceNetwork(ShortRepr):
 
 
 class StateReader:
-    """Runs the layers of a trunk over a sound as it comes.
+    """Runs the layers of a trunk over a stream of frames.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def knows_closures(trunk: Model) -> bool:
 
 
 class FaceFollower:
-    """Moves a face by a sound as it comes; the answers do not depend on how it is cut.
+    """Moves a face by a stream of frames; the answers do not depend on the size of the chunks.
 
     Parameters
     ----------

@@ -64,7 +64,7 @@ def test_a_full_disk_is_said_and_nobody_waits() -> None:
 
 def test_memory_stays_as_it_is_when_the_disk_is_stuck() -> None:
     recorded = RecordedSound()
-    recorded.close()  # nobody takes any more
+    recorded.close()  # takes no more frames
     for _ in range(recorded_sound.MOST_WAITING + 100):
         recorded.add_samples(np.zeros((10, 1), np.float32), SAMPLE_RATE)
     assert recorded._orders.qsize() == recorded_sound.MOST_WAITING

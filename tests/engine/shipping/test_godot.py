@@ -19,7 +19,7 @@ SOUND = speech()[: 3 * 44_100]
 
 
 def hosted(folder: Path, content: bytes, table: str = "arkit") -> "subprocess.CompletedProcess[bytes]":
-    """Have the class hear the sound by the file of a preset, in a program that checks each use of memory."""
+    """Have the class recognise the sound with the file of a preset, in a program that checks each use of memory."""
     words = *SANITIZED, "-I", str(EXTENSION)
     ear = [str(ear_library().path), f"-Wl,-rpath,{ear_library().path.parent}"]
     library = compiled("libear_godot.so", [EXTENSION / "ear_godot.c"], *words, *ear, "-fPIC", "-shared")
