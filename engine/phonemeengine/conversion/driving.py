@@ -10,7 +10,7 @@ from phonemeengine.batch.work import Say
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.errors import EngineError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.animation import Animation, MovementTrack
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
 from phonemeengine.mouth.style import NEUTRAL, Style, load_style, neutral_style
@@ -24,11 +24,9 @@ from phonemeengine.performance.track import PerformanceTrack, format_units, owns
 from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import has_pinyin
-from phonemeengine.speech.pinyin.track import PinyinTrack, pinyin_track
+from phonemeengine.speech.pinyin.track import pinyin_track
 from phonemeengine.storage.replacing import Guard, write_guarded
 
-FaceTrack = PerformanceTrack | PinyinTrack | FaceNetworkTrack
-"""What moves a face that does not follow its phones by rules."""
 Takes = Callable[[tuple[str, ...]], bool]
 """Whether a face or a file has what a driver moves, by the names of its movestates."""
 
@@ -228,7 +226,7 @@ class Driving:
         say: Say,
         text: str = "",
         sound: Sound | None = None,
-    ) -> FaceTrack | None:
+    ) -> MovementTrack | None:
         """Return how a chosen driver moves a face; None by rules.
 
         What a table lacks is said, and the units that are asked for are written.
@@ -263,7 +261,9 @@ class Driving:
             write_guarded(self.asked.units, [units], Guard(owns, self.asked.overwrite))
         return track
 
-    def movement(self, track: FaceTrack | None, speech: Transcript, exporter: Exporter, say: Say) -> Animation | None:
+    def movement(
+        self, track: MovementTrack | None, speech: Transcript, exporter: Exporter, say: Say
+    ) -> Animation | None:
         """Return the movement of a face for an export; None by rules, and where the format has its own shapes.
 
         The latter is said, unless the letters were not asked for.

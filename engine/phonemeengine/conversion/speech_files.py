@@ -12,11 +12,12 @@ from phonemeengine.arrays import Float32Array
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.audio.wav import check_wav_name
 from phonemeengine.batch.work import Say
-from phonemeengine.conversion.driving import Driving, FaceTrack
+from phonemeengine.conversion.driving import Driving
 from phonemeengine.errors import EngineError
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
+from phonemeengine.mouth.animation import MovementTrack
 from phonemeengine.mouth.exports.exporter import Exporter
 from phonemeengine.mouth.expression.text_feeling import spoken_feeling
 from phonemeengine.mouth.face_driver import FaceDriver
@@ -193,7 +194,7 @@ class SpeechFiles:
                 yield from part.rows
         self.driving.check_letters(self.driving.asked.driver, name, letters=letters)
 
-    def _track_of_recording(self, utterance: Utterance, speech: Transcript) -> FaceTrack | None:
+    def _track_of_recording(self, utterance: Utterance, speech: Transcript) -> MovementTrack | None:
         """Return what moves the face by a recording."""
         if self.driving.network is None or speech.path is None:
             return self._track_of(utterance, speech)
@@ -207,7 +208,7 @@ class SpeechFiles:
         text: str = "",
         letters: PinyinTrack | None = None,
         sound: Sound | None = None,
-    ) -> FaceTrack | None:
+    ) -> MovementTrack | None:
         """Return what moves the face."""
         takes = None if self.exporter is None else self.exporter.takes
         driver = self.driving.chosen(utterance, speech.name, takes)
@@ -216,7 +217,7 @@ class SpeechFiles:
         return self.driving.track(driver, utterance, speech, self.say, text, sound)
 
     def _export(
-        self, files: dict[Path | None, BinaryIO], speech: Transcript, track: FaceTrack | None, text: str = ""
+        self, files: dict[Path | None, BinaryIO], speech: Transcript, track: MovementTrack | None, text: str = ""
     ) -> None:
         if self.exporter is not None:
             exporter = self.exporter.expressing(spoken_feeling(text, speech.utterance, self.text_feeling))

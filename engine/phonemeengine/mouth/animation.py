@@ -1,6 +1,7 @@
 """The movement of a face through a whole sound, frame by frame: what a performer shows of it."""
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import islice
@@ -12,7 +13,7 @@ from phonemeengine.errors import MouthError
 from phonemeengine.mouth.blendshape_names import EYELIDS
 from phonemeengine.mouth.cues import MOST_ANTICIPATION, check_seconds
 from phonemeengine.mouth.key_layer import KeyLayer
-from phonemeengine.mouth.performer import FaceState, IdleMotion, Performer
+from phonemeengine.mouth.performer import FaceState, IdleMotion, MouthTrack, Performer
 from phonemeengine.mouth.table import LIMITS, MouthTable
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.phonemes import Phoneme
@@ -158,6 +159,55 @@ def _end_of(performer: Performer, spoken: Sequence[tuple[float, float]]) -> floa
     if expression is None or not spoken:
         return rests
     return max(rests, spoken[-1][1] + expression.times.release + AFTERWARDS)
+
+
+class MovementTrack(ABC):
+    """How a face moves through all that is said: a performer plays its mouth, or it becomes an animation.
+
+    Attributes
+    ----------
+    head_follows : whether the head goes with the sound where the mouth's track does not turn it.
+    """
+
+    head_follows = True
+
+    @property
+    def rests_from(self) -> float:
+        """When the mouth has come to rest, seconds; an animation lasts so long at least."""
+        return 0.0
+
+    @property
+    @abstractmethod
+    def face(self) -> MouthTable:
+        """The mouth table whose movestates move."""
+
+    @abstractmethod
+    def mouth(self) -> MouthTrack:
+        """Return a mouth that says it, for a performer to play."""
+
+    def mouth_at(self, _rate: float) -> MouthTrack:
+        """Return the same for so many pictures a second."""
+        return self.mouth()
+
+    def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
+        """Animate a face: the track moves the mouth, it blinks, and its head moves.
+
+        Parameters
+        ----------
+        speech : how long the animation is, and how loud and high the voice.
+        rate : frames per second, 1..240.
+        idle : what else the face does; blinks and a moving head, where it is None.
+
+        Raises
+        ------
+        MouthError : the rate lies outside its range.
+        PerformanceError : a table of recorded faces is damaged.
+        """
+        check_rate(rate)
+        idle = idle or IdleMotion()
+        performer = Performer(self.face, idle if self.head_follows else replace(idle, head=False))
+        performer.play(self.mouth_at(rate))
+        return animation_by(performer, speech, rate, rests_from=self.rests_from)
 
 
 def check_rate(rate: float) -> None:

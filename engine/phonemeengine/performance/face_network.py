@@ -27,10 +27,10 @@ from phonemeengine.dsp.framing import Framer
 from phonemeengine.dsp.log_mel import log_mels, silent_log_mels
 from phonemeengine.encoder.head import softmax
 from phonemeengine.errors import EngineError, ModelError
-from phonemeengine.mouth.animation import Animation, animation_by
+from phonemeengine.mouth.animation import MovementTrack
 from phonemeengine.mouth.idle_motion import HeadPose
-from phonemeengine.mouth.performer import CLOSE_AFTER, IdleMotion, Performer
-from phonemeengine.mouth.transcript import Transcript
+from phonemeengine.mouth.performer import CLOSE_AFTER
+from phonemeengine.mouth.table import MouthTable
 from phonemeengine.performance.driver import FACE
 from phonemeengine.performance.track import face_table
 from phonemeengine.recognition.model import LARGEST_FILE, Model, arrays_of_model, model_of_arrays
@@ -214,7 +214,7 @@ class FaceFrames:
         return None
 
 
-class FaceNetworkTrack:
+class FaceNetworkTrack(MovementTrack):
     """How a network moves a face by a whole sound.
 
     Parameters
@@ -228,26 +228,14 @@ class FaceNetworkTrack:
         weights = [follower.follow(windows) for windows in windows_of(blocks, WHOLE)]
         self._mouth = FaceFrames(network, np.concatenate(weights))
 
+    @property
+    def face(self) -> MouthTable:
+        """The mouth table whose movestates move."""
+        return face_table()
+
     def mouth(self) -> FaceFrames:
         """Return a mouth for a performer to play."""
         return self._mouth
-
-    def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
-        """Animate a face: the network moves the mouth, it blinks, and its head moves with the sound.
-
-        Parameters
-        ----------
-        speech : how long the animation is, and how loud and high the voice.
-        rate : frames per second, 1..240.
-        idle : what else the face does; blinks and a moving head, where it is None.
-
-        Raises
-        ------
-        MouthError : the rate lies outside its range.
-        """
-        performer = Performer(face_table(), idle)
-        performer.play(self._mouth)
-        return animation_by(performer, speech, rate)
 
 
 def windows_of(blocks: Iterable[Float32Array], ahead: int) -> Iterator[Float32Array]:

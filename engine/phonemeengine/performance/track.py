@@ -13,9 +13,8 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.animation import Animation, animation_by, check_rate
+from phonemeengine.mouth.animation import MovementTrack
 from phonemeengine.mouth.idle_motion import HeadPose
-from phonemeengine.mouth.performer import IdleMotion, Performer
 from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, PerformancePart, UsedUnit
@@ -41,7 +40,7 @@ def face_table() -> MouthTable:
     return replace(load_table(USUAL_TABLE), movestates=FACE)
 
 
-class PerformanceTrack:
+class PerformanceTrack(MovementTrack):
     """What a table's performer says.
 
     Parameters
@@ -71,6 +70,17 @@ class PerformanceTrack:
         self.sentences = sentences_in(performed_phones(utterance, speech))
         self._driver = PerformanceDriver(table, options)
         self._head = self._head_by(table)
+        self.head_follows = self._head is not None
+
+    @property
+    def face(self) -> MouthTable:
+        """The mouth table whose movestates move."""
+        return face_table()
+
+    @property
+    def rests_from(self) -> float:
+        """When the mouth has come to rest after the last phone, seconds."""
+        return _end_of(self.sentences[-1])
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
@@ -92,28 +102,9 @@ class PerformanceTrack:
         """
         return PerformedMouth(self.sentences, self._driver, self._head, rate)
 
-    def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
-        """Animate a face: mouth, brows and head are looked up, and it blinks.
-
-        Parameters
-        ----------
-        speech : how long the animation is, and how loud and high the voice.
-        rate : frames per second, 1..240.
-        idle : what else the face does; blinks and a moving head, where it is None.
-
-        Raises
-        ------
-        MouthError : the rate lies outside its range.
-        PerformanceError : the table is damaged.
-        """
-        check_rate(rate)
-        idle = idle or IdleMotion()
-        if self._head is None:
-            idle = replace(idle, head=False)
-        performer = Performer(face_table(), idle)
-        mouth = self.mouth(rate)
-        performer.play(mouth)
-        return animation_by(performer, speech, rate, rests_from=mouth.rests_from)
+    def mouth_at(self, rate: float) -> "PerformedMouth":
+        """Return a mouth each of whose pictures is one that was looked up."""
+        return self.mouth(rate)
 
     def _head_by(self, table: PerformanceTable) -> HeadDriver | None:
         """Return what moves the head, unless that is left out."""

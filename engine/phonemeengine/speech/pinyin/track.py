@@ -1,11 +1,12 @@
 """Chinese text, or a spoken recording of it, as the track of a mouth: one call to show, play or write it."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.animation import Animation, animation_by
-from phonemeengine.mouth.performer import IdleMotion, Performer
+from phonemeengine.mouth.animation import MovementTrack
+from phonemeengine.mouth.table import MouthTable
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.speech.pinyin.driver import PinyinMouth
 from phonemeengine.speech.pinyin.script import script_of
@@ -18,7 +19,7 @@ LANGUAGE = "cmn"
 
 
 @dataclass(frozen=True)
-class PinyinTrack:
+class PinyinTrack(MovementTrack):
     """What a mouth says by pinyin.
 
     Attributes
@@ -32,6 +33,16 @@ class PinyinTrack:
     plan: Plan
     table: PinyinTable
 
+    @property
+    def face(self) -> MouthTable:
+        """The mouth table whose movestates move."""
+        return self.table.mouth
+
+    @cached_property
+    def rests_from(self) -> float:
+        """When the mouth has come to rest after the last row, seconds."""
+        return self.mouth().rests_from
+
     def mouth(self) -> PinyinMouth:
         """Return a mouth that says it, for a performer to play."""
         return PinyinMouth(self.plan, self.table)
@@ -39,24 +50,6 @@ class PinyinTrack:
     def silent_transcript(self, name: str) -> Transcript:
         """Return what is said, as if a voice of even loudness said it; see `SilentSpeech.transcript`."""
         return SilentSpeech(self.utterance, self.plan).transcript(name)
-
-    def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:
-        """Animate a face: its mouth says the plan, it blinks, and its head moves with the sound.
-
-        Parameters
-        ----------
-        speech : how long the animation is, and how loud and high the voice.
-        rate : frames per second, 1..240.
-        idle : what else the face does; blinks and a moving head, where it is None.
-
-        Raises
-        ------
-        MouthError : the rate lies outside its range.
-        """
-        performer = Performer(self.table.mouth, idle)
-        mouth = self.mouth()
-        performer.play(mouth)
-        return animation_by(performer, speech, rate, rests_from=mouth.rests_from)
 
 
 def pinyin_track(
