@@ -1,7 +1,7 @@
 """Finds words that the term base (docs/terms.toml) says not to use.
 
-``python -m tools.terms [AREA ...]`` lists them, of the areas ``window``, ``german``, ``help``, ``docs`` and ``code``
-(docstrings and comments); without an area all of them. ``python -m tools.terms --glossary`` writes
+``python -m tools.terms [AREA ...]`` lists them, of the areas ``window``, ``german``, ``messages``, ``docs`` and
+``code`` (docstrings and comments); without an area all of them. ``python -m tools.terms --glossary`` writes
 docs/glossary.md and docs/de/glossary.md from the term base.
 """
 
@@ -40,13 +40,21 @@ Dokumente. *Im Code* nennt den Namen im Quelltext, wo er anders ist. Die Bedeutu
 """
 OPTIONAL_PARTS = re.compile(r"\([^)]*\)\?|.\?")
 """Of the pattern of a word to avoid: what is left out where the word is shown."""
-CODE_SPANS = re.compile(r"^```.*?^```|``[^`]+``|`[^`\n]+`|\]\([^)]*\)|<[^>]+>|\{[^}]*\}", re.MULTILINE | re.DOTALL)
-"""What is a name and no prose: code, addresses of links, tags, and placeholders."""
+CODE_SPANS = re.compile(
+    r"^```.*?^```|``[^`]+``|`[^`\n]+`|\]\([^)]*\)|<[^>]+>|\{[^}]*\}"
+    r"|Phoneme Ear\b|\bear\.(?:c|h|js|wasm|d\.ts)\b|\bear \*",
+    re.MULTILINE | re.DOTALL,
+)
+"""What is a name and no prose: code, addresses of links, tags, placeholders, files and types of the runtime."""
 PARAMETER = re.compile(r"^ *\**[a-z_]\w*(?:,\s+\**\w+)* :(?= |$)", re.MULTILINE)
 """The names with which an entry of a docstring begins."""
 
 COMMENT = re.compile(r"(?<![\w\"'])#.*")
 """A comment, or the end of a literal from such a sign on, which is prose as well; to read tokens takes seconds."""
+RUNTIME = ROOT / "engine" / "phonemeengine" / "shipping"
+C_COMMENT = re.compile(r"/\*.*?\*/|(?<!:)//[^\n]*", re.DOTALL)
+COMMENT_OF = dict.fromkeys((".c", ".h", ".cs", ".js", ".ts"), C_COMMENT) | {".gd": re.compile(r"#.*")}
+"""The comments of the runtime, by the suffix of a file."""
 
 
 @dataclass(frozen=True)
@@ -140,11 +148,17 @@ def german_texts() -> Iterator[tuple[str, int, str]]:
     yield from _pages(GERMAN_PAGES)
 
 
-def help_texts() -> Iterator[tuple[str, int, str]]:
-    """Yield the literals with more than one word of the command line and the server."""
-    for path in _modules("phonemeanalyser/cli", "phonemeanalyser/server", "engine/phonemeengine/conversion"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value:
+def message_texts() -> Iterator[tuple[str, int, str]]:
+    """Yield the literals with more than one word of the program: helps, notes and errors."""
+    for path in _modules("phonemeanalyser", "engine/phonemeengine"):
+        if path.name == "sentences.py":  # texts to read aloud
+            continue
+        tree = ast.parse(path.read_text("utf-8"))
+        docstrings = {node.value for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        for node in ast.walk(tree):
+            if not isinstance(node, ast.Constant) or node in docstrings:
+                continue
+            if isinstance(node.value, str) and " " in node.value:
                 yield path.relative_to(ROOT).as_posix(), node.lineno, node.value
 
 
@@ -174,6 +188,15 @@ def code_texts() -> Iterator[tuple[str, int, str]]:
         for node in statements:
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 yield name, node.lineno, node.value
+    yield from _runtime_comments()
+
+
+def _runtime_comments() -> Iterator[tuple[str, int, str]]:
+    for path in sorted(RUNTIME.rglob("*")):
+        if path.suffix in COMMENT_OF:
+            source = path.read_text("utf-8")
+            for comment in COMMENT_OF[path.suffix].finditer(source):
+                yield path.relative_to(ROOT).as_posix(), source.count("\n", 0, comment.start()) + 1, comment[0]
 
 
 def _modules(*folders: str) -> Iterator[Path]:
@@ -184,7 +207,7 @@ def _modules(*folders: str) -> Iterator[Path]:
 AREAS: dict[str, Callable[[], Iterator[tuple[str, int, str]]]] = {
     "window": window_texts,
     "german": german_texts,
-    "help": help_texts,
+    "messages": message_texts,
     "docs": document_texts,
     "code": code_texts,
 }

@@ -79,7 +79,7 @@ def end_with_parent() -> None:
 
     It does nothing in a process that `multiprocessing` did not start.
     """
-    import multiprocessing  # noqa: PLC0415 - whoever has a parent has loaded it
+    import multiprocessing  # noqa: PLC0415 - a process with a parent has loaded it already
 
     parent = multiprocessing.parent_process()
     if parent is not None:

@@ -133,7 +133,7 @@ class Channel(StrEnum):
 
 @dataclass(frozen=True)
 class Parameter:
-    """A number or a choice of the analysis: whoever reads, checks, shows or writes one asks this table.
+    """A number or a choice of the analysis: the one description for reading, checking, showing and writing it.
 
     Attributes
     ----------

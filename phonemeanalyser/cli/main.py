@@ -66,7 +66,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         print("phonemeanalyser: stopped", file=sys.stderr)
         return 130
     except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # whoever read has gone: nothing to flush to
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the pipe is closed: nothing to flush to
         return 0
 
 

@@ -176,7 +176,7 @@ class ServeDialog(QDialog):
         self.state.setText(f"{translated[:1].upper()}{translated[1:]}")
 
     def _allow(self) -> None:
-        """Allow what is possible: whoever lets other computers in needs a token; nothing changes while it runs."""
+        """Enable what applies: access from other computers needs a token, and a running server keeps its settings."""
         stopped, everybody = not self._server.running, not is_loopback(self.host.currentData())
         if everybody:
             self.needs_token.setChecked(True)

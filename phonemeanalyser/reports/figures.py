@@ -97,7 +97,7 @@ def _comparison_lines(report: Report, comparison: PresetComparison) -> Iterator[
     yield "recordings with the greatest difference (frames that only A and only B gets right, of all)"
     for d in comparison.differences[:MOST_SHOWN]:
         yield f"  {d.n_one:5d} {d.n_other:5d} of {d.n_frames:5d}  {report.name_of(d.utterance)}"
-    for title, against, stretches in (("A", "B", comparison.stretches_one), ("B", "A", comparison.stretches_other)):
+    for title, against, stretches in (("A", "B", comparison.segments_one), ("B", "A", comparison.segments_other)):
         yield ""
         yield f"the longest segments that only {title} gets right"
         yield from _stretch_lines(report, against, stretches[:MOST_SHOWN])
@@ -187,8 +187,8 @@ def _comparison(comparison: PresetComparison, report: Report) -> dict[str, Any]:
         "neither": _by_phoneme(comparison.neither),
         "changed": comparison.changed.tolist(),
         "recordings": [_difference(d, report) for d in comparison.differences],
-        "stretches_only_first": [_stretch(s, report) for s in comparison.stretches_one],
-        "stretches_only_second": [_stretch(s, report) for s in comparison.stretches_other],
+        "stretches_only_first": [_stretch(s, report) for s in comparison.segments_one],
+        "stretches_only_second": [_stretch(s, report) for s in comparison.segments_other],
     }
 
 

@@ -96,9 +96,7 @@ FIGURES = (
     ReportedFigure("accuracy", "Right", "share of frames right, of those labelled as one of the ten classes"),
     ReportedFigure("vowel_accuracy", "Clear vowels", "share right of the frames labelled as a clear a, e, i, o or u"),
     ReportedFigure("viseme_accuracy", "Mouth shapes", "share of all frames with the right one of six mouth shapes"),
-    ReportedFigure(
-        "fine_viseme_accuracy", "15 visemes", "share right of frames of which nobody doubts what they show"
-    ),
+    ReportedFigure("fine_viseme_accuracy", "15 visemes", "share right of frames whose label is one certain viseme"),
     ReportedFigure("viseme_f1", "Mouth F1", "mean F1 of the six mouth shapes"),
     ReportedFigure("silence_recall", "Silence found", "share of silent frames called silence"),
     ReportedFigure("false_silence", "False silence", "share of spoken frames called silence: less is better", -1),

@@ -1,6 +1,6 @@
-"""Who may speak to a server: programs of this machine, or whoever knows the token.
+"""Who may connect to a server: programs of this machine, or clients with the token.
 
-A web page may open connections to this machine, too, whoever wrote it. So without a token a request must name the
+Any web page may open connections to this machine, too. So without a token a request must name the
 machine as itself (against DNS rebinding), and pages may ask only where the user names their origin.
 """
 

@@ -84,7 +84,7 @@ class Connections:
                 del self._n_of[client]
 
     def _make_room(self) -> bool:
-        """Let go of the connection that has been silent for longest: whoever has something to ask says so at once."""
+        """Close the connection that has been silent for longest: a client with a request sends it at once."""
         oldest = next(iter(self._silent), None)
         if oldest is not None:
             self._let_go(oldest)

@@ -12,7 +12,7 @@ FAILED = "the server has failed at this; its log (--log) says where"
 
 
 class RefusedError(EngineError):
-    """A request that is not granted; its text is one sentence for whoever wrote the client.
+    """A request that is refused; its text is one sentence for the author of the client.
 
     Attributes
     ----------
@@ -27,7 +27,7 @@ class RefusedError(EngineError):
 USUAL_HOST, USUAL_PORT = "127.0.0.1", 8765
 KILOBYTE, MEGABYTE = 1 << 10, 1 << 20
 PER_MESSAGE = 0.005
-"""Seconds of sound that a message counts for besides what it holds: whoever cuts sound too fine is slowed down."""
+"""Seconds of sound that a message counts for besides what it holds: very short chunks slow a client down."""
 AHEAD = 5.0
 """Seconds of sound that a stream may be ahead of its clock before it is slowed down."""
 

@@ -21,7 +21,7 @@ class Repertoire:
 
     Attributes
     ----------
-    presets : by name; the first one serves whoever names none.
+    presets : by name; the first one serves clients that name none.
     tables : mouth tables by name.
     preset_files, table_files : what is not loaded here, but by the processes that export files.
     limits : of the server.
@@ -50,7 +50,7 @@ class Repertoire:
 
     @property
     def preset(self) -> Preset:
-        """What serves whoever names none."""
+        """The preset for clients that name none."""
         return next(iter(self.presets.values()))
 
     def preset_told(self, told: str) -> Preset:

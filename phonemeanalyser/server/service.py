@@ -53,7 +53,7 @@ class ServerSettings:
 
     Attributes
     ----------
-    presets : the files of the presets that recognise; the first one does for whoever names none.
+    presets : the files of the presets that recognise; the first one serves clients that name none.
     tables : files of mouth tables that clients may name beside those that ship with the program.
     host, port : where it can be reached; port 0 takes a free one.
     access, limits : who may ask, and for how much.

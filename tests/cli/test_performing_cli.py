@@ -54,7 +54,7 @@ def test_a_text_is_said_by_the_table_without_sound_too(recorded: Path, capsys: p
     assert main(["speak", *words]) == 0
     assert max(jaws_in(recorded / "out.csv")) > 0.3
     assert main(["speak", "妈八", *words[1:], "--overwrite"]) == 0
-    assert "Ann: note: nobody says [p] in the recordings, so it looks like [m]" in capsys.readouterr().err
+    assert "Ann: note: the recordings have no [p], so it looks like [m]" in capsys.readouterr().err
 
 
 def test_a_voice_is_said_by_the_table(recorded: Path) -> None:

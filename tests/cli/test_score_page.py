@@ -73,7 +73,7 @@ def test_the_figures_of_the_page_are_those_that_were_scored(tmp_path: Path) -> N
         "look-ahead 0 ms",
     ):
         assert name in said
-    first = report.comparison.stretches_one[0]
+    first = report.comparison.segments_one[0]
     assert f"{clock(first.start)}–{clock(first.end)} {first.label.label} {first.wrong.label}" in said
 
 

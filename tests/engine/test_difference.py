@@ -29,7 +29,7 @@ def test_only_frames_that_both_know_differ() -> None:
     one, other = tracks([a] * 10), tracks([a, a, o, o, u, a, a, o, o, o], known=8)
     found = difference_in(one, other, FrameRange(0, 10))
     assert found.share == pytest.approx(4 / 8)
-    assert [(s.row()) for s in found.stretches] == [
+    assert [(s.row()) for s in found.segments] == [
         ("0.02", "0.04", "a", "o"),
         ("0.04", "0.05", "a", "u"),
         ("0.07", "0.08", "a", "o"),
@@ -42,7 +42,7 @@ def test_a_file_is_heard_with_both(capsys: pytest.CaptureFixture[str]) -> None:
     first, second = load_preset("thesis"), load_preset("learned")
     found = difference(DEMO, first, second)
     assert 0 < found.share < 1
-    n_different = sum(round(100 * (s.end - s.start)) for s in found.stretches)
+    n_different = sum(round(100 * (s.end - s.start)) for s in found.segments)
     with SoundReader(DEMO) as reader:
         assert n_different == pytest.approx(found.share * tracks_of(reader).n_frames)
     assert difference(DEMO, first, first) == (0.0, ())

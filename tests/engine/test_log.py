@@ -70,7 +70,7 @@ def test_frames_that_nobody_takes_are_logged_once(hear: Hear, log: Log) -> None:
     hearing = hear(microphone, most_waiting=3)
     microphone.give(SPEECH[:N])
     wait_for(lambda: hearing.listener.n_dropped > 5, "dropped frames")
-    assert log().count("WARNING frames are dropped, since nobody takes them") == 1
+    assert log().count("WARNING frames are dropped, since the program does not take them") == 1
 
 
 def test_a_player_logs_its_card_and_that_it_goes(tmp_path: Path, log: Log) -> None:
@@ -94,7 +94,7 @@ def test_frames_of_a_file_that_nobody_takes_are_logged_once(tmp_path: Path, log:
     player.play()
     wait_for(lambda: player.n_dropped > 10, "dropped frames")
     player.close()
-    assert log().count("WARNING frames are dropped, since nobody takes them") == 1
+    assert log().count("WARNING frames are dropped, since the program does not take them") == 1
 
 
 def test_a_recording_is_logged_from_its_beginning_over_its_gaps_to_its_end(tmp_path: Path, log: Log) -> None:

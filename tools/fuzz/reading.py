@@ -1,6 +1,6 @@
 """Reads damaged files in a process of its own: `python -m tools.fuzz.reading FOLDER SEED BEGIN END`.
 
-The number of the file that is read stands in FOLDER/now, so that whoever started this knows it after a crash. What
+The number of the file that is read stands in FOLDER/now, so that it is known after a crash. What
 fails is printed as one line of JSON, and the process goes on.
 """
 

@@ -104,7 +104,7 @@ class _Frames:
         return kept.part(slice(max(last - self._first, 0)))
 
     def exhaust(self) -> None:
-        """Read the rest: whoever gives it measures more of the sound than this."""
+        """Read the rest of the iterable, which measures more of the sound than this class reads."""
         for _ in self._coming:
             pass
 

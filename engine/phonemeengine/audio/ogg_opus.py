@@ -40,7 +40,7 @@ class OggOpusDecoder:
     """
 
     def __init__(self) -> None:
-        self._av = import_av("Ogg Opus that comes in pieces")
+        self._av = import_av("a stream of Ogg Opus")
         self._bytes = bytearray()
         self._serial: int | None = None
         self._begin()

@@ -135,7 +135,7 @@ def versions() -> dict[str, str]:
 
 
 def check_versions(theirs: dict[str, str]) -> None:
-    """Refuse another version on a worker than whoever sent the work has.
+    """Refuse a worker whose versions differ from those of the sender of the work.
 
     Raises
     ------
@@ -160,7 +160,7 @@ def work_through_chunk(
 
     Raises
     ------
-    BatchError : the worker has another version, or sees another folder than whoever sent the work.
+    BatchError : the worker has another version than the sender of the work, or another folder at that path.
     """
     check_versions(theirs)
     if folder is not None and holder_of(folder) != token:

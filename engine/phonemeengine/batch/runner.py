@@ -106,8 +106,8 @@ def run_batch(
     """Make the outputs of all files; return what became of each, in their order.
 
     A file that fails stops no other. Of each output, there is the whole or what was there before. A process that
-    dies is replaced, and what it worked on is tried once more. Whoever asks for several processes from a script has
-    it begin below ``if __name__ == "__main__":``, as `multiprocessing` wants it.
+    dies is replaced, and what it worked on is tried once more. A script that uses several processes
+    starts below ``if __name__ == "__main__":``, as `multiprocessing` requires.
 
     Parameters
     ----------

@@ -88,7 +88,7 @@ BITS, REVISION = 8, 1
 
 
 class SpeechEncoder(Protocol):
-    """Makes something of a sound that tells phonemes apart, whoever speaks."""
+    """Turns a sound into states that separate phonemes independently of the speaker."""
 
     def encode(self, samples: Float32Array) -> NDArray[np.float16]:
         """Return its states, float16, shape (n_frames, 512), one each 20 ms.

@@ -296,7 +296,7 @@ def _scores_in(tracks: SoundTracks) -> np.ndarray | None:
 DIFFERENCE_COLUMNS = ("start_s", "end_s", "first", "second")
 
 
-class DifferentStretch(NamedTuple):
+class DifferentSegment(NamedTuple):
     """A segment in which two presets differ.
 
     Attributes
@@ -321,11 +321,11 @@ class PresetDifference(NamedTuple):
     Attributes
     ----------
     share : of the frames, 0..1, in which they differ.
-    stretches : where.
+    segments : where.
     """
 
     share: float
-    stretches: tuple[DifferentStretch, ...]
+    segments: tuple[DifferentSegment, ...]
 
 
 def difference(
@@ -363,8 +363,8 @@ def difference_in(first: SoundTracks, second: SoundTracks, frames: FrameRange) -
         return PresetDifference(0.0, ())
     changes = np.flatnonzero((one[1:] != one[:-1]) | (other[1:] != other[:-1]) | (differs[1:] != differs[:-1])) + 1
     edges = [0, *changes.tolist(), len(one)]
-    stretches = tuple(
-        DifferentStretch(
+    segments = tuple(
+        DifferentSegment(
             (place.start + begin) * FRAME_PERIOD,
             (place.start + end) * FRAME_PERIOD,
             Phoneme(int(one[begin])),
@@ -373,7 +373,7 @@ def difference_in(first: SoundTracks, second: SoundTracks, frames: FrameRange) -
         for begin, end in pairwise(edges)
         if differs[begin]
     )
-    return PresetDifference(float(differs.sum() / known.sum()), stretches)
+    return PresetDifference(float(differs.sum() / known.sum()), segments)
 
 
 def format_difference(found: PresetDifference) -> str:
@@ -381,5 +381,5 @@ def format_difference(found: PresetDifference) -> str:
     file = io.StringIO()
     rows = csv.writer(file, lineterminator="\n")
     rows.writerow(DIFFERENCE_COLUMNS)
-    rows.writerows(stretch.row() for stretch in found.stretches)
+    rows.writerows(segment.row() for segment in found.segments)
     return file.getvalue()

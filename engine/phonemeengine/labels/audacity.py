@@ -2,7 +2,7 @@
 
 A second line that begins with a backslash tells the frequencies of a label that was drawn in a spectrogram; it is
 passed over. A label without length is a remark at a point, not an interval, and is passed over too. Names in
-double quotes are words: a track holds them beside the sounds, and whoever reads the sounds passes them over.
+double quotes are words: a track holds them beside the sounds, and readers of the sounds skip them.
 """
 
 from collections.abc import Iterable, Sequence

@@ -1,6 +1,6 @@
 """The listening thread: follows a microphone, whatever happens to it.
 
-The thread opens, reads, analyses and hands over to a recording; whoever shows the result calls `take_analyses` or
+The thread opens, reads, analyses and hands over to a recording; a view calls `take_analyses` or
 `poll` now and then, and never waits for sound.
 """
 
@@ -354,7 +354,7 @@ class Listener(Closing):
         self._pause.set()
 
     def record(self, recorder: Recorder | None) -> None:
-        """Record everything from now on; None ends that. Whoever made the recorder closes it."""
+        """Record everything from now on; None ends that. The caller closes the recorder."""
         self._recorder = recorder
 
     def close(self) -> None:
@@ -461,7 +461,7 @@ class Listener(Closing):
         self._waiting.append(analysis)
         if len(self._waiting) > self.most_waiting:
             if self.n_dropped == 0:
-                _log.warning("frames are dropped, since nobody takes them")
+                _log.warning("frames are dropped, since the program does not take them")
             with suppress(IndexError):  # `take_analyses` may have come first
                 self.n_dropped += len(self._waiting.popleft())
         self._newest = analysis

@@ -1,6 +1,6 @@
 """The analysis thread: plays a sound and analyses it a little ahead of the playback.
 
-The thread reads, plays and analyses; whoever shows the result calls `take_analyses` now and then and gets what
+The thread reads, plays and analyses; a view calls `take_analyses` now and then and gets what
 has been played since. Nothing else passes between the two.
 """
 
@@ -61,7 +61,7 @@ class PlaybackQueue:
         with self.lock:
             self._blocks.append((due, analysis))
             if len(self._blocks) > self.most and self.n_dropped == 0:
-                _log.warning("frames are dropped, since nobody takes them")
+                _log.warning("frames are dropped, since the program does not take them")
             while len(self._blocks) > self.most:
                 self.n_dropped += len(self._blocks.popleft()[1])
 
@@ -89,7 +89,7 @@ STEP = 6 * HOP
 PART = 2
 """Frames that are handed out at a time: a picture shows no more than them."""
 STALL_TIMEOUT = 1.0
-"""Seconds that a sound card may take to open or close before that goes on without whoever asked for it."""
+"""Seconds that a caller waits for a sound card to open or close; after that it goes on in the background."""
 CARD_TIMEOUT = 15.0
 """Seconds after which a player that waits for its sound card gives up."""
 

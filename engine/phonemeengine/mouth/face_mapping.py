@@ -159,7 +159,7 @@ def mapped_table(mapping: FaceMapping, name: str, table: MouthTable | None = Non
 
 
 def shape_key(name: str) -> ShapeKey:
-    """Return what a name of a shape means, whoever wrote it: ``eyeBlink_L``, ``Eye_Blink_Left``, ``AU45L``."""
+    """Return what the name of a shape means in any convention: ``eyeBlink_L``, ``Eye_Blink_Left``, ``AU45L``."""
     text = unicodedata.normalize("NFKC", name)
     _, dot, last = text.rpartition(".")
     text = last if dot and len(last) > 1 else text  # head_blendShape.jawOpen, not eye.L

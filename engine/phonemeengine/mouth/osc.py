@@ -262,7 +262,7 @@ ADDRESSES = ("/expression", "/VMC/Ext/Blend/Val")
 POLL = 0.05
 """Seconds after which closing is noticed."""
 KEPT = 2.0
-"""Seconds for which an expression stays after the last message: whoever sends one says so again before."""
+"""Seconds for which an expression stays after the last message: senders repeat it before."""
 FADE = 0.5
 """Seconds in which it goes back to rest then."""
 

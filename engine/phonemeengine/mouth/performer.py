@@ -1,6 +1,6 @@
 """The one driver of a face: phonemes and their times go in, the mouth, blinks and the pose of the head come out.
 
-Whoever moves a face asks the same object: the window, films, exports and the network. What is known of the speech
+Window, clips, exports and network use the same object. What is known of the speech
 beforehand moves the mouth early (see `phonemeengine.mouth.cues`); what comes live moves it when it sounds.
 The mouth follows the loudness with a low-pass, and gets it earlier by the delay of that, where it is known.
 

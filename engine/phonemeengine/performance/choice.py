@@ -95,7 +95,7 @@ def notes_on(phones: Sequence[PerformedPhone], inventory: Inventory) -> Iterator
         if (name,) not in inventory[UnitKind.LEFT_HALF]:
             likest_ones = dict.fromkeys(likest(name, inventory, kind) for kind in reversed(_HALVES))
             others = " and ".join(f"[{other}]" for other in likest_ones)
-            yield f"nobody says [{name}] in the recordings, so it looks like {others}"
+            yield f"the recordings have no [{name}], so it looks like {others}"
 
 
 def likest(name: str, inventory: Inventory, kind: UnitKind) -> str:

@@ -175,7 +175,7 @@ def read_performance(recording: RecordingFiles, *, synthetic: bool = False) -> t
         samples = reader.read_mono()
     utterance = _syllabified(read_utterance(recording.labels, duration))
     if not utterance.words:
-        raise CorpusError(f"{printable_name(recording.labels)}: nobody speaks in it; label it, or leave it out")
+        raise CorpusError(f"{printable_name(recording.labels)}: its labels hold no speech; label it, or leave it out")
     face = _FACES[recording.face.suffix.lower()](recording.face)
     _check_lengths(face, recording, duration)
     times = np.arange(math.floor(duration * RATE + 1e-6) + 1) / RATE

@@ -75,7 +75,7 @@ class HeadDriver:
         lengths = {len(match.phrase) for match in self.matches(sentence) if match.kind is PhraseMatchKind.PIECE}
         if lengths:
             counts = ", ".join(map(str, sorted(lengths)))
-            yield f"the table has no phrase of so many syllables: {counts}; the head takes parts of others"
+            yield f"the table has no phrase with these numbers of syllables: {counts}; the head takes parts of others"
 
     def track(self, sentence: Sentence, times: Float64Array) -> Float32Array:
         """Return how a sentence moves head, shoulders and brows at some times.

@@ -1,7 +1,7 @@
 """Controls: the numbers of a preset by which its recogniser is tuned, each with what it is compared with right now.
 
 Every recogniser has its own: rules have thresholds or limits, those that weigh probabilities have sensitivities, and
-all have the smoothing. Whoever shows them needs to know no recogniser.
+all have the smoothing. So a view needs no knowledge of recognisers.
 """
 
 from collections.abc import Callable, Iterator, Mapping

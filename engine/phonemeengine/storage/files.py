@@ -158,7 +158,7 @@ def is_device(path: Path) -> bool:
 
 
 def is_folder(path: Path) -> bool:
-    """Return whether a path is a folder; one that cannot be asked is none, and whoever opens it says why."""
+    """Return whether a path is a folder; an inaccessible path is none, and opening it gives the reason."""
     try:
         return path.is_dir()
     except OSError:  # a name too long, or a folder that may not be entered

@@ -316,7 +316,7 @@ class _Library:
 
     Attributes
     ----------
-    lock : held by whoever chooses a voice and lets it speak.
+    lock : held while a voice is chosen and speaks.
     languages : by tag.
     variants : names of voices for all languages.
     """

@@ -336,7 +336,7 @@ class PresetModel(QObject):
             )
         except (RecogniserError, SettingsError) as error:
             self.rejected.emit(str(error))
-            self.changed.emit()  # whoever shows the refused number shows the old one again
+            self.changed.emit()  # views go back from the refused number to the old one
         finally:
             self._kept_groups = ()
 

@@ -199,7 +199,7 @@ class RuleModel(QObject):
             self._preset.edit(preset, what)
         except EngineError as error:
             self.error.emit(str(error))
-            self.changed.emit()  # whoever shows what was refused shows the old one again
+            self.changed.emit()  # views go back from what was refused to the old rule
         self._preset.end_edit()
 
     # -- what it gains ------------------------------------------------------------------------------------

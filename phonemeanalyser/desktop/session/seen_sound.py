@@ -18,7 +18,7 @@ from phonemeengine.settings import FRAME_PERIOD, Channel
 
 
 class SeenSound(QObject):
-    """Has a file, or a microphone's recording so far, measured in the background for whoever looks at it.
+    """Has a file, or a microphone's recording so far, measured in the background for the views.
 
     Signals
     -------

@@ -30,7 +30,7 @@ from phonemeengine.settings import FRAME_PERIOD, Channel
 class Session(QObject):
     """Follows one source of sound at a time and gathers its analysis.
 
-    `poll` moves it on, and whoever draws looks at it afterwards. Only the source in use holds its device.
+    `poll` moves it on, and views draw its state afterwards. Only the source in use holds its device.
 
     Signals
     -------

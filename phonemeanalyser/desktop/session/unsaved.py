@@ -109,7 +109,7 @@ def _first_free(folder: Path) -> tuple[Path, Any]:
             lock.acquire(blocking=False)
         except TimeoutError:
             continue
-        except (OSError, NotImplementedError):  # no locks here; whoever writes there says what is wrong
+        except (OSError, NotImplementedError):  # no locks on this file system; a write reports what is wrong
             pass
         break
     return folder / f"unsaved-{number}.toml", lock

@@ -149,7 +149,7 @@ def test_what_the_table_lacks_is_said(desk: Desk, tmp_path: Path) -> None:
     desk.stage.look()
     desk.say("So. So so.")
     desk.stage.play(0.1)
-    assert desk.told[0].startswith("few: nobody says [")
+    assert desk.told[0].startswith("few: the recordings have no [")
     assert len(desk.stage.talking.head.notes) == 2
     assert len(desk.told) == 1
 

@@ -87,22 +87,22 @@ def test_stretches_say_when_what_was_said_and_what_was_answered() -> None:
     one, other = scores(("_aaaaoo?", "_aaaamo?")), scores(("_aaaaoo?", "moommom?"))
     found = compare(one, other)
     utterance = one.predictions[0].utterance
-    assert [(s.start, s.end) for s in found.stretches_one] == [
+    assert [(s.start, s.end) for s in found.segments_one] == [
         pytest.approx(times) for times in ((0.01, 0.03), (0.03, 0.05), (0, 0.01), (0.06, 0.07))
     ]
-    assert [(s.label, s.wrong) for s in found.stretches_one] == [
+    assert [(s.label, s.wrong) for s in found.segments_one] == [
         (Phoneme.A, Phoneme.O),
         (Phoneme.A, Phoneme.M),
         (Phoneme.SILENCE, Phoneme.M),
         (Phoneme.O, Phoneme.M),
     ]
-    assert found.stretches_other == (DifferingSegment(utterance, 0.05, pytest.approx(0.06), Phoneme.O, Phoneme.M),)
-    assert len(compare(one, other, most=2).stretches_one) == 2
+    assert found.segments_other == (DifferingSegment(utterance, 0.05, pytest.approx(0.06), Phoneme.O, Phoneme.M),)
+    assert len(compare(one, other, most=2).segments_one) == 2
 
 
 def test_what_is_labelled_as_none_of_the_ten_is_no_gain() -> None:
     found = compare(scores(("??aa", "??aa")), scores(("??aa", "aaaa")))
-    assert found.stretches_one == ()
+    assert found.segments_one == ()
     assert [(d.n_frames, d.n_one) for d in found.differences] == [(2, 0)]
     assert found.only_one[Phoneme.UNIDENTIFIED] == 2
 
@@ -111,7 +111,7 @@ def test_a_preset_gets_nothing_right_that_it_misses_itself() -> None:
     same = scores(("aaoo", "aaom"))
     found = compare(same, same)
     assert (found.only_one.sum(), found.only_other.sum(), found.both.sum(), found.neither.sum()) == (0, 0, 3, 1)
-    assert found.stretches_one == found.stretches_other == ()
+    assert found.segments_one == found.segments_other == ()
 
 
 def test_scores_of_other_recordings_are_not_compared() -> None:

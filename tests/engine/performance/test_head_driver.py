@@ -241,7 +241,9 @@ def test_parts_of_a_sentence_meet_as_if_they_were_one(tmp_path: Path, middle: fl
 
 def test_what_the_table_lacks_is_said(tmp_path: Path) -> None:
     track = _said(tmp_path, "da", _recorded("da da da da"))
-    assert track.notes == ("the table has no phrase of so many syllables: 1; the head takes parts of others",)
+    assert track.notes == (
+        "the table has no phrase with these numbers of syllables: 1; the head takes parts of others",
+    )
 
 
 def test_silence_and_a_single_frame_have_a_track(tmp_path: Path) -> None:

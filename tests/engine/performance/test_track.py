@@ -159,7 +159,7 @@ def test_a_mouth_comes_to_rest_after_the_last_word(table: PerformanceTable) -> N
 def test_what_the_table_lacks_is_said(table: PerformanceTable) -> None:
     assert track_of(table, utterance_of("mi")).notes == ()
     (note,) = track_of(table, utterance_of("bi")).notes
-    assert note == "nobody says [b] in the recordings, so it looks like [m]"
+    assert note == "the recordings have no [b], so it looks like [m]"
 
 
 def test_equal_seeds_make_equal_faces(tmp_path: Path) -> None:

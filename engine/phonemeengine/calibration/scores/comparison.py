@@ -67,7 +67,7 @@ class PresetComparison:
     both, only_one, only_other, neither : int64, shape (11,): frames that they get right, by the label's code.
     differences : those of all recordings, the greatest first.
     gains : what the other one gains, with the range that chance would give.
-    stretches_one, stretches_other : what only the first gets right, and only the second: the longest of the ten
+    segments_one, segments_other : what only the first gets right, and only the second: the longest of the ten
         classes, the longest first.
     """
 
@@ -80,8 +80,8 @@ class PresetComparison:
     neither: Int64Array
     differences: tuple[Difference, ...]
     gains: Gains
-    stretches_one: tuple[DifferingSegment, ...]
-    stretches_other: tuple[DifferingSegment, ...]
+    segments_one: tuple[DifferingSegment, ...]
+    segments_other: tuple[DifferingSegment, ...]
 
 
 def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_SEGMENTS) -> PresetComparison:
@@ -109,8 +109,8 @@ def compare(one: CorpusScores, other: CorpusScores, *, most: int = MOST_SEGMENTS
         neither=_counted(truth[~first & ~second]),
         differences=tuple(differences),
         gains=gains_of([(a.labels.phonemes, a.phonemes, b.phonemes) for a, b in pairs]),
-        stretches_one=_longest((s for a, b in pairs for s in _stretches(a, b)), most),
-        stretches_other=_longest((s for a, b in pairs for s in _stretches(b, a)), most),
+        segments_one=_longest((s for a, b in pairs for s in _stretches(a, b)), most),
+        segments_other=_longest((s for a, b in pairs for s in _stretches(b, a)), most),
     )
 
 

@@ -141,7 +141,7 @@ def score(
     Parameters
     ----------
     preset : what is recognised with.
-    corpus : the recordings; they are taken one by one, so that whoever gives them sees how far it is.
+    corpus : the recordings; they are taken one by one, so that an iterator can report progress.
     delay : seconds by which the answers are taken to come late; what a recogniser looks ahead is no delay.
     noise : what is added to each recording before it is analysed.
     on_skipped : told of each sound that cannot be read, which is then left out; None refuses it.

@@ -220,7 +220,7 @@ class LabelledFeatures:
 
 
 def _stamp_of(path: Path, n_frames: int) -> _Stamp:
-    """Tell a file from what it may become; one that is not there is refused by whoever reads it."""
+    """Return what changes when a file is rewritten. A missing file is refused where it is read."""
     try:
         found = path.stat()
     except OSError:

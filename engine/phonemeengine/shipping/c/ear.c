@@ -7,11 +7,11 @@
  *     resampling                 any rate to 44.1 kHz
  *     what a frame is            log mels, the network, vocal tracts; the front end, variables, rules; templates
  *     what is said of it         sensitivities, calming, visemes, confidence, intensity
- *     the ear                    a stream of samples, cut into frames
+ *     the recogniser             a stream of samples, cut into frames
  *     the mouth                  movements between the shapes of a table
  *
  * The reference is the Python engine, module by module; numbers are float32 where they are there, and double where
- * they are that. `const` tables aside there is nothing static, so ears share no state.
+ * they are that. `const` tables aside there is nothing static, so recognisers share no state.
  */
 #include "ear.h"
 #include "ear_kernels.h"
@@ -542,7 +542,7 @@ static void convolve(
  * The model
  * ---------------------------------------------------------------------------------------------------------------- */
 
-/* Triangular filters: each a stretch of bins with their weights. */
+/* Triangular filters: each a range of bins with their weights. */
 typedef struct {
     uint32_t first, n;
     const float *weights;
@@ -1321,7 +1321,7 @@ static size_t feed_resampler(resampler *of, const float *samples, size_t n)
 }
 
 /* ------------------------------------------------------------------------------------------------------------------
- * The ear's memory
+ * The recogniser's memory
  * ---------------------------------------------------------------------------------------------------------------- */
 
 typedef struct {
@@ -1341,7 +1341,7 @@ struct ear {
     size_t n_early;  /* answers that are about frames before the first */
     float levels[MOST_AHEAD + 1], deficits[MOST_AHEAD + 1][EAR_PHONEMES];
     size_t level_at;
-    /* the network: what each layer looks back to, [frame][lane][value], and the frame that came last */
+    /* the network: the history of each layer, [frame][lane][value], and the frame that came last */
     float *seen[MOST_LAYERS];
     size_t newest[MOST_LAYERS];
     float *found, *answers;
@@ -1564,7 +1564,7 @@ static float *next_input(ear *of, size_t number)
 static void work_layer(ear *of, size_t number, float *out)
 {
     const layer *here = &of->model->net.layers[number];
-    /* A ring of 2 d + 1 frames, d the dilation: all that a causal layer looks back to. Each frame is computed once
+    /* A ring of 2 d + 1 frames, d the dilation: the history of a causal layer. Each frame is computed once
      * and kept for its later taps, so a new one costs one product for each layer. */
     size_t lanes = of->model->mels.n_warps, n = lanes * here->width_out, n_kept = frames_kept(here), k;
     const float *taps[TAPS];
@@ -1766,7 +1766,7 @@ static void measure_variables(ear *of, uint32_t source, const float *spectrum)
             of->values[k] = measured_on(&front->variables[k], spectrum);
 }
 
-/* The pitch is measured by no ear: it reads 0, as NOTHING. */
+/* The runtime does not measure the pitch: it reads 0, as NOTHING. */
 static float measured_on_window(uint32_t what, const float *window, float level)
 {
     switch (what) {
@@ -2118,7 +2118,7 @@ static int hear_window(ear *of, const float *window, ear_frame *frame)
 }
 
 /* ------------------------------------------------------------------------------------------------------------------
- * The ear: samples become frames
+ * The recogniser: samples become frames
  * ---------------------------------------------------------------------------------------------------------------- */
 
 /* What may come in: beyond the one nothing is sound, and below the other arithmetic may be slow. */
@@ -2157,7 +2157,7 @@ static void hear_and_give(ear *of, const float *window, output *to)
         write_frame(of, &frame, to->frames, to->given++);
 }
 
-/* Hear the window once it is full, and go on to the next one. */
+/* Recognise the window once it is full, and go on to the next one. */
 static void hear_full_window(ear *of, output *to)
 {
     if (of->filled < WINDOW)
@@ -2237,7 +2237,7 @@ int ear_push(ear *of, const float *samples, size_t n, ear_frame *frames, size_t 
     return EAR_OK;
 }
 
-/* Hear the mean of interleaved channels, of which either floats or int16 are given. */
+/* Recognise the mean of interleaved channels, of which either floats or int16 are given. */
 static int push_mean(
     ear *of, const float *floats, const int16_t *whole, size_t n, unsigned channels, output *to, size_t *n_frames
 )
@@ -2295,7 +2295,7 @@ static void finish_resampling(ear *of, output *to)
     }
 }
 
-/* Hear the frames that reach beyond the end of the sound, as if silence followed. */
+/* Recognise the frames that reach beyond the end of the sound, as if silence followed. */
 static void finish_frames(ear *of, output *to)
 {
     /* every 10 ms that a sample lies in has a frame; silence fills their windows */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * ear: recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them.
+ * The runtime: recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them.
  *
  * C99; needs nothing but the standard library. A preset that was calibrated with PhonemeAnalyser comes as the bytes of
  * an .ear file (read it, link it in, download it: this library opens no file). An ear_model is made of them once; any
- * number of recognisers (type ear) share it, each for one stream of sound. Nothing is global, and nothing is allocated
+ * number of recognisers (type `ear`) share it, each for one stream of sound. Nothing is global, and nothing is allocated
  * after ear_open: ear_push may be called in an audio callback.
  *
  *     ear_model *model;
@@ -70,13 +70,13 @@ enum {
 
 enum { EAR_LOWEST_RATE = 1000, EAR_HIGHEST_RATE = 768000 };
 
-/* What was heard in 10 ms. Later versions may add to its end: see ear_open_sized. */
+/* What was recognised in 10 ms. Later versions may add to its end: see ear_open_sized. */
 typedef struct {
     uint32_t number;            /* it lasts from number x 10 ms of the sound to 10 ms later */
     int32_t phoneme;            /* EAR_SILENCE to EAR_O, calmed as the preset says */
     int32_t viseme;             /* EAR_VISEME_SIL to EAR_VISEME_OU or one of the model's own, or EAR_NO_VISEME */
     float intensity;            /* how loud, 0..1; 0 in silence */
-    float confidence;           /* the share of such answers that are right, 0..1; NaN where nobody knows */
+    float confidence;           /* the share of such answers that are right, 0..1; NaN where the preset has no such curve */
     float scores[EAR_PHONEMES]; /* how likely each phoneme is, before smoothing; all 0 with rules, which name one only */
     float viseme_scores[EAR_MOST_VISEMES]; /* the same of the model's visemes; all 0 where it tells none apart */
 } ear_frame;
@@ -135,21 +135,21 @@ EAR_API void ear_close(ear *listener);
  * Samples that are no number, or beyond +-1e6, count as 0.
  */
 EAR_API int ear_push(ear *listener, const float *samples, size_t n, ear_frame *frames, size_t most, size_t *n_frames);
-/* The same with n samples of each of 1..64 channels, which lie interleaved; their mean is heard. */
+/* The same with n samples of each of 1..64 channels, which lie interleaved; their mean is recognised. */
 EAR_API int ear_push_channels(
     ear *listener, const float *samples, size_t n, unsigned channels, ear_frame *frames, size_t most, size_t *n_frames
 );
 EAR_API int ear_push_int16(
     ear *listener, const int16_t *samples, size_t n, unsigned channels, ear_frame *frames, size_t most, size_t *n_frames
 );
-/* The sound is over: give the last frames, at most EAR_LAST_FRAMES. Then the ear is as new. */
+/* The sound is over: give the last frames, at most EAR_LAST_FRAMES. Then the recogniser is as after ear_open. */
 EAR_API int ear_finish(ear *listener, ear_frame *frames, size_t most, size_t *n_frames);
 /* Forget the sound, and begin another one. */
 EAR_API void ear_reset(ear *listener);
-/* From the middle of a frame to when ear_push gives it, on the average, seconds. */
+/* From the middle of a frame to when ear_push gives it: the mean, seconds. */
 EAR_API double ear_latency(const ear *listener);
 
-/* -- Mouth tables of the model: which shape of a face goes with what is heard. -- */
+/* -- Mouth tables of the model: which shape of a face goes with a phoneme or viseme. -- */
 
 EAR_API int ear_table_count(const ear_model *model);
 /* The number of the table of a name, such as "arkit"; -1 where the model has none. */
@@ -158,7 +158,7 @@ EAR_API const char *ear_table_name(const ear_model *model, int table);
 /* The blend shapes that it moves, in the order of all weights. */
 EAR_API int ear_table_movestates(const ear_model *model, int table);
 EAR_API const char *ear_table_movestate(const ear_model *model, int table, int movestate);
-/* The mouth shape of what is heard, by number and by name, such as "B": for drawings and sprites. */
+/* The mouth shape of a phoneme or viseme, by number and by name, such as "B": for drawings and sprites. */
 EAR_API int ear_table_shapes(const ear_model *model, int table);
 EAR_API int ear_table_shape(const ear_model *model, int table, int phoneme, int viseme);
 EAR_API const char *ear_table_shape_name(const ear_model *model, int table, int shape);
@@ -177,7 +177,7 @@ EAR_API int ear_mouth_open(
     const ear_model *model, int table, uint32_t seed, void *memory, size_t size, ear_mouth **mouth
 );
 EAR_API void ear_mouth_close(ear_mouth *mouth);
-/* Take what is heard from a time on, seconds of a clock of yours, which never goes back. */
+/* Take what is recognised from a time on, seconds of a clock of yours, which never goes back. */
 EAR_API void ear_mouth_hear(ear_mouth *mouth, double time, int phoneme, int viseme, float intensity);
 /* The weights of the movestates at a time, 1 for the whole movement; times never go back. */
 EAR_API void ear_mouth_weights(ear_mouth *mouth, double time, float *weights);

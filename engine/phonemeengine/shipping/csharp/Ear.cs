@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Recognises phonemes and visemes in speech, every 10 ms, and moves a mouth by them: the functions of ear.h.
 //
-// Any number of recognisers (Ear) share a model, each on a thread of its own. A recogniser, and a mouth, belongs to one
+// Any number of recognisers (`Ear`) share a model, each on a thread of its own. A recogniser, and a mouth, belongs to one
 // thread at a time. Push and Weights allocate nothing, so the audio thread may call them. An object that was disposed
 // of, or whose model was, throws an ObjectDisposedException.
 
@@ -36,7 +36,7 @@ namespace PhonemeEar
         public readonly Viseme Viseme;
         /// <summary>How loud, 0..1.</summary>
         public readonly float Intensity;
-        /// <summary>The share of such answers that are right, 0..1; NaN where nobody knows.</summary>
+        /// <summary>The share of such answers that are right, 0..1; NaN where the preset has no such curve.</summary>
         public readonly float Confidence;
         private readonly float silence, unidentified, sz, sch, m, p, i, a, e, u, o;
 
@@ -171,7 +171,7 @@ namespace PhonemeEar
                 model.Handle, (uint)Math.Max(0, rate), (UIntPtr)Frame.Bytes, IntPtr.Zero, UIntPtr.Zero, out handle));
         }
 
-        /// <summary>From the middle of a frame to when it is known, on the average, seconds.</summary>
+        /// <summary>From the middle of a frame to when it is known: the mean, seconds.</summary>
         public double Latency => Native.ear_latency(Handle);
 
         /// <summary>At least as many frames as come of n samples at once, and as Finish gives.</summary>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The runtime as an extension of Godot 4: the class PhonemeRecogniser, which scripts use. A recogniser belongs to one
- * thread at a time. What cannot be opened is told by a sentence; without a model, and for frames that are not there,
+ * thread at a time. open() returns a sentence on what is wrong; without a model, and for frames that are not there,
  * the answers are those of silence.
  */
 #include "gdextension.h"

@@ -20,7 +20,7 @@ namespace PhonemeEar
         /// <summary>A mouth table that was shipped with the preset.</summary>
         public abstract string TableName { get; }
 
-        /// <summary>What was heard last.</summary>
+        /// <summary>What was recognised last.</summary>
         public Frame Newest { get; private set; }
 
         protected EarModel Model { get; private set; }

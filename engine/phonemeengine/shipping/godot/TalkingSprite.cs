@@ -4,7 +4,7 @@ using Godot;
 
 namespace PhonemeEar
 {
-    /// <summary>Shows the drawing of a mouth that goes with what is heard: the animation of its shape's name.</summary>
+    /// <summary>Shows the drawing of a mouth that goes with what is recognised: the animation of its shape's name.</summary>
     [GlobalClass]
     public partial class TalkingSprite : EarListener
     {

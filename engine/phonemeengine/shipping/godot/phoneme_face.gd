@@ -2,7 +2,7 @@
 @icon("icons/phoneme_face.svg")
 class_name PhonemeFace
 extends PhonemeListener
-## Moves the blend shapes of a mesh by what is heard.
+## Moves the blend shapes of a mesh by what is recognised.
 
 ## A mesh with blend shapes of the table's names.
 @export var face: MeshInstance3D

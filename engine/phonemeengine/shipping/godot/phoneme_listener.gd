@@ -4,7 +4,7 @@ class_name PhonemeListener
 extends Node
 ## Recognises the speech of an audio bus that has the effect Capture: of a microphone, or a voice.
 
-## Another phoneme is heard, such as "a"; and another viseme, such as "aa".
+## Another phoneme is recognised, such as "a"; and another viseme, such as "aa".
 signal phoneme_changed(phoneme: String)
 signal viseme_changed(viseme: String)
 ## Another mouth shape of the table is to be shown, such as "B".
@@ -17,14 +17,14 @@ signal shape_changed(shape: String)
 ## A mouth table that was shipped with the preset.
 @export var table := "arkit"
 
-## What was heard last: names, how loud (0..1), and the share of such answers that are right (NaN
-## where nobody knows).
+## What was recognised last: names, how loud (0..1), and the share of such answers that are right
+## (NaN where the preset has no such curve).
 var phoneme := ""
 var viseme := ""
 var shape := ""
 var intensity := 0.0
 var confidence := NAN
-## Seconds of the sound at which it was heard.
+## Seconds of the sound at which it was recognised.
 var time := 0.0
 
 var _recogniser: PhonemeRecogniser

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 /*
- * The ear in the thread of the sound: each block of samples goes in, and the bytes of each new frame go to the page. It
- * compiles and opens nothing: the page hands over the module, compiled, and the memory of one in which an ear is open.
+ * The recogniser in the audio thread: each block of samples goes in, and the bytes of each new frame go to the page. It
+ * compiles and opens nothing: the page hands over the module, compiled, and the memory of one in which a recogniser is open.
  * Needs no other file; ear.js holds a copy of it, and fetches this one only where a page asks for it by its address.
  */
 class EarProcessor extends AudioWorkletProcessor {

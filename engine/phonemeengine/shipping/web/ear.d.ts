@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-/** What a frame's viseme is where nobody knows it. */
+/** A frame's viseme where it is unknown. */
 export const NO_VISEME = 255;
 
 /** What was recognised in 10 ms. */
@@ -14,7 +14,7 @@ export interface Frame {
   readonly viseme: number;
   /** How loud, 0..1. */
   readonly intensity: number;
-  /** The share of such answers that are right, 0..1; NaN where nobody knows. */
+  /** The share of such answers that are right, 0..1; NaN where the preset has no such curve. */
   readonly confidence: number;
   /** How likely each phoneme is; all 0 with rules, which name one only. */
   readonly scores: Float32Array;

@@ -11,7 +11,7 @@ const LAST_FRAMES = 32; // that a sound's end gives at most
 const PHONEMES = 11;
 const WORKLET = ""; // the text of ear-worklet.js: `phonemeanalyser ship` puts it in, so that bundles need no other file
 
-/** What a frame's viseme is where nobody knows it. */
+/** A frame's viseme where it is unknown. */
 export const NO_VISEME = 255;
 
 /** What cannot be done, in a sentence. */
@@ -86,7 +86,7 @@ export class EarModel {
     return new Ear(this.#c, ear, buffers, room, (code) => this.#check(code), this.visemes.length);
   }
 
-  /** What a worklet needs to listen at a sample rate without opening anything: a memory in which an ear is open. */
+  /** What a worklet needs to listen at a sample rate without opening anything: a memory in which a recogniser is open. */
   forWorklet(rate) {
     const fresh = new EarModel(this.module, this.preset); // alone in its memory
     const opened = fresh.#opened(rate);
@@ -238,7 +238,7 @@ export class Ear {
     return found;
   }
 
-  /** The sound is over: return its last frames. Then the ear is as new. */
+  /** The sound is over: return its last frames. Then the recogniser is as new. */
   finish() {
     checkOpen(this.#ear, "ear");
     if (this.#memory !== this.#c.memory.buffer) this.#look();
@@ -327,7 +327,7 @@ export async function earNode(context, model, onFrame, worklet) {
   if (!context.audioWorklet) {
     throw new EarError("this page may not listen; open it by https or from localhost, in a current browser");
   }
-  const processorOptions = model.forWorklet(context.sampleRate); // refuses a rate that no ear can have
+  const processorOptions = model.forWorklet(context.sampleRate); // refuses a rate that no recogniser can have
   workletPlace ??= URL.createObjectURL(new Blob([WORKLET], { type: "text/javascript" }));
   await context.audioWorklet.addModule(worklet ?? workletPlace);
   const node = new AudioWorkletNode(context, "phoneme-ear", {
@@ -412,7 +412,7 @@ function disconnect(source, node) {
   }
 }
 
-/* Wait until sound flows, which it does at once, or never where the system has no output or nobody has clicked. */
+/* Wait until sound flows, which it does at once, or never where the system has no output or the page got no click. */
 async function started(context) {
   const waited = new Promise((resolve) => setTimeout(resolve, LONGEST_START));
   await Promise.race([context.resume(), waited]);

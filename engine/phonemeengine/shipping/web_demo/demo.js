@@ -14,17 +14,17 @@ const seconds = (frames) => (frames / 100).toFixed(2);
 
 let model;
 let head = null; // where there is no WebGL
-let listening = null; // what is heard now
+let listening = null; // the current source
 let fresh = []; // frames that are not drawn yet
 
 class Listening {
-  /** Begins to listen to what `open` makes of an audio context: a source, and whether it is heard as well. */
+  /** Begins to listen to what `open` makes of an audio context: a source, and whether it is played as well. */
   static async begin(open) {
     const context = new AudioContext();
     let stop = () => {};
     try {
       const node = await earNode(context, model, (frame) => fresh.push(frame));
-      const opened = await open(context); // now, since what comes earlier is not heard
+      const opened = await open(context); // now, since earlier sound is lost
       const { source, audible } = opened;
       stop = opened.stop;
       const analyser = new AnalyserNode(context, { fftSize: 2048, smoothingTimeConstant: 0 });

@@ -139,7 +139,7 @@ def pinyin_table_of(text: str) -> PinyinTable:
 
 
 def _mouth_of(top: StrictTable) -> MouthTable:
-    """Return the shapes, as a table that whoever shows a face can move it by."""
+    """Return the shapes as a mouth table, by which any face moves."""
     movestates = movestates_of(top)
     shapes = shapes_in(top, movestates)
     if REST not in shapes:

@@ -206,8 +206,8 @@ class ComparePanel(QWidget):
             self.changes.show_counts(None)
             return
         self.figures.show_scores((comparison.one.overall.scores, comparison.other.overall.scores), comparison.gains)
-        self.own.show_rows([_row_of(stretch) for stretch in comparison.stretches_one])
-        self.others.show_rows([_row_of(stretch) for stretch in comparison.stretches_other])
+        self.own.show_rows([_row_of(stretch) for stretch in comparison.segments_one])
+        self.others.show_rows([_row_of(stretch) for stretch in comparison.segments_other])
         self.changes.show_counts(comparison.changed)
         for k, letter, counts in ((1, A, comparison.only_one), (2, B, comparison.only_other)):
             words = tr("Only {letter} correct: {seconds:.1f} s")

@@ -68,7 +68,7 @@ class StreamInStep:
     Attributes
     ----------
     stream : the recording.
-    start : when the sound began, on the clock of whoever shows it, seconds.
+    start : when the sound began, on the view's clock, seconds.
     """
 
     stream: ExpressionStream
@@ -199,7 +199,7 @@ class ExpressionModel(QObject):
                     performer.feel(feelings, end)
 
     def follow(self, start: float) -> None:
-        """Take note when the current sound began, on the clock of whoever shows the face, seconds."""
+        """Take note when the current sound began, on the clock of the view of the face, seconds."""
         for stream in (self._recorded, self._text):
             if stream is not None:
                 stream.start = start

@@ -197,7 +197,7 @@ def _loaded(files: FaceFiles) -> MorphMesh:
 
 
 def _plain(name: str) -> str:
-    """Return a name as it is whoever wrote it: jawOpen, JawOpen and jaw_open are one."""
+    """Return a name without case and punctuation: jawOpen, JawOpen and jaw_open are one."""
     return "".join(filter(str.isalnum, name)).casefold()
 
 

@@ -156,7 +156,7 @@ class RunningSpeech:
     Attributes
     ----------
     face, language : what looks the text up, and its language.
-    speech : the sound; whoever plays it closes it.
+    speech : the sound; its player closes it.
     utterance : what is said by now and not forgotten; None where nothing is known of it.
     """
 

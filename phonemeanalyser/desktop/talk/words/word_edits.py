@@ -117,7 +117,7 @@ class WordEdits(QObject):
             moved = with_boundary(utterance, unit, boundary, seconds)
         except CorpusError as error:
             self.error.emit(str(error))
-            self._words.changed.emit()  # whoever shows the boundary elsewhere shows it where it is
+            self._words.changed.emit()  # views move the boundary back to where it is
         else:
             self._words.edit(moved, tr("move of a boundary ({unit})").format(unit=tr(unit.value)), by_hand=True)
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Moves a mouth by what a microphone hears. The sound comes on the standard input as 32-bit floats at 44.1 kHz:
+ * Moves a mouth by the speech of a microphone. The sound comes on the standard input as 32-bit floats at 44.1 kHz:
  *
  *     arecord -q -t raw -f FLOAT_LE -c 1 -r 44100 | ./mouth_from_microphone preset.ear
  *
- * hear() is what an audio library calls with each block (PortAudio, miniaudio, SDL, Core Audio, WASAPI): it neither
+ * `hear()` is what an audio library calls with each block (PortAudio, miniaudio, SDL, Core Audio, WASAPI): it neither
  * allocates nor waits. draw() is what a game does for each picture. Where the two run in threads of their own, hand
- * the frames over by a queue: an ear and a mouth each belong to one thread.
+ * the frames over by a queue: a recogniser and a mouth each belong to one thread.
  */
 #include "../ear.h"
 #include "files.h"

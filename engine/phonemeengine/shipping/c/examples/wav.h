@@ -21,7 +21,7 @@ static float *read_wav(const char *name, size_t *n_samples, uint32_t *rate)
     float *samples;
     if (n_bytes < 12 || memcmp(bytes, "RIFF", 4) || memcmp(bytes + 8, "WAVE", 4))
         fail(name, "this is no WAV file; convert it to one");
-    for (; n_bytes - at >= 8; at += size + size % 2) { /* chunks: a name, a size, and so many bytes */
+    for (; n_bytes - at >= 8; at += size + size % 2) { /* chunks: a name, a size, and that number of bytes */
         const unsigned char *chunk = bytes + at;
         at += 8;
         size = number_at(chunk + 4, 4) < n_bytes - at ? number_at(chunk + 4, 4) : n_bytes - at;

@@ -9,7 +9,7 @@ namespace PhonemeEar
         private readonly Frame[] ring = new Frame[256];
         private int put, taken;
 
-        /// <summary>Add frames; those for which there is no room, since nobody took any for seconds, are dropped.</summary>
+        /// <summary>Add frames. A full queue, from which none were taken for seconds, drops them.</summary>
         public void Put(Frame[] frames, int n)
         {
             var room = ring.Length - (put - Volatile.Read(ref taken));
