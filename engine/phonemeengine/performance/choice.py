@@ -1,6 +1,6 @@
 """Which of the recorded examples of a unit is taken: any, the nearest in length, or those that fit best together."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
@@ -61,14 +61,18 @@ class PlacedUnit:
     ----------
     unit : where it is.
     kind, names : the set and the phones of the examples; those of the unit, unless the table lacks them.
+    examples : of a unit that no index finds.
     """
 
     unit: Unit
     kind: UnitKind
     names: tuple[str, ...]
+    examples: tuple[Example, ...] = ()
 
 
-def placed_units(phones: Sequence[PerformedPhone], inventory: Inventory) -> tuple[PlacedUnit, ...]:
+def placed_units(
+    phones: Sequence[PerformedPhone], inventory: Inventory, strings: Iterable[PlacedUnit] = ()
+) -> tuple[PlacedUnit, ...]:
     """Cover all halves of a sentence by units, each half by one; they come in order of time.
 
     A set is exhausted before the next one is looked at, and a unit is placed only where all its halves are free. A
@@ -79,9 +83,12 @@ def placed_units(phones: Sequence[PerformedPhone], inventory: Inventory) -> tupl
     ----------
     phones : in order of time; the first and the last are silence.
     inventory : of the table.
+    strings : those of words, which go before all other units; they do not overlap.
     """
     free = [True] * (2 * len(phones))
-    found = []
+    found = [*strings]
+    for string in found:
+        free[string.unit.first : string.unit.last] = [False] * (string.unit.last - string.unit.first)
     for unit in units_of(phones):
         if all(free[unit.first : unit.last]) and (placed := _placed(unit, inventory)):
             found.append(placed)
@@ -208,12 +215,13 @@ def _candidates(
 ) -> tuple[Example, ...]:
     """Return the examples among which is chosen, at least one."""
     found: tuple[Example, ...] = ()
-    if choice is ExampleChoice.RANDOM:
-        found = table.within(placed.kind, placed.names, 0.0, _LONGEST)
-    if choice is ExampleChoice.BAND:
-        found = table.within(placed.kind, placed.names, duration * (1 - BAND), duration * (1 + BAND))
+    low, high = (0.0, _LONGEST) if choice is ExampleChoice.RANDOM else (duration * (1 - BAND), duration * (1 + BAND))
+    if choice in {ExampleChoice.RANDOM, ExampleChoice.BAND}:
+        found = tuple(few for few in placed.examples if low <= few.duration <= high)
+        found = found or table.within(placed.kind, placed.names, low, high)
     n = N_CANDIDATES if choice is ExampleChoice.VITERBI else 1
-    found = found or table.nearest(placed.kind, placed.names, duration, n)
+    nearest = sorted(placed.examples, key=lambda example: abs(example.duration - duration))[:n]
+    found = found or tuple(nearest) or table.nearest(placed.kind, placed.names, duration, n)
     if not found:
         raise _damage(table)
     return found

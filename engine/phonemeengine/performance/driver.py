@@ -34,6 +34,7 @@ from phonemeengine.performance.smoothing import (
 )
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.units import Sentence, UnitKind
+from phonemeengine.performance.word_strings import recorded_strings
 from phonemeengine.text.syllables import is_vowel
 
 # The tongue, which no camera sees: a pose for each sound, as the style has them.
@@ -214,7 +215,7 @@ class PerformanceDriver:
         return weights
 
     def _looked_up(self, sentence: Sentence, number: int) -> tuple[tuple[PlacedUnit, ...], list[Chosen]]:
-        placed = placed_units(sentence, self._inventory)
+        placed = placed_units(sentence, self._inventory, recorded_strings(sentence, self._table))
         seed = (abs(self.options.seed), int(self.options.seed < 0), number)
         return placed, chosen_examples(placed, sentence, self._table, self._recordings, self.options.choice, seed)
 

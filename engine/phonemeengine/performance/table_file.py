@@ -26,7 +26,7 @@ from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.execution import Closing
 from phonemeengine.performance.phrases import PhraseIndex
 from phonemeengine.performance.recording import Performance, PerformedPhone
-from phonemeengine.performance.units import UnitKind, duration_of, units_of
+from phonemeengine.performance.units import STRINGS, UnitKind, duration_of, units_of
 from phonemeengine.storage.files import atomic_write, printable, printable_name, reason_of
 
 VERSION = 1
@@ -59,6 +59,7 @@ _EXAMPLES = "SELECT recording, first, last, duration FROM unit WHERE item = ? AN
 _BEFORE = _EXAMPLES + "duration < ? ORDER BY duration DESC LIMIT ?"
 _FROM = _EXAMPLES + "duration >= ? ORDER BY duration LIMIT ?"
 _PHONES = 'SELECT recording, start, middle, "end", name, word, syllable, stress, energy, pitch FROM phone '
+_SOME = "WHERE recording = ? AND k BETWEEN ? AND ? ORDER BY k"
 _WRONG_SIZES = "SELECT id FROM recording WHERE length(weights) != n_frames * ? LIMIT 1"
 _WITHIN = _EXAMPLES + "duration BETWEEN ? AND ? ORDER BY duration"
 
@@ -184,11 +185,11 @@ class PerformanceTable(Closing):
             return frozenset(tuple(_text(key).split(" ")) for (key,) in rows)
 
     def n_units(self) -> dict[UnitKind, int]:
-        """Count the units of each set."""
+        """Count the units of each set that has an index."""
         query = "SELECT kind, count(*) FROM unit JOIN item ON item = item.id GROUP BY kind"
         with self._asking():
             counts = {UnitKind(kind): _whole(count) for kind, count in self._connection.execute(query)}
-        return {kind: counts.get(kind, 0) for kind in UnitKind}
+        return {kind: counts.get(kind, 0) for kind in UnitKind if kind not in STRINGS}
 
     def nearest(self, kind: UnitKind, names: tuple[str, ...], duration: float, limit: int) -> tuple[Example, ...]:
         """Return examples of a unit, those first whose durations are the nearest to one in seconds.
@@ -210,6 +211,12 @@ class PerformanceTable(Closing):
         with self._asking():
             rows = self._connection.execute(_WITHIN, (self._item(kind, names), low, high))
             return tuple(_example(row) for row in rows)
+
+    def phones_in(self, recording: int, first: int, last: int) -> tuple[PerformedPhone, ...]:
+        """Return the phones of a recording from one number to another, both counted, as far as there are any."""
+        with self._asking():
+            rows = self._connection.execute(_PHONES + _SOME, (recording, first, last))
+            return tuple(map(_phone, rows))
 
     def recording(self, number: int) -> Performance:
         """Return a recording; those that were asked for last are kept in memory.

@@ -1,4 +1,4 @@
-"""The units of a sentence: words, syllables, triphones, diphones and halves of phones.
+"""The units of a sentence: strings of words, words, syllables, triphones, diphones and halves of phones.
 
 Every phone has a left half, from its start to its middle, and a right half. Half 2k is the left one of phone k, half
 2k + 1 its right one. A unit spans consecutive halves, and is looked up by the names of the phones that it touches.
@@ -77,8 +77,10 @@ def _middle(pitches: Float32Array) -> float:
 
 
 class UnitKind(StrEnum):
-    """The nine sets of units, the longest first."""
+    """The sets of units, the longest first; a table has no index of `STRINGS`, see `recorded_strings`."""
 
+    SENTENCE = "sentence"
+    WORDS = "words"
     WORD = "word"
     SYLLABLE = "syllable"
     VOWEL_TRIPHONE = "vowel-triphone"
@@ -88,6 +90,10 @@ class UnitKind(StrEnum):
     BOUNDARY_DIPHONE = "boundary-diphone"
     RIGHT_HALF = "right-half"
     LEFT_HALF = "left-half"
+
+
+STRINGS = frozenset({UnitKind.SENTENCE, UnitKind.WORDS})
+"""Sets whose units are found by their words."""
 
 
 @dataclass(frozen=True)
@@ -108,7 +114,7 @@ class Unit:
 
 
 def units_of(phones: Sequence[PerformedPhone]) -> Iterator[Unit]:
-    """Return all units of a sentence, the sets in their order, each in order of time.
+    """Return all units of a sentence but its `STRINGS`, the sets in their order, each in order of time.
 
     Words and syllables span the right half of their first phone to the left half of their last one: neighbours share
     those phones. A word of one syllable is one of the syllables.

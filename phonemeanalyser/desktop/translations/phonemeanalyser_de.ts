@@ -8395,6 +8395,11 @@
             <translation>Satz</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>sentence</source>
+            <translation>Satz</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Sentence language</source>
             <translation>Sprache der Sätze</translation>
@@ -11477,6 +11482,11 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_layout.py" />
             <source>Words</source>
+            <translation>Wörter</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>words</source>
             <translation>Wörter</translation>
         </message>
         <message>

@@ -77,17 +77,30 @@ def test_a_recorded_sentence_comes_back_as_it_was(table: PerformanceTable) -> No
     assert np.flatnonzero(shown.any(axis=0)).tolist() == sorted([JAW, PUCKER])  # no eyes
 
 
+def units_in(table: PerformanceTable, utterance: Utterance) -> list[tuple[str, str]]:
+    return [(unit.kind, "".join(unit.names)) for unit in track_of(table, utterance).units()]
+
+
 def test_the_units_tell_what_is_taken_from_where(table: PerformanceTable) -> None:
-    track = track_of(table, utterance_of("mi"))
-    rows = format_units(track.units()).splitlines()
-    assert rows[0] == "start_s,end_s,set,phones,recording,from_s,to_s"
-    assert rows[1:] == [
+    rows = format_units(track_of(table, utterance_of("mi")).units()).splitlines()
+    assert rows == [
+        "start_s,end_s,set,phones,recording,from_s,to_s",
         "0.000,0.050,left-half,sil,mi,0.000,0.050",
-        "0.050,0.150,boundary-diphone,sil m,mi,0.050,0.150",
-        "0.150,0.250,syllable,m i,mi,0.150,0.250",
-        "0.250,0.350,boundary-diphone,i sil,mi,0.250,0.350",
+        "0.050,0.350,sentence,sil m i sil,mi,0.050,0.350",
         "0.350,0.400,right-half,sil,mi,0.350,0.400",
     ]
+
+
+def test_strings_of_words_are_kept_whole_where_the_sentence_was_not_recorded(tmp_path: Path) -> None:
+    write_table(tmp_path / "t.sqlite", [recorded("ma tu mi pa"), recorded("mi pa ka"), recorded("mi pa", length=0.2)])
+    with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        long = track_of(table, utterance_of("tu", "mi", "pa", "ka", gap=0.0))
+        strings = [("".join(unit.names), unit.recording) for unit in long.units() if unit.kind == "words"]
+        assert strings == [("tumipa", "ma tu mi pa")]  # what follows is one word, and no string
+        slow = [*track_of(table, utterance_of("mi", "pa", length=0.2, pause=0.2, gap=0.0)).units()]
+        assert [unit.kind for unit in slow] == ["left-half", "sentence", "right-half"]
+        paused = units_in(table, utterance_of("mi", "pa", gap=0.1))
+        assert not {"sentence", "words"} & {kind for kind, _ in paused}  # nobody paused there
 
 
 def test_lips_are_shut_at_p_b_and_m_even_where_the_recorded_ones_are_not(tmp_path: Path) -> None:
