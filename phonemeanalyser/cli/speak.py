@@ -130,7 +130,6 @@ def _files_of(options: argparse.Namespace, asked: ConversionOptions, driving: Dr
         driving,
         say_note,
         asked.overwrite,
-        asked.text_feeling,
     )
 
 

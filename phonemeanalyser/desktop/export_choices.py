@@ -125,7 +125,6 @@ class ExportChoices(QFormLayout):
             talk.speech,
             talk.keys if "keys" in kind.options and not self.is_text and self.keys.isChecked() else None,
             look=self._look() if kind.name in CLIPS else USUAL_CLIP,
-            text_feeling=talk.text_feeling if self._feels(kind.options) else None,
         )
 
     def show_kind(self) -> None:
@@ -173,7 +172,7 @@ class ExportChoices(QFormLayout):
 
     @property
     def _shows_expression(self) -> bool:
-        return self._face.options.idle.expression is not None or self._face.text_feeling is not None
+        return self._face.options.idle.expression is not None or self._face.options.text_feeling is not None
 
     def _feels(self, offered: frozenset[str]) -> bool:
         return "expression" in offered and self.expression.currentData() == ON_TALK
@@ -205,6 +204,7 @@ class ExportChoices(QFormLayout):
             mesh=talk.mesh if "mesh" in offered and self.mesh.currentData() == ON_TALK else None,
             idle=idle,
             style=talk.style,
+            text_feeling=talk.text_feeling if self._feels(offered) else None,
         )
 
     def _make_choices(self) -> None:

@@ -415,8 +415,7 @@ class ClipWork:
             pitch = self.options.idle.head or driving.recorded is not None
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=analysing)
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=self.options.idle.feels)
-            feeling = self.texts.feeling_of(job.sound, utterance)
-            shows = self if feeling is None else replace(self, options=self.options.expressing(feeling))
+            shows = replace(self, options=self.options.felt(*self.texts.text_of(job.sound, utterance)))
             animations, captions = shows._faces_of(utterance, speech, reader, driving, say)
             if self.driver.beside is not None:
                 say(

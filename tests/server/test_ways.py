@@ -204,7 +204,7 @@ def by_window(asked: ConversionOptions, kind: str, job: Job, qtbot: QtBot) -> No
     queue = ExportQueue()
     assert job.target is not None
     with qtbot.waitSignal(queue.finished, timeout=60_000):
-        order = replace(order, look=ClipOptions.of(asked), text_feeling=asked.text_feeling)
+        order = replace(order, look=ClipOptions.of(asked))
         queue.start(
             {job.source: job.target},
             replace(order, keys=keys, overwrite=asked.overwrite),

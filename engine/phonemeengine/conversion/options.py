@@ -418,6 +418,7 @@ class ConversionOptions:
             self.release,
             not self.steady,
             style,
+            self.text_feeling,
         )
 
     def expressed(self, *more: ExpressionStream) -> Expression | None:

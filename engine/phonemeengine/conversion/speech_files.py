@@ -19,7 +19,6 @@ from phonemeengine.labels.utterance import Utterance, shifted
 from phonemeengine.labels.utterance_files import UtteranceSpool
 from phonemeengine.mouth.animation import MovementTrack
 from phonemeengine.mouth.exports.exporter import Exporter
-from phonemeengine.mouth.expression.text_feeling import spoken_feeling
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.transcript import Transcript
 from phonemeengine.performance.face_network import Sound, sound_of
@@ -56,7 +55,6 @@ class SpeechFiles:
     driving : moves the face.
     say : told what is odd.
     overwrite : whether files that the program did not make are replaced.
-    text_feeling : how far the face shows what the text says of feeling, 0..1; None for not at all.
 
     Raises
     ------
@@ -71,7 +69,6 @@ class SpeechFiles:
     driving: Driving
     say: Say
     overwrite: bool = False
-    text_feeling: float | None = None
 
     def __post_init__(self) -> None:
         if [self.sound, self.labels, self.export, self.plan].count(STANDARD_OUTPUT) > 1:
@@ -220,7 +217,7 @@ class SpeechFiles:
         self, files: dict[Path | None, BinaryIO], speech: Transcript, track: MovementTrack | None, text: str = ""
     ) -> None:
         if self.exporter is not None:
-            exporter = self.exporter.expressing(spoken_feeling(text, speech.utterance, self.text_feeling))
+            exporter = self.exporter.felt(text, speech.utterance)
             movement = self.driving.movement(track, speech, exporter, self.say)
             files[self.export].writelines(exporter.chunks_of(speech, movement))
 

@@ -13,8 +13,6 @@ from phonemeengine.batch.work import Made, Say, fingerprint_of
 from phonemeengine.conversion.options import ConversionOptions
 from phonemeengine.errors import AudioError, EngineError, OptionError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.expression.streams import RecordedExpression
-from phonemeengine.mouth.expression.text_feeling import spoken_feeling
 from phonemeengine.mouth.key_layer import KeyLayer, keys_beside, read_keys
 from phonemeengine.mouth.transcript import Script, Transcript, scripted_transcript_of, transcript_of
 from phonemeengine.settings import Channel
@@ -46,7 +44,6 @@ class SpokenTexts:
     accepted : whether texts are aligned even where others seem to be said.
     speaker : whose words of the labels.
     scripts : words, or all that is said with its times, by the sound's file; these go before labels.
-    feeling : how far a face shows what the texts say of feeling, 0..1; None for not at all.
     """
 
     texts: Mapping[Path, str] = field(default_factory=dict)
@@ -57,7 +54,6 @@ class SpokenTexts:
     accepted: bool = False
     speaker: str | None = None
     scripts: Mapping[Path, Script] = field(default_factory=dict)
-    feeling: float | None = None
 
     @classmethod
     def of(
@@ -79,7 +75,6 @@ class SpokenTexts:
         if options.text_feeling is not None and options.text is None and options.script is None:
             raise OptionError("--text-feeling goes with --text or --script: give the text that is spoken")
         known = cls({}, {}, options.language, lexicon, options.literal, options.accept_text, options.speaker)
-        known = replace(known, feeling=options.text_feeling)
         if options.script is not None:
             return known.of_script(options.script, sounds, say, with_labels=with_labels)
         return NO_TEXTS if options.text is None else known.of_text(options.text, sounds)
@@ -119,13 +114,11 @@ class SpokenTexts:
     def known_of(self, sound: Path) -> str:
         """Return what tells whether something else is said in a sound than before."""
         if sound in self.scripts:
-            return fingerprint_of(self.scripts[sound], self.accepted, self.feeling)
+            return fingerprint_of(self.scripts[sound], self.accepted)
         if sound in self.labels:
-            return fingerprint_of(
-                self.labels[sound], self.language, self.lexicon, self.accepted, self.speaker, self.feeling
-            )
+            return fingerprint_of(self.labels[sound], self.language, self.lexicon, self.accepted, self.speaker)
         text = self.texts.get(sound)
-        return fingerprint_of(text, self.language, self.lexicon, self.literal, self.accepted, self.feeling)
+        return fingerprint_of(text, self.language, self.lexicon, self.literal, self.accepted)
 
     def script_of(self, sound: Path, duration: float, say: Say) -> Script | None:
         """Return what is said in a sound of `duration` seconds, and report what of it is not; None where unknown.
@@ -146,17 +139,12 @@ class SpokenTexts:
             say(printable_name(sound), note)
         return words
 
-    def feeling_of(self, sound: Path, utterance: Utterance | None) -> RecordedExpression | None:
-        """Return the expression of what is said in a sound, as far as that is asked for; see `spoken_feeling`.
-
-        Raises
-        ------
-        TextError : a direction in the text cannot be followed.
-        """
-        if not self.feeling or utterance is None:
-            return None
+    def text_of(self, sound: Path, utterance: Utterance | None) -> tuple[str, Utterance | None]:
+        """Return what is said in a sound as it is written, and in the language that is known."""
+        if utterance is None:
+            return "", None
         text = self.texts.get(sound) or " ".join(word.text for word in utterance.words)
-        return spoken_feeling(text, replace(utterance, language=self.language or utterance.language), self.feeling)
+        return text, replace(utterance, language=self.language or utterance.language)
 
     def aligned(
         self, reader: SoundReader, sound: Path, analyses: Iterable[Analysis], say: Say, *, felt: bool = False

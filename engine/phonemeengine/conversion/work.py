@@ -238,7 +238,7 @@ class ConversionWork:
             analyses = analyse_file(reader, self.preset, pitch=pitch, progress=progress)
             felt = exporter.idle.feels
             utterance, speech = self.texts.said(reader, job.sound, analyses, say, felt=felt)
-            exporter = exporter.expressing(self.texts.feeling_of(job.sound, utterance))
+            exporter = exporter.felt(*self.texts.text_of(job.sound, utterance))
             driver = driving.chosen(utterance, printable_name(job.source), exporter.takes)
             track = driving.track(driver, utterance, speech, say, sound=sound_of(reader))
             movement = driving.movement(track, speech, exporter, say)

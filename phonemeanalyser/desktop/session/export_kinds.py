@@ -61,7 +61,6 @@ class FaceInUse:
     speech : the current text, where it is no sound.
     keys : an animator's edits, by the sound's file.
     texts : the texts of `words`, by the sound's file.
-    text_feeling : how far a face shows what texts say of feeling, 0..1; None for not at all.
     """
 
     table: str = USUAL_TABLE
@@ -72,7 +71,6 @@ class FaceInUse:
     speech: TextToSay | None = None
     keys: Mapping[Path, KeyLayer] = field(default_factory=dict)
     texts: Mapping[Path, str] = field(default_factory=dict)
-    text_feeling: float | None = None
 
 
 @dataclass(frozen=True)
@@ -92,7 +90,6 @@ class ExportOrder:
     keys : an animator's edits by the sound's file, which go before those beside the sounds; None for no edits at all.
     overwrite : whether to replace whatever is there, not only what the same order made.
     look : of clips; their rate is that of the options.
-    text_feeling : how far a face shows what texts say of feeling, 0..1; None for not at all.
     """
 
     kind: str
@@ -106,7 +103,6 @@ class ExportOrder:
     keys: Mapping[Path, KeyLayer] | None = None
     overwrite: bool = False
     look: ClipOptions = USUAL_CLIP
-    text_feeling: float | None = None
 
 
 def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
@@ -124,7 +120,7 @@ def with_texts(order: ExportOrder, sounds: Sequence[Path]) -> ExportOrder:
     keys = order.keys
     if keys is not None:
         keys = edited_keys(BESIDE, [sound for sound in sounds if sound not in keys]) | {**keys}
-    return replace(order, texts=replace(texts, feeling=order.text_feeling), keys=keys)
+    return replace(order, texts=texts, keys=keys)
 
 
 def work_of(order: ExportOrder) -> Work:
@@ -174,7 +170,7 @@ class SpeechWork:
 
     def fingerprint(self) -> str:
         """Return what tells it from other work."""
-        return fingerprint_of("speech", self.order.kind, self.order.options, self.speech, self.order.text_feeling)
+        return fingerprint_of("speech", self.order.kind, self.order.options, self.speech)
 
     def known_of(self, _job: Job) -> str:
         """Return an empty text: nothing is known of a text besides."""
@@ -188,9 +184,7 @@ class SpeechWork:
             def act(job: Job, say: Say, progress: Progress) -> Made:
                 exporter = Exporter(self.order.kind, self.order.options)
                 order = self.order
-                files = SpeechFiles(
-                    None, None, job.target, None, exporter, driving, say, order.overwrite, order.text_feeling
-                )
+                files = SpeechFiles(None, None, job.target, None, exporter, driving, say, order.overwrite)
                 files.write_spoken(self._spoken(progress), self.speech.language, self.speech.text)
                 return Made(language=self.speech.language)
 

@@ -265,7 +265,7 @@ class TalkDialogs(QObject):
             Kept("talk/mode", lambda: talking.mode, talking.set_mode),
             Kept("talk/blinks", lambda: talking.idle.blinks, talking.set_blinks),
             Kept("talk/head", lambda: talking.idle.head, talking.set_head_motion),
-            Kept("talk/pictures", lambda: talking.picture_rate, talking.set_picture_rate),
+            Kept("talk/pictures", lambda: talking.pictures.rate, talking.pictures.set_rate),
             Kept("talk/text_feeling", lambda: expression.text_feeling, expression.set_text_feeling),
             Kept("talk/keys", lambda: talking.keys.open, talking.keys.set_open),
             Kept("talk/random", lambda: talking.random, talking.set_random),

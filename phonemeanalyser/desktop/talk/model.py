@@ -1,6 +1,5 @@
 """The head that talks: joins the current sound to a mouth, a face, and the network."""
 
-import math
 import time
 from collections.abc import Callable
 from dataclasses import replace
@@ -18,6 +17,7 @@ from phonemeanalyser.desktop.talk.expression.osc_model import OscModel
 from phonemeanalyser.desktop.talk.expression.style_model import StyleModel
 from phonemeanalyser.desktop.talk.head.face_model import FaceModel, MovingHead
 from phonemeanalyser.desktop.talk.keys.key_model import KeyModel
+from phonemeanalyser.desktop.talk.pictures import PictureModel
 from phonemeanalyser.desktop.talk.words.felt_text import FeltText
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -44,10 +44,6 @@ from phonemeengine.performance.driver import FACE
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.settings import FRAME_PERIOD, HOP, SAMPLE_RATE
 
-PICTURE_RATES = (24, 25, 30, 50, 60)
-"""Pictures a second of an animation, of which one is chosen."""
-IN_PICTURE = 0.01
-"""Pictures by which a time, rounded to samples, may lie before the picture that it belongs to."""
 HALF_FRAME = (HOP - HOP // 2) / SAMPLE_RATE
 """Seconds: a block of a file is due in the middle of its last frame."""
 FOLLOWED = 60
@@ -73,7 +69,7 @@ class TalkModel(QObject):
     mode : what becomes of everything else when a slider asks for a shape.
     attack_factor, release_factor : by how much all attacks and releases of the table are longer.
     random : whether the mouth varies as mouths do.
-    picture_rate : pictures of the animation a second, one of `PICTURE_RATES`.
+    pictures : of the animation.
     head : shows on the face what its performer says.
     beside : the second head, of the same face, that shows what another driver makes of the sound.
     performer : that of the head.
@@ -100,7 +96,6 @@ class TalkModel(QObject):
         self.felt_text = FeltText(self.text, self.expression, session.preset.undo_stack)
         self.watched, self.random = False, True
         self.attack_factor = self.release_factor = 1.0
-        self.picture_rate = 30
         self.mode = Mode.INTERACT
         self.table_name = USUAL_TABLE
         self.table = self._written = load_table(USUAL_TABLE)
@@ -112,8 +107,9 @@ class TalkModel(QObject):
         self._analysed: list[Analysis] = []
         self._last: Analysis | None = None
         self._work = TaskQueue(self.error.emit)
-        self.keys = KeyModel(session, lambda: self.in_use, lambda: self.picture_rate)
-        self.comparison = DifferenceModel(session, self.text, lambda: self.in_use, lambda: self.picture_rate)
+        self.pictures = PictureModel(session)
+        self.keys = KeyModel(session, lambda: self.shown, lambda: self.pictures.rate)
+        self.comparison = DifferenceModel(session, self.text, lambda: self.shown, lambda: self.pictures.rate)
         self._connect()
 
     @property
@@ -134,8 +130,10 @@ class TalkModel(QObject):
     @property
     def in_use(self) -> FaceInUse:
         """What files are made by, so that they are as the head is seen."""
-        words, files = self.text.words, self.face.files
-        known = {words.sound: words.utterance} if words.sound is not None and words.utterance is not None else {}
+        words, files, language = self.text.words, self.face.files, self.text.written.spoken_in
+        known = {}
+        if words.sound is not None and words.utterance is not None:
+            known[words.sound] = replace(words.utterance, language=language or words.utterance.language)
         style, idle = self.styles.style, replace(self.idle, expression=self.expression.exported)
         options = ExportOptions(
             mesh=files.mesh,
@@ -144,6 +142,7 @@ class TalkModel(QObject):
             release=self.release_factor,
             random=self.random,
             style=style,
+            text_feeling=self.expression.text_feeling or None,
         )
         return FaceInUse(
             self.table_name,
@@ -154,8 +153,14 @@ class TalkModel(QObject):
             self.text.to_say,
             {self.keys.sound: self.keys.layer} if self.keys.sound is not None else {},
             dict.fromkeys(known, self.text.text),
-            self.expression.text_feeling or None,
         )
+
+    @property
+    def shown(self) -> FaceInUse:
+        """The same for the current sound alone, with what its text says of feeling as the head shows it."""
+        face, idle = self.in_use, replace(self.idle, expression=self.expression.of_sound)
+        options = replace(face.options, idle=self.styles.style.on_idle(idle), text_feeling=None)
+        return replace(face, options=options)
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
@@ -193,31 +198,6 @@ class TalkModel(QObject):
     def set_head_motion(self, on: bool) -> None:
         """Have the head move with the voice, or not."""
         self._use(self.table, head=on)
-
-    # -- pictures -----------------------------------------------------------------------------------------
-
-    @property
-    def picture(self) -> int:
-        """The number of the picture that belongs to the place in the sound, from 0."""
-        return math.floor(self.session.source.position * self.picture_rate + IN_PICTURE)
-
-    def set_picture_rate(self, rate: int) -> None:
-        """Count the pictures of the animation at another rate; one that is not offered changes nothing."""
-        if rate in PICTURE_RATES and rate != self.picture_rate:
-            self.picture_rate = rate
-            self.changed.emit()
-
-    def step_picture(self, step: int) -> None:
-        """Hold still some pictures further on, or back: in the first frame of the sound that lies in that picture."""
-        source = self.session.source
-        if not source.seekable:
-            return
-        if source.playing:
-            self.session.pause()
-        last = math.ceil(source.duration * self.picture_rate) - 1
-        picture = min(max(self.picture + step, 0), max(last, 0))
-        frame = math.ceil(picture / self.picture_rate / FRAME_PERIOD - IN_PICTURE)
-        self.session.seek((frame + IN_PICTURE) * FRAME_PERIOD)
 
     # -- what is asked for --------------------------------------------------------------------------------
 
@@ -380,6 +360,7 @@ class TalkModel(QObject):
         self.face.changed.connect(self._take_face)
         self.expression.changed.connect(self._take_expression)
         self.styles.changed.connect(self._take_style)
+        self.pictures.changed.connect(self.changed)
         self.visemes_changed.connect(self._share_visemes)
         self.osc.changed.connect(self._share_visemes)
         for changed in (self.changed, self.text.known_changed, self.expression.changed):

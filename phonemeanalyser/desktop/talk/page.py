@@ -15,9 +15,10 @@ from phonemeanalyser.desktop.talk.head.head_pair import HeadPair
 from phonemeanalyser.desktop.talk.head.head_view import HINT, HeadView
 from phonemeanalyser.desktop.talk.head.movestate_bars import MovestateBars
 from phonemeanalyser.desktop.talk.keys.key_panel import KeyPanel
-from phonemeanalyser.desktop.talk.model import PICTURE_RATES, TalkModel
+from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.mouth_table.choices_panel import ChoicesPanel
 from phonemeanalyser.desktop.talk.mouth_table.viseme_panel import VisemePanel
+from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.talk.tour import Stop, Tour
 from phonemeanalyser.desktop.talk.words.lanes_panel import LanesPanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
@@ -112,13 +113,13 @@ class PictureCounter(QWidget):
         )
         row(self.place, self.rate, on=self, spacing=6)
         self.place.setMinimumWidth(self.place.fontMetrics().horizontalAdvance(self._words(3599.999, 215_999)))
-        self.rate.activated.connect(lambda k: talking.set_picture_rate(self.rate.itemData(k)))
+        self.rate.activated.connect(lambda k: talking.pictures.set_rate(self.rate.itemData(k)))
         talking.changed.connect(self._show_rate)
         self._show_rate()
 
     def refresh(self) -> None:
         """Show where the sound is."""
-        words = self._words(self._talking.session.source.position, self._talking.picture)
+        words = self._words(self._talking.session.source.position, self._talking.pictures.number)
         if words != self.place.text():
             self.place.setText(words)
 
@@ -127,7 +128,7 @@ class PictureCounter(QWidget):
         return tr("{clock} · picture {picture}").format(clock=clock, picture=picture)
 
     def _show_rate(self) -> None:
-        self.rate.setCurrentIndex(self.rate.findData(self._talking.picture_rate))
+        self.rate.setCurrentIndex(self.rate.findData(self._talking.pictures.rate))
         self.refresh()
 
 

@@ -65,7 +65,11 @@ def test_the_face_shows_it_and_exports_tell_it(stage: Stage, felt: FeltText) -> 
     talking.expression.set_text_feeling(0.5)
     assert talking.idle.expression is not None
     in_use = talking.in_use
-    assert (in_use.text_feeling, [*in_use.texts.values()]) == (0.5, [talking.text.text])
+    assert (in_use.options.text_feeling, [*in_use.texts.values()]) == (0.5, [talking.text.text])
+    assert in_use.options.idle.expression is None  # the text that is exported tells it
+    shown = talking.shown.options.idle.expression  # of which curves of keys and the second head are generated
+    assert shown is not None
+    assert shown.streams[0].weights(0.5).any()
     lane = lane_of_feelings(felt.spans)
     assert lane.texts[0] == "smile 60 %"
     talking.expression.clear()

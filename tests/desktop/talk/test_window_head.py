@@ -14,7 +14,7 @@ from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.talk.head.head_view import HeadView
-from phonemeanalyser.desktop.talk.model import PICTURE_RATES
+from phonemeanalyser.desktop.talk.pictures import PICTURE_RATES
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeanalyser.rendering.camera import Camera
 from phonemeengine.audio.output import ClockOutput
@@ -326,15 +326,15 @@ def test_left_and_right_go_one_picture_at_every_rate(window, desktop, rate):
     session = desktop.session
     for picture in range(1, 8):
         press(window, Qt.Key.Key_Right)
-        assert desktop.talking.picture == picture
+        assert desktop.talking.pictures.number == picture
         assert picture / rate <= session.source.position + 1e-6 < (picture + 1) / rate
     window.talk.pictures.refresh()
     assert window.talk.pictures.place.text().endswith("picture 7")
     press(window, Qt.Key.Key_Left)
-    assert desktop.talking.picture == 6
+    assert desktop.talking.pictures.number == 6
     session.seek(0.0)
     press(window, Qt.Key.Key_Left)
-    assert desktop.talking.picture == 0
+    assert desktop.talking.pictures.number == 0
 
 
 def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):

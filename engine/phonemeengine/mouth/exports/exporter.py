@@ -7,12 +7,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from phonemeengine.errors import ExportError, MouthError, remedy
+from phonemeengine.labels.utterance import Utterance
 from phonemeengine.mouth.animation import HIGHEST_RATE, LOWEST_RATE, Animation
 from phonemeengine.mouth.cues import MINIMUM, Cue, cues_of
 from phonemeengine.mouth.exports.export import NEARLY, Export
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.expression.composer import with_stream
-from phonemeengine.mouth.expression.streams import ExpressionStream
+from phonemeengine.mouth.expression.text_feeling import text_expression, timed_feelings
 from phonemeengine.mouth.key_layer import NO_KEYS, KeyLayer
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.style import Style, neutral_style
@@ -39,6 +40,7 @@ class ExportOptions:
     attack, release : factors of the times in which the table's shapes come and go.
     random : whether shapes and times vary a little, as they do in people.
     style : in which the face speaks.
+    text_feeling : how far the face shows what the text says of feeling, 0..1; None for not at all.
     """
 
     rate: float | None = None
@@ -51,6 +53,7 @@ class ExportOptions:
     release: float = 1.0
     random: bool = True
     style: Style = field(default_factory=neutral_style)
+    text_feeling: float | None = None
 
     def mouth_table(self, usual: str) -> MouthTable:
         """Return the mouth table, the usual one unless another is asked for, with the speed that is asked for.
@@ -66,8 +69,16 @@ class ExportOptions:
         table = load_table(self.table or usual)
         return self.style.on_table(table.with_motion(self.attack, self.release, random=self.random))
 
-    def expressing(self, stream: ExpressionStream) -> "ExportOptions":
-        """Return the same of a face that shows one more expression."""
+    def felt(self, text: str, utterance: Utterance | None) -> "ExportOptions":
+        """Return the same of a face that shows what a text says of feeling while it is spoken; see `timed_feelings`.
+
+        Raises
+        ------
+        TextError : a direction cannot be followed.
+        """
+        if not self.text_feeling or utterance is None or not text:
+            return self
+        stream = text_expression(timed_feelings(text, utterance), self.text_feeling)
         expressing = replace(self.idle, expression=with_stream(self.idle.expression, stream))
         return replace(self, idle=self.style.on_idle(expressing))
 
@@ -105,9 +116,16 @@ class Exporter:
         self._check_expression()
         self.export_of(Transcript("", 0.0))
 
-    def expressing(self, stream: ExpressionStream | None) -> "Exporter":
-        """Return an exporter whose face shows one more expression; the same one for None."""
-        return self if stream is None else Exporter(self.name, self._options.expressing(stream))
+    def felt(self, text: str, utterance: Utterance | None) -> "Exporter":
+        """Return an exporter whose face shows what a text says of feeling, as far as its options ask for that.
+
+        Raises
+        ------
+        ExportError : the format holds no expressions.
+        TextError : a direction cannot be followed.
+        """
+        options = self._options.felt(text, utterance)
+        return self if options is self._options else Exporter(self.name, options)
 
     def export_of(self, speech: Transcript, movement: Animation | None = None, keys: KeyLayer = NO_KEYS) -> Export:
         """Clean the cues of speech, and put together what the format writes; see `chunks_of`."""
@@ -218,11 +236,10 @@ class Exporter:
             raise ExportError(f"{self.name} moves no mesh; leave {self._mesh.name} out, or choose gltf")
 
     def _check_expression(self) -> None:
-        if self.idle.expression is None:
-            return
-        if not self.format.moves_head:
+        if not self.format.moves_head and (self.idle.expression is not None or self._options.text_feeling):
             raise ExportError(f"{self.name} holds no expressions; leave them out, or choose livelink-csv or gltf")
-        self.idle.expression.check_fits(self._table.movestates, self._table.name)
+        if self.idle.expression is not None:
+            self.idle.expression.check_fits(self._table.movestates, self._table.name)
 
 
 def _encoded(parts: Iterable[str]) -> Iterator[bytes]:

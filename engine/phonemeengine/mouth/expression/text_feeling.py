@@ -49,15 +49,3 @@ def text_expression(timed: Sequence[TimedFeeling], amount: float = 1.0) -> Recor
         times += [begin, begin + FADE]
         frames += [frames[-1], shown]
     return RecordedExpression(np.array(times), np.array(frames))
-
-
-def spoken_feeling(text: str, utterance: Utterance | None, amount: float | None) -> RecordedExpression | None:
-    """Return the expression of what a text says of feeling while it is spoken; None where that is not known or asked.
-
-    Raises
-    ------
-    TextError : a direction cannot be followed.
-    """
-    if not amount or utterance is None or not text:
-        return None
-    return text_expression(timed_feelings(text, utterance), amount)

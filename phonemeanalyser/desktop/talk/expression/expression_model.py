@@ -129,6 +129,11 @@ class ExpressionModel(QObject):
         """
         return self._of(None if self._recorded is None else self._recorded.stream)
 
+    @property
+    def of_sound(self) -> Expression | None:
+        """The same for what is generated of the current sound, with what its text says of feeling."""
+        return self._of(*(part.stream for part in (self._recorded, self._text) if part is not None))
+
     def _of(self, *more: ExpressionStream | None) -> Expression | None:
         asked = {name: share for name, share in self.shares.items() if share}
         held = held_expression(asked) if asked else None

@@ -375,8 +375,8 @@ class SpeechTimeline(QWidget):
         seen = self.view.seen
         middle = (seen.start + seen.end) / 2
         acts: dict[Qt.Key, Callable[[], Any]] = {
-            Qt.Key.Key_Left: lambda: self._talking.step_picture(-1),
-            Qt.Key.Key_Right: lambda: self._talking.step_picture(1),
+            Qt.Key.Key_Left: lambda: self._talking.pictures.step(-1),
+            Qt.Key.Key_Right: lambda: self._talking.pictures.step(1),
             Qt.Key.Key_Up: lambda: self.view.zoom(middle, WHEEL_STEP),
             Qt.Key.Key_Down: lambda: self.view.zoom(middle, 1 / WHEEL_STEP),
             Qt.Key.Key_F2: self._texts.edits.ask_rename,
