@@ -42,7 +42,7 @@ EXAMPLES_OF = {
     ),
     "build": (
         "phonemeanalyser performance build recorded -o face.sqlite",
-        "phonemeanalyser performance build other -o other.sqlite --name Ada",
+        "phonemeanalyser performance build other -o other.sqlite --name Ada --person Ada --language en-us",
         "phonemeanalyser performance build mine -o face.sqlite --overwrite",
     ),
     "learn": (
@@ -80,6 +80,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     build.add_argument("folder", type=Path, metavar="FOLDER", help="folder of recordings")
     build.add_argument("-o", "--out", type=file_place, required=True, metavar="T.sqlite", help="the table")
     build.add_argument("--name", metavar="NAME", help="name of the table (default: the folder's)")
+    build.add_argument("--person", metavar="NAME", help="who speaks (default: as corpus.toml says)")
+    build.add_argument("--language", metavar="L", help="language of the recordings (default: as corpus.toml says)")
     add_options(build, "overwrite")
     build.set_defaults(act=_build)
     learn = kinds.add_parser(
@@ -139,7 +141,14 @@ def run(options: argparse.Namespace) -> int:
 def _build(options: argparse.Namespace) -> Iterator[str]:
     Guard(nothing_is_own, options.overwrite).check(options.out)
     with _progress(options.folder) as progress:
-        built = build_table(options.folder, options.out, name=options.name, progress=progress)
+        built = build_table(
+            options.folder,
+            options.out,
+            name=options.name,
+            person=options.person,
+            language=options.language,
+            progress=progress,
+        )
     _say_notes(options.folder, built)
     yield _summary(options.out, built.about)
 
@@ -172,6 +181,8 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
     with PerformanceTable.open(options.table) as table:
         about = table.about
         yield _summary(options.table, about)
+        if who := ", ".join(filter(None, (about.person, about.language))):
+            yield who
         yield f"{len(about.channels)} channels at {about.rate:g} frames a second"
         for kind, n in table.n_units().items():
             yield f"{kind.value:<20}  {n:8} units of {len(table.names(kind))} kinds"
@@ -206,6 +217,7 @@ def _make(options: argparse.Namespace) -> Iterator[str]:
             lambda text: speak(text, voice),
             seconds=60 * options.minutes,
             seed=options.seed,
+            language=options.language,
             progress=progress,
         )
     yield f"{options.folder}: {made.n_recordings} synthetic recordings, {made.duration / 60:.1f} minutes"

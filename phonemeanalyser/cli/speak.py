@@ -79,7 +79,7 @@ def run(options: argparse.Namespace) -> int:
     """Speak as the command line asks."""
     text = _text_of(options)
     asked = given(options, text=text)
-    with DriverChoice.of(asked).opened() as driving:
+    with DriverChoice.of(asked).opened(_language_of(options, text)) as driving:
         driving.say_notes(say_note)
         files = _files_of(options, asked, driving)
         if options.silent or options.recording is not None:

@@ -403,7 +403,7 @@ class ClipWork:
     def opened(self) -> Iterator[Act]:
         """Load the face, open what moves it, and give what makes one clip."""
         head = subdivided(face_of(self.faces))
-        with self.driver.opened() as driving:
+        with self.driver.opened(self.texts.language) as driving:
             yield partial(self._make, head, driving)
 
     def _make(self, head: MorphMesh, driving: Driving, job: Job, say: Say, progress: Progress) -> Made:

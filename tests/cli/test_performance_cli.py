@@ -35,8 +35,8 @@ def test_a_table_of_a_synthetic_performer_says_so(tmp_path: Path, capsys: pytest
     assert "ann.sqlite: 'Ann', synthetic, 2 recordings, 0.1 minutes" in capsys.readouterr().out
     assert main(["performance", "info", str(table)]) == 0
     said = capsys.readouterr().out.splitlines()
-    assert said[1] == "61 channels at 60 frames a second"
-    assert [line.split()[0] for line in said[2:4]] == ["word", "syllable"]
+    assert said[1:3] == ["en-us", "61 channels at 60 frames a second"]
+    assert [line.split()[0] for line in said[3:5]] == ["word", "syllable"]
 
 
 def test_what_is_left_out_is_said_and_the_table_is_built(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

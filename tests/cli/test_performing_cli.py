@@ -111,7 +111,8 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
     ("words", "sentence"),
     [
         ([*EXPORT, *TABLES], "one table moves a face, and there are 'Ann', 'Ann'; name one of them with --use"),
-        ([*EXPORT, "--performance", "ann.sqlite", "--use", "Bob"], "one table moves a face, and there are 'Ann'"),
+        ([*EXPORT, "--performance", "ann.sqlite", "--use", "Bob"], "there is no such table 'Bob', but 'Ann'"),
+        ([*EXPORT, *TABLES, "--person", "Bob"], "there is no table of 'Bob', as none says who speaks in it"),
         ([*EXPORT, "--performance", "mami.wav"], "mami.wav: this is no table of performances"),
         ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which are unknown"),
         ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),

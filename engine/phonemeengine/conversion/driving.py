@@ -19,6 +19,7 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
 from phonemeengine.performance.face_network import FaceNetwork, FaceNetworkTrack, Sound, load_face_network
 from phonemeengine.performance.keywords import load_keywords
+from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import PerformanceTrack, format_units, owns
 from phonemeengine.speech.pinyin.spring import Spring
@@ -48,7 +49,7 @@ class DriverChoice:
     spring : mass, stiffness and damping of a spring that moves the mouth, as ``M,K,D``; None for the table's.
     seed : of its variation; none varies where it is None.
     performance : files of tables of recorded faces.
-    use : the name of the table that is used; None where there is one.
+    use, person : the name of the table that is used, and whose it is; None for any.
     choice, without : among the examples of a unit, and what is left out; see `PerformanceOptions`.
     keywords : files of words with gestures.
     network : a network's file that moves a face by the sound alone.
@@ -75,6 +76,7 @@ class DriverChoice:
     network: Path | None = None
     overwrite: bool = field(default=False, compare=False)
     style: Style | None = None
+    person: str | None = None
 
     def __post_init__(self) -> None:
         drivers = {self.driver, self.beside}
@@ -112,11 +114,16 @@ class DriverChoice:
             options.face_network,
             options.overwrite,
             None if options.style in {None, NEUTRAL} else load_style(options.style),
+            options.person,
         )
 
     @contextmanager
-    def opened(self) -> Iterator["Driving"]:
+    def opened(self, language: str | None = None) -> Iterator["Driving"]:
         """Open what moves faces.
+
+        Parameters
+        ----------
+        language : of what is said, by which one of several tables is chosen; None or empty where it is not known.
 
         Raises
         ------
@@ -133,14 +140,9 @@ class DriverChoice:
         with ExitStack() as stack:
             tables = [stack.enter_context(PerformanceTable.open(path)) for path in self.performance]
             network = None if self.network is None else load_face_network(self.network)
-            yield Driving(self, pinyin, self._chosen(tables) if tables else None, options, network)
-
-    def _chosen(self, tables: list[PerformanceTable]) -> PerformanceTable:
-        named = [table for table in tables if self.use in {None, table.about.name}]
-        if len(named) != 1:
-            names = ", ".join(repr(table.about.name) for table in tables)
-            raise EngineError(f"one table moves a face, and there are {names}; name one of them with --use")
-        return named[0]
+            abouts = [table.about for table in tables]
+            table = tables[chosen_table(abouts, self.use, self.person, language or "")] if tables else None
+            yield Driving(self, pinyin, table, options, network)
 
 
 USUAL_DRIVER: DriverChoice = DriverChoice()

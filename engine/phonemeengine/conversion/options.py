@@ -331,10 +331,11 @@ class ConversionOptions:
     pinyin_table: Path | None = _file("your own pinyin table (.toml)", "T")
     spring: str | None = _option("spring that moves the mouth: mass, stiffness, damping", "M,K,D")
     performance: tuple[Path, ...] = _files(
-        "table of recorded faces that moves the face; --use chooses one of several", "T.sqlite"
+        "table of recorded faces that moves the face; of several, --use, --person or the language choose", "T.sqlite"
     )
     face_network: Path | None = _file("network that moves the face by the sound alone (performance learn)", "N.face")
     use: str | None = _option("name of the table to use", "NAME", needs=_TABLE, elsewhere=False)
+    person: str | None = _option("use a table of this person", "NAME", needs=_TABLE, elsewhere=False)
     choice: ExampleChoice | None = _option(
         f"how to choose among examples of a unit (default: {ExampleChoice.VITERBI})",
         "|".join(ExampleChoice),
@@ -446,7 +447,7 @@ WEIGHTED = ("detail", "attack", "release", "steady", "seed", "style")
 """Options that say how the weights of movestates move."""
 EXPRESSED = ("expression", "feeling", "text-feeling", "priority")
 """Those that say what a face expresses."""
-_OF_TABLES = ("performance", "use", "choice", "without", "keywords", "units")
+_OF_TABLES = ("performance", "use", "person", "choice", "without", "keywords", "units")
 DRIVEN = ("text-driver", "pinyin-table", "spring", *_OF_TABLES, "face-network")
 """Those that say what moves a face."""
 FACIAL = ("no-blinks", "no-head", *EXPRESSED, *DRIVEN, "keys")

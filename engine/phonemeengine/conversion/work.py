@@ -208,7 +208,7 @@ class ConversionWork:
             yield self._write_table
             return
         exporter = Exporter(self.kind, self.options)
-        with self.driver.opened() as driving:
+        with self.driver.opened(self.texts.language) as driving:
             yield partial(self._export, exporter, driving)
 
     def _write_table(self, job: Job, say: Say, progress: Progress) -> Made:

@@ -3,7 +3,8 @@
 ``NAME.wav``, ``NAME.TextGrid`` with the tiers phones, words and syllables, and ``NAME.csv`` of Live Link Face; in
 place of the latter an animated ``NAME.glb`` or ``NAME.gltf``, or messages of the VMC protocol, ``NAME.osc``. Two
 files say something of the whole folder, if they are there: ``offsets.csv`` (columns name, seconds) by how much later
-than the sound a face begins, and ``corpus.toml`` what it is called, and whether a person or a model moved.
+than the sound a face begins, and ``corpus.toml`` what it is called, who speaks in which language, and whether a
+person or a model moved.
 """
 
 import math
@@ -120,12 +121,15 @@ class Corpus:
     synthetic : whether no person, but a model of one moved.
     recordings : those that are complete, by name.
     notes : what is odd about the folder, a sentence each.
+    person, language : who speaks, and in which language; empty where that is not known.
     """
 
     name: str
     synthetic: bool
     recordings: tuple[RecordingFiles, ...]
     notes: tuple[str, ...]
+    person: str = ""
+    language: str = ""
 
 
 def find_recordings(folder: Path) -> Corpus:
@@ -135,7 +139,7 @@ def find_recordings(folder: Path) -> Corpus:
     ------
     CorpusError : the folder cannot be read, or holds none; or a file about it says something impossible.
     """
-    name, synthetic = _about(folder)
+    about = _about(folder)
     try:
         files = {path.name.lower(): path for path in sorted(folder.iterdir())}
     except OSError as error:
@@ -150,7 +154,9 @@ def find_recordings(folder: Path) -> Corpus:
             "there is none in this folder; put them side by side"
         )
     recordings, unknown = _shifted(recordings, folder / OFFSETS)
-    return Corpus(name, synthetic, recordings, (*(note for note in found if isinstance(note, str)), *unknown))
+    notes = (*(note for note in found if isinstance(note, str)), *unknown)
+    synthetic, name = about.get("synthetic", False), about.get("name", folder.resolve().name)
+    return Corpus(name, synthetic, recordings, notes, about.get("person", ""), about.get("language", ""))
 
 
 def read_performance(recording: RecordingFiles, *, synthetic: bool = False) -> tuple[Performance, tuple[str, ...]]:
@@ -191,17 +197,15 @@ def read_performance(recording: RecordingFiles, *, synthetic: bool = False) -> t
     return performance, tuple(f"{printable_name(recording.face)}: {note}" for note in face.notes)
 
 
-def _about(folder: Path) -> tuple[str, bool]:
+def _about(folder: Path) -> dict[str, Any]:
     path = folder / ABOUT
-    if not path.is_file():
-        return folder.resolve().name, False
-    entries = load_text(path, "a text", CorpusError, _entries_of_about, 1 << 16)
-    return entries.get("name", folder.resolve().name), entries.get("synthetic", False)
+    return load_text(path, "a text", CorpusError, _entries_of_about, 1 << 16) if path.is_file() else {}
 
 
 def _entries_of_about(text: str) -> dict[str, Any]:
     table = parse_toml(text, "such a file", FORMAT, CorpusError)
-    return table.read({"name": str, "synthetic": bool}, optional=("name", "synthetic"))
+    known: dict[str, type] = {"name": str, "synthetic": bool, "person": str, "language": str}
+    return table.read(known, optional=tuple(known))
 
 
 def _recording_of(sound: Path, files: dict[str, Path]) -> RecordingFiles | str:
@@ -292,6 +296,8 @@ def build_table(
     path: str | os.PathLike[str],
     *,
     name: str | None = None,
+    person: str | None = None,
+    language: str | None = None,
     progress: Progress = no_progress,
 ) -> BuiltTable:
     """Build a table of a folder of recordings; see `find_recordings` for what it holds.
@@ -302,6 +308,7 @@ def build_table(
     ----------
     path : the table; what is there stays until the new one is complete.
     name : what the table is called; as the folder, where it is None.
+    person, language : who speaks, and in which language; as the folder says, where they are None.
 
     Raises
     ------
@@ -311,7 +318,14 @@ def build_table(
     """
     corpus = find_recordings(Path(folder))
     reading = CorpusReading(corpus, progress)
-    about = write_table(path, reading.performances(), name=name or corpus.name, folder=folder)
+    about = write_table(
+        path,
+        reading.performances(),
+        name=name or corpus.name,
+        folder=folder,
+        person=person or corpus.person,
+        language=language or corpus.language,
+    )
     return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
 
 

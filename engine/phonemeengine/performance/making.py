@@ -122,6 +122,7 @@ def make_corpus(
     *,
     seconds: float,
     seed: int = 0,
+    language: str = "",
     progress: Progress = no_progress,
 ) -> MadeCorpus:
     """Have the synthetic performer read sentences, until they are so long or have come to their end.
@@ -132,6 +133,7 @@ def make_corpus(
     speak : the voice.
     seconds : of all recordings together.
     seed : another one gives other takes.
+    language : of the sentences, where it is known.
 
     Raises
     ------
@@ -145,8 +147,8 @@ def make_corpus(
         folder.mkdir(parents=True, exist_ok=True)
         if any(folder.iterdir()):
             raise PerformanceError(f"{name}: there are files in this folder already; name a new one")
-        about = tomli_w.dumps({"format": FORMAT, "name": folder.resolve().name, "synthetic": True})
-        (folder / ABOUT).write_text(about, encoding="utf-8")
+        about = {"format": FORMAT, "name": folder.resolve().name, "synthetic": True, "language": language}
+        (folder / ABOUT).write_text(tomli_w.dumps(about), encoding="utf-8")
         made = MadeCorpus(0, 0.0)
         for number, sentence in enumerate(sentences, 1):
             report_progress(progress, min(made.duration / seconds, 1.0))

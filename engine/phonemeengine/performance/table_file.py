@@ -10,7 +10,7 @@ import sqlite3
 import threading
 import weakref
 from collections import OrderedDict
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import closing, contextmanager
 from dataclasses import dataclass
 from functools import cached_property
@@ -21,11 +21,11 @@ from typing import Any
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.execution import Closing
 from phonemeengine.performance.phrases import PhraseIndex
 from phonemeengine.performance.recording import Performance, PerformedPhone
+from phonemeengine.performance.table_rows import DamageError, phone_of, real_of, text_of, weights_of, whole_of
 from phonemeengine.performance.units import STRINGS, UnitKind, duration_of, units_of
 from phonemeengine.storage.files import atomic_write, printable, printable_name, reason_of
 
@@ -82,6 +82,7 @@ class TableAbout:
     channels : the names of the columns of their weights.
     rate : frames a second of all of them.
     folder : where the recordings were found, beside the table; empty where that is not known.
+    person, language : who speaks, and in which language, such as ``en-us``; empty where that is not known.
     """
 
     name: str
@@ -91,6 +92,8 @@ class TableAbout:
     channels: tuple[str, ...]
     rate: float
     folder: str = ""
+    person: str = ""
+    language: str = ""
 
     @property
     def title(self) -> str:
@@ -173,22 +176,22 @@ class PerformanceTable(Closing):
         with self._asking():
             (words,) = self._connection.execute("PRAGMA quick_check(1)").fetchone()
             if words != "ok":
-                raise _DamageError(_text(words))
+                raise DamageError(text_of(words))
             wrong = self._connection.execute(_WRONG_SIZES, (2 * len(self.about.channels),)).fetchone()
             if wrong is not None:
-                raise _DamageError("the weights of a recording do not fit its frames")
+                raise DamageError("the weights of a recording do not fit its frames")
 
     def names(self, kind: UnitKind) -> frozenset[tuple[str, ...]]:
         """Return the phones of all units of a set."""
         with self._asking():
             rows = self._connection.execute("SELECT key FROM item WHERE kind = ?", (kind.value,))
-            return frozenset(tuple(_text(key).split(" ")) for (key,) in rows)
+            return frozenset(tuple(text_of(key).split(" ")) for (key,) in rows)
 
     def n_units(self) -> dict[UnitKind, int]:
         """Count the units of each set that has an index."""
         query = "SELECT kind, count(*) FROM unit JOIN item ON item = item.id GROUP BY kind"
         with self._asking():
-            counts = {UnitKind(kind): _whole(count) for kind, count in self._connection.execute(query)}
+            counts = {UnitKind(kind): whole_of(count) for kind, count in self._connection.execute(query)}
         return {kind: counts.get(kind, 0) for kind in UnitKind if kind not in STRINGS}
 
     def nearest(self, kind: UnitKind, names: tuple[str, ...], duration: float, limit: int) -> tuple[Example, ...]:
@@ -216,7 +219,7 @@ class PerformanceTable(Closing):
         """Return the phones of a recording from one number to another, both counted, as far as there are any."""
         with self._asking():
             rows = self._connection.execute(_PHONES + _SOME, (recording, first, last))
-            return tuple(map(_phone, rows))
+            return tuple(map(phone_of, rows))
 
     def recording(self, number: int) -> Performance:
         """Return a recording; those that were asked for last are kept in memory.
@@ -246,14 +249,14 @@ class PerformanceTable(Closing):
         if row[0] is None:
             raise PerformanceError(
                 f"{self.about.name}: there is no recording {printable(name[:40])!r} in this table; they are called "
-                f"as their files are, such as {printable(_text(some[0])[:40])!r}"
+                f"as their files are, such as {printable(text_of(some[0])[:40])!r}"
             )
-        return self.recording(_whole(row[0]))
+        return self.recording(whole_of(row[0]))
 
     def recordings(self) -> Iterator[tuple[int, Performance]]:
         """Return all recordings, each with its number; none is kept."""
         with self._asking():
-            numbers = [_whole(row[0]) for row in self._connection.execute("SELECT id FROM recording ORDER BY id")]
+            numbers = [whole_of(row[0]) for row in self._connection.execute("SELECT id FROM recording ORDER BY id")]
         return ((number, self._read(number)) for number in numbers)
 
     @cached_property
@@ -262,7 +265,7 @@ class PerformanceTable(Closing):
         with self._asking():
             rows = self._connection.execute(_PHONES + "ORDER BY recording, k")
             recordings = groupby(rows, key=itemgetter(0))
-            return PhraseIndex((_whole(number), [*map(_phone, few)]) for number, few in recordings)
+            return PhraseIndex((whole_of(number), [*map(phone_of, few)]) for number, few in recordings)
 
     @contextmanager
     def _asking(self) -> Iterator[None]:
@@ -273,27 +276,27 @@ class PerformanceTable(Closing):
     def _item(self, kind: UnitKind, names: tuple[str, ...]) -> int:
         query = "SELECT id FROM item WHERE kind = ? AND key = ?"
         row = self._connection.execute(query, (kind.value, " ".join(names))).fetchone()
-        return -1 if row is None else _whole(row[0])
+        return -1 if row is None else whole_of(row[0])
 
     def _read(self, number: int) -> Performance:
         with self._asking():
             query = "SELECT name, rate, n_frames, synthetic, words, weights FROM recording WHERE id = ?"
             row = self._connection.execute(query, (number,)).fetchone()
             if row is None:
-                raise _DamageError(f"there is no recording of the number {number}")
+                raise DamageError(f"there is no recording of the number {number}")
             name, rate, n_frames, synthetic, words, content = row
-            weights = _weights_of(content, _whole(n_frames), len(self.about.channels))
+            weights = weights_of(content, whole_of(n_frames), len(self.about.channels))
             rows = self._connection.execute(_PHONES + "WHERE recording = ? ORDER BY k", (number,))
-            phones = tuple(map(_phone, rows))
-            texts = tuple(_text(words).split("\n")) if words else ()
+            phones = tuple(map(phone_of, rows))
+            texts = tuple(text_of(words).split("\n")) if words else ()
             return Performance(
-                _text(name), _real(rate), self.about.channels, weights, phones, texts, bool(_whole(synthetic))
+                text_of(name), real_of(rate), self.about.channels, weights, phones, texts, bool(whole_of(synthetic))
             )
 
 
 def write_table(
     path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None,
-    folder: str | os.PathLike[str] | None = None,
+    folder: str | os.PathLike[str] | None = None, person: str = "", language: str = "",
 ) -> TableAbout:  # fmt: skip
     """Write a table of performances; what is at `path` stays until the table is complete and on the disk.
 
@@ -305,6 +308,7 @@ def write_table(
     performances : with the same rate and channels, at least one.
     name : what the table is called; as the file, where it is None.
     folder : where the recordings are, so that their sounds are found again.
+    person, language : who speaks, and in which language; empty where that is not known.
 
     Raises
     ------
@@ -314,7 +318,8 @@ def write_table(
     try:
         with atomic_write(path, durable=True) as file, closing(_created(file.name)) as connection:
             place = "" if folder is None else _place_beside(path, folder)
-            _Writing(connection).write(performances, path.stem if name is None else name, place)
+            meta = {"name": path.stem if name is None else name, "folder": place}
+            _Writing(connection).write(performances, meta | {"person": person, "language": language})
             return _about(connection)
     except EngineError:
         raise
@@ -346,8 +351,8 @@ class _Writing:
         self._connection = connection
         self._items: dict[tuple[UnitKind, tuple[str, ...]], int] = {}
 
-    def write(self, performances: Iterable[Performance], name: str, folder: str) -> None:
-        """Write all of them, what the table is called, and where they were found."""
+    def write(self, performances: Iterable[Performance], meta: Mapping[str, str]) -> None:
+        """Write all of them, and what is known of the table."""
         first: Performance | None = None
         for number, performance in enumerate(performances, 1):
             first = first or performance
@@ -356,7 +361,7 @@ class _Writing:
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
         self._connection.executemany("INSERT INTO channel VALUES (?, ?)", enumerate(first.channels))
-        self._connection.executemany("INSERT INTO meta VALUES (?, ?)", (("name", name), ("folder", folder)))
+        self._connection.executemany("INSERT INTO meta VALUES (?, ?)", meta.items())
         rows = ((k, kind.value, " ".join(names)) for (kind, names), k in self._items.items())
         self._connection.executemany("INSERT INTO item VALUES (?, ?, ?)", rows)
         self._connection.execute("COMMIT")
@@ -409,10 +414,6 @@ def _place_beside(path: Path, folder: str | os.PathLike[str]) -> str:
 _MOST = float(np.finfo(np.float16).max)
 
 
-class _DamageError(ValueError):
-    """A database says something impossible."""
-
-
 @contextmanager
 def _refusing(name: str) -> Iterator[None]:
     """Turn whatever a database, or a file, of a name raises into a sentence."""
@@ -441,7 +442,7 @@ def _check(connection: sqlite3.Connection) -> None:
     (application,) = connection.execute("PRAGMA application_id").fetchone()
     (version,) = connection.execute("PRAGMA user_version").fetchone()
     if application != APPLICATION:
-        raise _DamageError("another program wrote it")
+        raise DamageError("another program wrote it")
     if version > VERSION:
         raise PerformanceError(
             f"this table of performances has version {version}, and this program knows those up to {VERSION}; "
@@ -449,7 +450,7 @@ def _check(connection: sqlite3.Connection) -> None:
         )
     rows = connection.execute("SELECT sql FROM sqlite_schema WHERE sql IS NOT NULL LIMIT ?", (len(SCHEMA) + 1,))
     if {sql for (sql,) in rows} != {*SCHEMA}:
-        raise _DamageError("its tables are not those of this program")
+        raise DamageError("its tables are not those of this program")
 
 
 def _about(connection: sqlite3.Connection) -> TableAbout:
@@ -458,43 +459,12 @@ def _about(connection: sqlite3.Connection) -> TableAbout:
     n, duration, rate, synthetic = connection.execute(query).fetchone()
     channels = connection.execute("SELECT name FROM channel ORDER BY place")
     return TableAbout(
-        _text(meta["name"]), bool(_whole(synthetic)), _whole(n), _real(duration),
-        tuple(_text(row[0]) for row in channels), _real(rate), _text(meta.get("folder", "")),
-    )  # fmt: skip
-
-
-def _weights_of(content: Any, n_frames: int, n_channels: int) -> Float32Array:
-    if not isinstance(content, bytes) or len(content) != 2 * n_frames * n_channels:
-        raise _DamageError("the weights of a recording do not fit its frames")
-    return np.frombuffer(content, "<f2").reshape(n_frames, n_channels).astype(np.float32)
-
-
-def _phone(row: tuple[Any, ...]) -> PerformedPhone:
-    _recording, start, middle, end, name, word, syllable, stress, energy, pitch = row
-    return PerformedPhone(
-        _real(start), _real(middle), _real(end), _text(name), _whole(word), _whole(syllable), _whole(stress),
-        _real(energy), _real(pitch),
+        text_of(meta["name"]), bool(whole_of(synthetic)), whole_of(n), real_of(duration),
+        tuple(text_of(row[0]) for row in channels), real_of(rate),
+        *(text_of(meta.get(key, "")) for key in ("folder", "person", "language")),
     )  # fmt: skip
 
 
 def _example(row: tuple[Any, ...]) -> Example:
     recording, first, last, duration = row
-    return Example(_whole(recording), _whole(first), _whole(last), _real(duration))
-
-
-def _whole(value: Any) -> int:
-    if not isinstance(value, int):
-        raise _DamageError(f"a whole number is missing, found {value!r:.20}")
-    return value
-
-
-def _real(value: Any) -> float:
-    if not isinstance(value, float) or not np.isfinite(value):
-        raise _DamageError(f"a number is missing, found {value!r:.20}")
-    return value
-
-
-def _text(value: Any) -> str:
-    if not isinstance(value, str):
-        raise _DamageError(f"a text is missing, found {value!r:.20}")
-    return value
+    return Example(whole_of(recording), whole_of(first), whole_of(last), real_of(duration))

@@ -179,7 +179,7 @@ class SpeechWork:
     @contextmanager
     def opened(self) -> Iterator[Act]:
         """Open what moves the face, and give what writes the file."""
-        with self.order.driver.opened() as driving:
+        with self.order.driver.opened(self.speech.language) as driving:
 
             def act(job: Job, say: Say, progress: Progress) -> Made:
                 exporter = Exporter(self.order.kind, self.order.options)

@@ -286,6 +286,7 @@ class TalkDialogs(QObject):
             Kept("talk/voice_program", lambda: voice.choice.program, lambda words: voice.choose(program=words)),
             Kept("talk/voice_by_program", lambda: voice.choice.by_program, lambda on: voice.choose(by_program=on)),
             Kept("talk/text_driver", lambda: drivers.chosen, drivers.choose),
+            Kept("talk/performance_person", lambda: drivers.performance.person, drivers.performance.choose_person),
             Kept("talk/performance_choice", lambda: drivers.performance.choice, drivers.performance.set_choice),
             _kept_file("talk/expression_file", lambda: expression.path, expression.set_file),
             Kept("talk/expression_address", lambda: expression.input.address, expression.input.set_address),

@@ -604,7 +604,7 @@
             <translation>eine Zahl in {low}..{high}</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_file.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>a number is missing, found {value}</source>
             <translation>eine Zahl fehlt, gefunden {value}</translation>
         </message>
@@ -794,7 +794,7 @@
             <translation>ein Text im LIST-Block gibt mehr Byte an, als die Liste hat</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_file.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>a text is missing, found {value}</source>
             <translation>ein Text fehlt, gefunden {value}</translation>
         </message>
@@ -854,7 +854,7 @@
             <translation>eine ganze Zahl ab 0</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_file.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>a whole number is missing, found {value}</source>
             <translation>eine ganze Zahl fehlt, gefunden {value}</translation>
         </message>
@@ -6550,9 +6550,9 @@
             <translation>Ein Schritt; mit Umschalt ein Zehntel</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/conversion/driving.py" />
-            <source>one table moves a face, and there are {names}; name one of them with --use</source>
-            <translation>Nur eine Tabelle bewegt ein Gesicht, vorhanden sind {names}; eine davon angeben (--use)</translation>
+            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <source>one table moves a face, and there are {names}; name one of them with --use, or a person with --person and the language of the text with --language</source>
+            <translation>Eine Tabelle bewegt ein Gesicht, und es gibt {names}; eine davon mit --use nennen, oder eine Person mit --person und die Sprache des Textes mit --language</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/files.py" />
@@ -10455,9 +10455,24 @@
             <translation>kein Ton enthalten</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <source>there is no such table {use}, but {names}; choose another one with --use</source>
+            <translation>Es gibt keine Tabelle {use}, aber {names}; mit --use eine andere wählen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/speech/pinyin/track.py" />
             <source>there is no syllable of pinyin in what is said; choose another driver</source>
             <translation>Keine Pinyin-Silbe im Gesprochenen; andere Steuerung wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <source>there is no table of {asked}, as none says who speaks in it; leave --person out</source>
+            <translation>Es gibt keine Tabelle von {asked}, da in keiner steht, wer darin spricht; --person weglassen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/table_choice.py" />
+            <source>there is no table of {asked}, but of {persons}; choose another one with --person</source>
+            <translation>Es gibt keine Tabelle von {asked}, aber von {persons}; mit --person eine andere wählen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
@@ -13023,6 +13038,11 @@
             <location filename="../../../engine/phonemeengine/storage/files.py" />
             <source>{path}: this is no text file; choose {what}</source>
             <translation>{path}: Keine Textdatei; {what} wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>{person}, by the language of the text</source>
+            <translation>{person}, nach der Sprache des Textes</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />

@@ -4,8 +4,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QWidget
 
+from phonemeanalyser.colours import LIGHT
 from phonemeanalyser.desktop.talk.drivers.performance_model import FaceInHand
+from phonemeanalyser.desktop.talk.words.voice_panel import VoicePanel
 from phonemeengine.analyser import analyse_file
 from phonemeengine.audio.files import SoundReader
 from phonemeengine.labels.utterance_files import format_utterance
@@ -141,6 +144,28 @@ def test_a_table_that_comes_while_a_text_is_spoken_is_for_the_next_one(desk: Des
     use(desk, table)
     assert any("press Speak" in sentence for sentence in desk.told)
     assert desk.stage.talking.head.caption == FaceDriver.RULES.caption or not desk.stage.talking.head.caption
+
+
+def test_a_table_of_a_person_is_chosen_by_the_language_of_the_text(desk: Desk, tmp_path: Path) -> None:
+    performance = desk.texts.drivers.performance
+    for language in ("de", "en-us"):
+        write_table(tmp_path / f"{language}.sqlite", [recorded("so")], person="Ann", language=language)
+        use(desk, tmp_path / f"{language}.sqlite")
+    button = QWidget()
+    desk.qtbot.addWidget(button)
+    box = VoicePanel(desk.texts.voice, desk.texts.drivers, LIGHT, button).table
+    assert [box.itemText(k) for k in (1, 3)] == ["Ann, by the language of the text", "en-us, Ann, en-us"]
+    box.setCurrentIndex(1)
+    box.activated.emit(1)
+    for tag in ("de", "en-gb"):
+        desk.texts.set_language(tag)
+        settle(desk)
+        assert performance.name == {"de": "de", "en-gb": "en-us"}[tag]
+        assert desk.texts.drivers.exported.performance == (performance.chosen,)
+        assert (box.currentIndex(), desk.failed) == (1, [])
+    performance.choose(tmp_path / "de.sqlite")
+    settle(desk)
+    assert (box.currentText(), performance.person) == ("de, Ann, de", "")
 
 
 def test_what_the_table_lacks_is_said(desk: Desk, tmp_path: Path) -> None:

@@ -11,10 +11,14 @@ def test_a_table_of_a_folder_has_its_recordings(tmp_path: Path) -> None:
     for name in ("one", "two"):
         write_recording(tmp_path, name)
     told: list[float] = []
-    built = build_table(tmp_path, tmp_path / "t.sqlite", progress=lambda share: told.append(share) is None)
+    (tmp_path / "corpus.toml").write_text('format = "phonemeanalyser corpus 1"\nperson = "Ann"\nlanguage = "de"\n')
+    built = build_table(
+        tmp_path, tmp_path / "t.sqlite", language="de-at", progress=lambda share: told.append(share) is None
+    )
     assert told == [0, 0.5, 1]
     assert (built.about.n_recordings, built.about.name, built.left_out, built.notes) == (2, tmp_path.name, (), ())
     with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        assert (table.about.person, table.about.language) == ("Ann", "de-at")
         assert [p.name for _, p in table.recordings()] == ["one", "two"]
         assert len(table.nearest(UnitKind.WORD, ("m", "a", "m", "i"), 0.45, 10)) == 2
 

@@ -63,7 +63,7 @@ def movement_of(said: RecordedSpeech, options: ExportOptions, choice: DriverChoi
     EngineError : the driver cannot move a face by it.
     """
     exporter, speech = Exporter("curves-json", replace(options, mesh=None)), said.transcript()
-    with choice.opened() as driving:
+    with choice.opened(said.utterance.language if said.utterance else "") as driving:
         driver = driving.chosen(said.utterance, speech.name, exporter.takes)
         track = driving.track(driver, said.utterance, speech, say_nothing)
         movement = driving.movement(track, speech, exporter, say_nothing)

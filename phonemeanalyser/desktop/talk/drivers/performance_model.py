@@ -22,6 +22,7 @@ from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_ut
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit
 from phonemeengine.performance.spoken_face import SpokenFace
+from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout
 from phonemeengine.performance.track import PerformanceTrack, PerformedMouth
 from phonemeengine.presets.preset import Preset
@@ -102,6 +103,7 @@ class PerformanceModel(QObject):
     ----------
     tables : what was opened, by path.
     chosen : the table in use; None for none.
+    person : whose tables are used, by the language of the text; empty where a table is chosen by hand.
     choice : among the examples of a unit.
     style : in which the face speaks.
     face : what the performer shows of the current sound; None where nothing is looked up.
@@ -118,6 +120,7 @@ class PerformanceModel(QObject):
         super().__init__()
         self.tables: dict[Path, TableAbout] = {}
         self.chosen: Path | None = None
+        self.person = self._language = ""
         self.choice, self.style = ExampleChoice.VITERBI, neutral_style()
         self.face: FaceInHand | None = None
         self.units: tuple[UsedUnit, ...] = ()
@@ -167,13 +170,33 @@ class PerformanceModel(QObject):
 
     def open(self, path: Path) -> None:
         """Open a table, in the background, and use it."""
-        self._opening.replace(lambda _progress: _opened(path), self._take)
+        self.person = ""
+        self._open(path)
+
+    @property
+    def persons(self) -> tuple[str, ...]:
+        """Of whom several tables are open."""
+        names = [about.person for about in self.tables.values() if about.person]
+        return tuple(dict.fromkeys(name for name in names if names.count(name) > 1))
+
+    def choose_person(self, person: str) -> None:
+        """Use the tables of a person, each for its language; nothing to choose a table by hand."""
+        self.person = person
+        self._choose_by_language()
+        self.changed.emit()
+
+    def set_language(self, language: str) -> None:
+        """Take note of the language of what is said; it may choose another table of a person."""
+        if language != self._language:
+            self._language = language
+            self._choose_by_language()
 
     def choose(self, path: Path | None) -> None:
         """Use a table that was opened before; None for none."""
         if path is not None:
             self.open(path)
         elif self.chosen is not None:
+            self.person = ""
             self._opening.cancel()
             self.chosen = self._table = None
             self.changed.emit()
@@ -263,8 +286,25 @@ class PerformanceModel(QObject):
     def _take_found(self, tables: dict[Path, TableAbout], chosen: Path | None) -> None:
         self.tables = {**tables, **self.tables}
         if chosen in tables and self.chosen is None:
-            self.open(chosen)
+            self._open(chosen)
+        self._choose_by_language()
         self.changed.emit()
+
+    def _choose_by_language(self) -> None:
+        if self.person not in self.persons:
+            return
+        own = [path for path, about in self.tables.items() if about.person == self.person]
+        try:
+            path = own[chosen_table([self.tables[one] for one in own], None, None, self._language)]
+        except PerformanceError as error:
+            if self._language:  # several are of it
+                self.error.emit(str(error))
+            path = self.chosen if self.chosen in own else own[0]
+        if path != self.chosen:
+            self._open(path)
+
+    def _open(self, path: Path) -> None:
+        self._opening.replace(lambda _progress: _opened(path), self._take)
 
     def _take(self, table: PerformanceTable) -> None:
         self._table, self.chosen = table, table.path

@@ -462,6 +462,7 @@ class TextModel(QObject):
 
     def _take_text(self) -> None:
         self.refused = None
+        self.drivers.performance.set_language(self._language_of_text)
         self.text_changed.emit()
 
     def _take_words(self) -> None:

@@ -1,5 +1,7 @@
 """The voice that says texts, and what moves the mouth meanwhile, chosen below a button."""
 
+from pathlib import Path
+
 from PySide6.QtCore import QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QFormLayout, QFrame, QLineEdit, QToolButton, QWidget
@@ -13,6 +15,7 @@ from phonemeanalyser.desktop.widgets.builders import choice, label, named, offer
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
+from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.speech.program import OUTPUT, TEXT
 
 WIDTH = 420
@@ -170,13 +173,25 @@ class VoicePanel(QFrame):
             self.close()
             self.table_asked.emit()
         else:
-            self._drivers.performance.choose(self.table.itemData(place))
+            self._choose_faces(self.table.itemData(place))
+
+    def _choose_faces(self, chosen: Path | str | None) -> None:
+        """Use a table, or those of a person by the language of the text."""
+        performance = self._drivers.performance
+        if isinstance(chosen, str):
+            performance.choose_person(chosen)
+        else:
+            performance.choose(chosen)
 
     def _show_tables(self) -> None:
-        """List the tables that were opened; those of synthetic performers are named so."""
+        """List whose tables are open, and all of them; those of synthetic performers are named so."""
         performance = self._drivers.performance
-        tables = [(tr_engine(about.title), path) for path, about in performance.tables.items()]
-        offer(self.table, [(tr(NO_TABLE), None), *tables, (tr(OTHER_TABLE), OTHER_TABLE)], performance.chosen)
+        tables = [(_named(about), path) for path, about in performance.tables.items()]
+        by_language = tr("{person}, by the language of the text")
+        persons = [(by_language.format(person=name), name) for name in performance.persons]
+        offered = [(tr(NO_TABLE), None), *persons, *tables, (tr(OTHER_TABLE), OTHER_TABLE)]
+        known = performance.person in performance.persons
+        offer(self.table, offered, performance.person if known else performance.chosen)
         self.choice.setCurrentIndex(self.choice.findData(performance.choice))
         self._rows.setRowVisible(self.choice, performance.chosen is not None)
 
@@ -228,6 +243,11 @@ class VoiceButton(QToolButton):
                 who=who, moved=moved
             )
         )
+
+
+def _named(about: TableAbout) -> str:
+    """Return what a table is called, whose it is and in which language, as far as that is known."""
+    return ", ".join(filter(None, (tr_engine(about.title), about.person, about.language)))
 
 
 def _kind_of(name: str) -> str:
