@@ -93,6 +93,8 @@ SAME = {
     "PhonemeData",
     "Preset",
     "Presets",
+    "Encoder",
+    "Offline",
     "Rate",
     "Release",
     "Return",
@@ -107,7 +109,6 @@ SAME = {
     "max",
     "mel",
     "min",
-    "offline",
     "dBFS",
 }
 """Words that are the same in both languages."""

@@ -215,8 +215,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>&lt;p&gt;Best model that files are recognised with.&lt;/p&gt;&lt;p&gt;&lt;i&gt;real-time&lt;/i&gt;: the preset's recogniser, as for a microphone.&lt;br&gt;&lt;i&gt;encoder&lt;/i&gt;: the real-time model with the encoder.&lt;br&gt;&lt;i&gt;offline&lt;/i&gt;: a network with half a second of context on both sides.&lt;br&gt;&lt;i&gt;Whisper&lt;/i&gt;: the offline model and a speech encoder, where a whole file is recognised at once: saving, exporting, aligning with its text. Playback uses the offline model.&lt;/p&gt;&lt;p&gt;Models that are not available are grey and say why.&lt;/p&gt;</source>
-            <translation>&lt;p&gt;Bestes Modell, mit dem Dateien erkannt werden.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Echtzeit&lt;/i&gt;: der Erkenner des Presets, wie beim Mikrofon.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: das Echtzeitmodell mit dem Encoder.&lt;br&gt;&lt;i&gt;offline&lt;/i&gt;: ein Netz mit einer halben Sekunde Kontext auf beiden Seiten.&lt;br&gt;&lt;i&gt;Whisper&lt;/i&gt;: das Offline-Modell mit einem Sprach-Encoder, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, Exportieren und Ausrichten an ihrem Text. Beim Abspielen gilt das Offline-Modell.&lt;/p&gt;&lt;p&gt;Nicht verfügbare Modelle sind grau und sagen, warum.&lt;/p&gt;</translation>
+            <source>&lt;p&gt;Best model that files are recognised with.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Real-time&lt;/i&gt;: the preset's recogniser, as for a microphone.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: the real-time model with the encoder.&lt;br&gt;&lt;i&gt;Offline&lt;/i&gt;: a network with half a second of context on both sides.&lt;br&gt;&lt;i&gt;Whisper&lt;/i&gt;: the offline model and a speech encoder, where a whole file is recognised at once: saving, exporting, aligning with its text. Playback uses the offline model.&lt;/p&gt;&lt;p&gt;Models that are not available are grey and say why.&lt;/p&gt;</source>
+            <translation>&lt;p&gt;Bestes Modell, mit dem Dateien erkannt werden.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Echtzeit&lt;/i&gt;: der Erkenner des Presets, wie beim Mikrofon.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: das Echtzeitmodell mit dem Encoder.&lt;br&gt;&lt;i&gt;Offline&lt;/i&gt;: ein Netz mit einer halben Sekunde Kontext auf beiden Seiten.&lt;br&gt;&lt;i&gt;Whisper&lt;/i&gt;: das Offline-Modell mit einem Sprach-Encoder, wo eine ganze Datei auf einmal erkannt wird: beim Speichern, Exportieren und Ausrichten an ihrem Text. Beim Abspielen gilt das Offline-Modell.&lt;/p&gt;&lt;p&gt;Nicht verfügbare Modelle sind grau und sagen, warum.&lt;/p&gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
@@ -230,8 +230,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>&lt;p&gt;Model that recognises the microphone.&lt;/p&gt;&lt;p&gt;&lt;i&gt;network&lt;/i&gt;: the small network; next to no processor load, any look-ahead.&lt;br&gt;&lt;i&gt;encoder&lt;/i&gt;: the lower layers of a speech encoder, trained on very many voices, together with the network; look-ahead 20 or 40 ms, a few percent of a processor core.&lt;/p&gt;&lt;p&gt;Models that are not available are grey and say why.&lt;/p&gt;</source>
-            <translation>&lt;p&gt;Modell, mit dem das Mikrofon erkannt wird.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Netz&lt;/i&gt;: das kleine Netz; kaum Rechenlast, beliebige Vorausschau.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: die unteren Schichten eines Sprach-Encoders, der mit sehr vielen Stimmen trainiert wurde, zusammen mit dem Netz; Vorausschau 20 oder 40 ms, wenige Prozent eines Prozessorkerns.&lt;/p&gt;&lt;p&gt;Nicht verfügbare Modelle sind grau und sagen, warum.&lt;/p&gt;</translation>
+            <source>&lt;p&gt;Model that recognises the microphone.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Small network&lt;/i&gt;: next to no processor load, any look-ahead.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: the lower layers of a speech encoder, trained on very many voices, together with the small network; look-ahead 20 or 40 ms, a few percent of a processor core.&lt;/p&gt;&lt;p&gt;Models that are not available are grey and say why.&lt;/p&gt;</source>
+            <translation>&lt;p&gt;Modell, mit dem das Mikrofon erkannt wird.&lt;/p&gt;&lt;p&gt;&lt;i&gt;Kleines Netz&lt;/i&gt;: kaum Rechenlast, beliebige Vorausschau.&lt;br&gt;&lt;i&gt;Encoder&lt;/i&gt;: die unteren Schichten eines Sprach-Encoders, der mit sehr vielen Stimmen trainiert wurde, zusammen mit dem kleinen Netz; Vorausschau 20 oder 40 ms, wenige Prozent eines Prozessorkerns.&lt;/p&gt;&lt;p&gt;Nicht verfügbare Modelle sind grau und sagen, warum.&lt;/p&gt;</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />
@@ -2921,7 +2921,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>encoder</source>
+            <source>Encoder</source>
             <translation>Encoder</translation>
         </message>
         <message>
@@ -5905,11 +5905,6 @@
             <translation>Netzwerk</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>network</source>
-            <translation>Netz</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>Network is unreachable</source>
             <translation>Netzwerk nicht erreichbar</translation>
@@ -6481,8 +6476,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>offline</source>
-            <translation>offline</translation>
+            <source>Offline</source>
+            <translation>Offline</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -7406,7 +7401,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
-            <source>real-time</source>
+            <source>Real-time</source>
             <translation>Echtzeit</translation>
         </message>
         <message>
@@ -8768,6 +8763,11 @@
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Slower</source>
             <translation>Langsamer</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/analyse/recognition/recogniser_choice.py" />
+            <source>Small network</source>
+            <translation>Kleines Netz</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/distribution.py" />

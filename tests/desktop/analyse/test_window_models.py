@@ -59,7 +59,7 @@ def test_a_microphone_is_recognised_with_the_model_that_the_user_chooses(desktop
     assert not choice.model().item(1).isEnabled()  # this preset has none
     desktop.preset.edit(live, "test")
     assert choice.model().item(1).isEnabled()
-    assert choice.currentText() == "encoder"
+    assert choice.currentText() == "Encoder"
     desktop.session.set_source(SourceKind.MICROPHONE)
     window.status.refresh(frozen=False)
     assert "encoder, look-ahead 20 ms" in window.status.left.text()
@@ -73,7 +73,7 @@ def test_a_microphone_is_recognised_with_the_model_that_the_user_chooses(desktop
 def test_the_opened_file_is_heard_as_the_commands_hear_it(window, desktop, qtbot):
     found = shown_phonemes(desktop, qtbot)
     np.testing.assert_array_equal(found, in_file(PRESET, len(found)))
-    assert window.recogniser.file_models.currentText() == "offline"
+    assert window.recogniser.file_models.currentText() == "Offline"
     window.status.refresh(frozen=False)
     assert "Model: offline, ±0.51 s of context" in window.status.left.text()
 
@@ -85,7 +85,7 @@ def test_another_model_acts_at_once_and_undo_takes_it_back(window, desktop, qtbo
     window.status.refresh(frozen=False)
     assert "Model: Learned, look-ahead 50 ms" in window.status.left.text()
     desktop.preset.undo_stack.undo()
-    assert window.recogniser.file_models.currentText() == "offline"
+    assert window.recogniser.file_models.currentText() == "Offline"
     np.testing.assert_array_equal(shown_phonemes(desktop, qtbot), in_file(PRESET, len(found)))
 
 
@@ -94,7 +94,7 @@ def test_a_model_that_is_not_there_is_told_and_changes_nothing(desktop, qtbot, k
     window = shown(desktop, qtbot)
     choose(window.recogniser.file_models, kind)
     assert window.banner.label.text().startswith("the recogniser 'thesis' has no other model for files")
-    assert window.recogniser.file_models.currentText() == "real-time"
+    assert window.recogniser.file_models.currentText() == "Real-time"
     assert not window.isWindowModified()
 
 

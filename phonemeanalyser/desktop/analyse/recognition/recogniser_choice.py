@@ -23,11 +23,11 @@ from phonemeengine.encoder.model_folder import (
 from phonemeengine.presets.model_choice import has_model, offered_model, why_without
 from phonemeengine.settings import ModelKind
 
-LIVE_MODELS = {ModelKind.REAL_TIME: tr_noop("network"), ModelKind.ENCODER: tr_noop("encoder")}
+LIVE_MODELS = {ModelKind.REAL_TIME: tr_noop("Small network"), ModelKind.ENCODER: tr_noop("Encoder")}
 FILE_MODELS = {
-    ModelKind.REAL_TIME: tr_noop("real-time"),
-    ModelKind.ENCODER: tr_noop("encoder"),
-    ModelKind.OFFLINE: tr_noop("offline"),
+    ModelKind.REAL_TIME: tr_noop("Real-time"),
+    ModelKind.ENCODER: tr_noop("Encoder"),
+    ModelKind.OFFLINE: tr_noop("Offline"),
     ModelKind.WHISPER: "Whisper",
 }
 
@@ -42,9 +42,9 @@ class RecogniserChoice(QWidget):
             ((tr(words), None) for words in LIVE_MODELS.values()),
             tr("Real-time model"),
             tr(
-                "<p>Model that recognises the microphone.</p><p><i>network</i>: the small network; next to no "
-                "processor load, any look-ahead.<br><i>encoder</i>: the lower layers of a speech encoder, trained "
-                "on very many voices, together with the network; look-ahead 20 or 40 ms, a few percent of a "
+                "<p>Model that recognises the microphone.</p><p><i>Small network</i>: next to no processor "
+                "load, any look-ahead.<br><i>Encoder</i>: the lower layers of a speech encoder, trained on very "
+                "many voices, together with the small network; look-ahead 20 or 40 ms, a few percent of a "
                 "processor core.</p><p>Models that are not available are grey and say why.</p>"
             ),
         )
@@ -52,8 +52,8 @@ class RecogniserChoice(QWidget):
             ((tr(words), None) for words in FILE_MODELS.values()),
             tr("File model"),
             tr(
-                "<p>Best model that files are recognised with.</p><p><i>real-time</i>: the preset's recogniser, as "
-                "for a microphone.<br><i>encoder</i>: the real-time model with the encoder.<br><i>offline</i>: a "
+                "<p>Best model that files are recognised with.</p><p><i>Real-time</i>: the preset's recogniser, as "
+                "for a microphone.<br><i>Encoder</i>: the real-time model with the encoder.<br><i>Offline</i>: a "
                 "network with half a second of context on both sides.<br><i>Whisper</i>: the offline model and a "
                 "speech encoder, where a whole file is recognised at once: saving, exporting, aligning with its "
                 "text. Playback uses the offline model.</p><p>Models that are not available are grey and say why.</p>"
