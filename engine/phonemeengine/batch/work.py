@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Mapping
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field, fields, is_dataclass
 from enum import Enum, StrEnum
+from functools import cached_property
 from hashlib import blake2b
 from pathlib import Path
 from typing import Any, Protocol
@@ -59,6 +60,11 @@ def _parts(value: Any) -> Iterator[bytes]:
     elif isinstance(value, np.ndarray):
         yield f"{value.dtype.str}{value.shape}".encode()
         yield np.ascontiguousarray(value).tobytes()
+    elif isinstance(value, bytes):
+        yield b"bytes"
+        yield value
+    elif isinstance(getattr(type(value), "digest", None), cached_property):  # a network, which is what its arrays are
+        yield _encoded(value.digest)
     elif (listed := _listed(value)) is not None:
         yield f"{len(listed)}".encode()
         for item in listed:

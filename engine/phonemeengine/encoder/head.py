@@ -1,7 +1,7 @@
 """The head on an encoder: phonemes and visemes, every 10 ms, from its states. NumPy alone."""
 
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ from phonemeengine.errors import ModelError
 from phonemeengine.labels.visemes import Viseme
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.storage.files import atomic_write, reason_of
-from phonemeengine.storage.npz import read_npz
+from phonemeengine.storage.npz import arrays_in_npz
 
 FORMAT = 2
 LARGEST_FILE = 4 << 20
@@ -129,7 +129,7 @@ def load_head(path: Path) -> EncoderHead:
     ModelError : it cannot be read, is damaged, of a newer version, or holds what no head has.
     """
     try:
-        return _head_of(read_npz(path, LARGEST_FILE))
+        return _head_in(path.read_bytes())
     except OSError as error:
         raise ModelError(
             f"{path.name}: the head of the encoder cannot be read ({reason_of(error)}); put it beside its preset"
@@ -138,7 +138,9 @@ def load_head(path: Path) -> EncoderHead:
         raise ModelError(f"{path.name}: the head of the encoder is damaged; get it anew") from error
 
 
-def _head_of(arrays: dict[str, NDArray[Any]]) -> EncoderHead:
+@lru_cache(maxsize=2)  # as models are
+def _head_in(content: bytes) -> EncoderHead:
+    arrays = arrays_in_npz(content, LARGEST_FILE)
     if int(arrays["encoder_format"]) > FORMAT:
         raise ModelError("the head of the encoder is of a newer version; update the program")
     found = {name: arrays[name].astype(np.float32) for name in SHAPES}

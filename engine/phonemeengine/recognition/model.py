@@ -2,7 +2,7 @@
 
 import json
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -20,7 +20,7 @@ from phonemeengine.phonemes import Phoneme
 from phonemeengine.recognition.network import TAPS, Layer
 from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.storage.files import atomic_write, reason_of
-from phonemeengine.storage.npz import read_npz
+from phonemeengine.storage.npz import arrays_in_npz
 
 FORMAT = 4
 """The version of the file's layout; a newer one is refused. The first knew no visemes, the second no centred ones,
@@ -172,7 +172,7 @@ def load_model(path: Path) -> Model:
                 f"{path.name}: a model is smaller than 8 MB, this has {path.stat().st_size / 1e6:.0f} MB; "
                 "choose another"
             )
-        return model_of_arrays(read_npz(path, LARGEST_FILE))
+        return _model_in(path.read_bytes())
     except OSError as error:
         raise ModelError(
             f"{path.name}: the model cannot be read ({reason_of(error)}); put it beside its preset"
@@ -181,6 +181,11 @@ def load_model(path: Path) -> Model:
         raise ModelError(f"{path.name}: {str(error).removeprefix(path.name + ': ')}") from error
     except (ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError) as error:
         raise ModelError(f"{path.name}: the model's file is damaged; get it anew, or train it again") from error
+
+
+@lru_cache(maxsize=4)  # many presets share theirs, and the same preset is read again and again
+def _model_in(content: bytes) -> Model:
+    return model_of_arrays(arrays_in_npz(content, LARGEST_FILE))
 
 
 def arrays_of_model(model: Model) -> dict[str, NDArray[Any]]:
@@ -301,7 +306,9 @@ def _checked(array: NDArray[Any], shape: tuple[int | None, ...]) -> Float32Array
     known = array.dtype in {np.dtype(np.float16), np.dtype(np.float32)}
     if not (fits and known and array.size <= MOST_CHANNELS**2 * TAPS and np.all(np.isfinite(array))):
         raise ModelError("its arrays do not fit together; get it anew, or train it again")
-    return array.astype(np.float32)
+    checked = array.astype(np.float32)
+    checked.flags.writeable = False  # all who read the file have the same array
+    return checked
 
 
 def _about_of(array: NDArray[Any]) -> dict[str, Any]:

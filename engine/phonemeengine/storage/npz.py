@@ -17,6 +17,11 @@ _DAMAGE = (zipfile.BadZipFile, zlib.error, tokenize.TokenError, EOFError, Memory
 
 
 def read_npz(path: Path, largest: int) -> dict[str, NDArray[Any]]:
+    """Read all arrays of an archive as `arrays_in_npz` does; OSError where the file cannot be read."""
+    return arrays_in_npz(path.read_bytes(), largest)
+
+
+def arrays_in_npz(archived: bytes, largest: int) -> dict[str, NDArray[Any]]:
     """Read all arrays of an archive that `numpy.savez` wrote, never anything that is executed.
 
     Parameters
@@ -26,9 +31,8 @@ def read_npz(path: Path, largest: int) -> dict[str, NDArray[Any]]:
     Raises
     ------
     ValueError : the archive is damaged or too large, or holds what is no array.
-    OSError : the file cannot be read.
     """
-    content = io.BytesIO(path.read_bytes())
+    content = io.BytesIO(archived)
     try:
         with zipfile.ZipFile(content) as archive:
             entries = archive.infolist()

@@ -1946,7 +1946,7 @@ static void ask_templates(ear *of, const float *window, float *scores)
     soften(likenesses, known->n);
     /* powers of bands are added, not their decibels */
     for (k = 0; k < BANDS; k++)
-        total += powf(10.0f, bands[k]);
+        total += (float)exp(2.302585092994046 * bands[k]); /* 10 to that power */
     loud = 1 / (1 + expf(limited((known->silence_below - 10 * log10f(total)) / RAMP, -60, 60)));
     for (k = 0; k < EAR_PHONEMES; k++)
         scores[k] = 0;

@@ -62,7 +62,6 @@ export class EarModel {
   /** `module`: ear.wasm, compiled; `preset`: the bytes of an .ear file. */
   constructor(module, preset) {
     this.#c = new WebAssembly.Instance(module, {}).exports;
-    this.#c._initialize();
     this.module = module;
     this.preset = preset;
     const bytes = this.#allocate(preset.length);

@@ -6,6 +6,7 @@ They are TOML files that an animator edits, read strictly; ``pinyin.toml`` is th
 import os
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 from phonemeengine.arrays import Float32Array
@@ -108,6 +109,7 @@ def load_pinyin_table(path: str | os.PathLike[str] = USUAL_PINYIN_TABLE) -> Piny
     return load_text(path, "a pinyin table (.toml)", MouthError, pinyin_table_of)
 
 
+@lru_cache(maxsize=4)
 def pinyin_table_of(text: str) -> PinyinTable:
     """Read a pinyin table from the text of a TOML file.
 
