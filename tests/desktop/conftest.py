@@ -158,16 +158,24 @@ def forget_windows(app: QApplication) -> None:
     gc.collect()
 
 
+@pytest.fixture(scope="package")
+def lenders(qapp: QApplication, tmp_path_factory: pytest.TempPathFactory) -> Iterator[dict[bool, WindowLender]]:
+    """Lends one program with all its pages, and one with the page that it begins with."""
+    made = {}
+    for whole in (False, True):
+        folder = tmp_path_factory.mktemp("lent")
+        made[whole] = WindowLender(partial(begin, qapp), settings_in(folder), folder, whole=whole)
+    yield made
+    for lender in made.values():
+        lender.close()
+
+
 @pytest.fixture(scope="module")
-def lender(
-    request: pytest.FixtureRequest, qapp: QApplication, tmp_path_factory: pytest.TempPathFactory
-) -> Iterator[WindowLender]:
-    """Lends one program to all tests of a module; those that begin or end it ask for `own_desktop`."""
-    folder = tmp_path_factory.mktemp("lent")
-    settings, whole = settings_in(folder), request.path.parent.name in {"calibrate", "talk"}
-    lender = WindowLender(lambda microphone: begin(qapp, settings, microphone), settings, folder, whole=whole)
+def lender(request: pytest.FixtureRequest, lenders: dict[bool, WindowLender]) -> Iterator[WindowLender]:
+    """Lends one program to all tests; those that begin or end it ask for `own_desktop`."""
+    lender = lenders[request.path.parent.name in {"calibrate", "talk"}]
     yield lender
-    lender.close()
+    lender.rest()
 
 
 @pytest.fixture

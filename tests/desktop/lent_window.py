@@ -43,6 +43,7 @@ from phonemeanalyser.desktop.window import ANALYSE, CALIBRATE, TALK, MainWindow
 from phonemeengine.audio.tone.settings import Tone
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.head import USUAL_HEAD
+from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import THESIS_PRESET
 from phonemeengine.settings import Channel
 from tests.desktop.studio import Studio
@@ -78,7 +79,12 @@ class WindowLender:
     """
 
     def __init__(
-        self, make: Callable[[Microphone], Desktop], settings: QSettings, folder: Path, *, whole: bool = False
+        self,
+        make: Callable[[QSettings, Microphone], Desktop],
+        settings: QSettings,
+        folder: Path,
+        *,
+        whole: bool = False,
     ) -> None:
         self.settings = settings
         self._folder = folder
@@ -121,7 +127,7 @@ class WindowLender:
         """Make a window, and note what a clean one is like."""
         _choose(self.settings, self._first)
         self.studio = Studio(self._folder)
-        desktop = self._make(self.studio.model)
+        desktop = self._make(self.settings, self.studio.model)
         _show(desktop.window)
         for page in (CALIBRATE, TALK, ANALYSE) if self._whole else ():
             desktop.window.show_page(page)
@@ -148,6 +154,7 @@ class WindowLender:
 
     def _tidy(self, desktop: Desktop) -> None:
         window = desktop.window
+        window.setUpdatesEnabled(False)  # it would be painted ten times
         _show(window)
         _choose(self.settings, self._usual)
         self.studio.tidy()
@@ -172,6 +179,7 @@ class WindowLender:
         window.analysis.variable.phonemes.clear()  # it tells sooner or later that nothing is measured
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         _choose(self.settings, self._first)
+        window.setUpdatesEnabled(True)
 
     def _leave_takes(self, desktop: Desktop) -> None:
         """Have no takes and no recordings, in the folder where the program has takes unless another one is chosen."""
@@ -194,6 +202,13 @@ class WindowLender:
                 wait_for(lambda: not (QApplication.processEvents() or model.takes.busy), "the takes")
         model.takes.speaker = ""
         page.takes.speaker.clear()
+        bench = page.workbench
+        bench.tabs.setCurrentIndex(0)
+        bench.variables.one.setCurrentIndex(bench.variables.one.findData(Phoneme.SZ))
+        bench.variables.other.setCurrentIndex(bench.variables.other.findData(Phoneme.SCH))
+        bench.compare.difference.setChecked(False)
+        bench.compare.picker.list.search.clear()
+        bench.compare.picker.list.for_other = False
 
 
 def _leave_talk(desktop: Desktop) -> None:

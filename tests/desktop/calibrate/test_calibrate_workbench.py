@@ -272,6 +272,10 @@ def test_a_suggestion_says_where_the_recogniser_cannot_use_it(loaded: Calibrator
     assert variables.words.isVisible()
     recogniser = recogniser_title(loaded.booth.desktop.preset.preset.recogniser)
     assert (f"The recogniser {recogniser} cannot use custom variables" in variables.words.text()) is not can
+    loaded.model.recordings.clear()
+    loaded.settle()
+    assert loaded.model.workbench.suggestions == ()
+    assert not variables.words.isVisible()
 
 
 # -- the plots' menus ---------------------------------------------------------------------------------

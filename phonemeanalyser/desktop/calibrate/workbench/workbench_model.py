@@ -110,6 +110,10 @@ class WorkbenchModel(QObject):
     def load(self, utterances: tuple[LabelledUtterance, ...]) -> None:
         """Measure these recordings; what was measured before is not measured again."""
         self._utterances = utterances
+        if not utterances:
+            self.searching.cancel()
+            self.suggestions, self.lines.suggested, self.preview = (), (), None
+            self.suggested.emit()
         self._measure()
 
     def choose(self, variable: str) -> None:
