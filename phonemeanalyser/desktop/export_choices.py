@@ -111,9 +111,8 @@ class ExportChoices(QFormLayout):
         path = self.preset.path
         preset = self._preset if path is None else load_preset(path)
         kind, talk, timing = self.chosen, self._face, self.timing.currentData()
-        knows_words = self.is_text or timing != NO_TEXTS
         chosen = talk.driver if self.driver.currentData() == ON_TALK else DriverChoice(FaceDriver.RULES)
-        driver = chosen if knows_words else USUAL_DRIVER
+        driver = chosen if self._drives else USUAL_DRIVER
         return ExportOrder(
             kind.name,
             preset,
@@ -130,7 +129,7 @@ class ExportChoices(QFormLayout):
     def show_kind(self) -> None:
         """Show the choices that make a difference to the format, and no others."""
         kind = self.chosen
-        options, knows_words = kind.options, self.is_text or self.timing.currentData() != NO_TEXTS
+        options = kind.options
         has_mesh = self.mesh.count() > 1 and (self._face.movestates is None or kind.name not in FORMATS)
         shown: dict[QWidget, bool] = {
             self.table: "table" in options,
@@ -142,7 +141,7 @@ class ExportChoices(QFormLayout):
             self.blinks: "no-blinks" in options,
             self.head: "no-head" in options,
             self.keys: "keys" in options and not self.is_text,
-            self.driver: "text-driver" in options and knows_words,
+            self.driver: "text-driver" in options and self._drives,
             self.mesh: "mesh" in options and has_mesh,
             self.expression: "expression" in options and self._shows_expression,
             self.timing: not self.is_text and kind.has_words,
@@ -169,6 +168,11 @@ class ExportChoices(QFormLayout):
             framing=Framing(self.view.currentData()),
             transparent=ground is None,
         )
+
+    @property
+    def _drives(self) -> bool:
+        """Whether what is chosen on Talk can move the mouth: a network by any sound, all else by words."""
+        return self.is_text or self.timing.currentData() != NO_TEXTS or self._face.driver.network is not None
 
     @property
     def _shows_expression(self) -> bool:
@@ -264,7 +268,7 @@ class ExportChoices(QFormLayout):
                     "beside the audio files"
                 ),
             ),
-            (self.driver, tr("Driven by"), tr("What moves the mouth where the words are known")),
+            (self.driver, tr("Driven by"), tr("What moves the mouth")),
             (self.table, tr("Mouth table"), tr(TABLE_TIP)),
             (self.mesh, tr("Face"), tr("Face mesh of the exported files")),
             (self.expression, tr("Expression"), tr("Expression that the face shows along with the speech")),

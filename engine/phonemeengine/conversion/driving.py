@@ -173,8 +173,9 @@ class Driving:
         words = "the performer is synthetic: no person moved, but a model of one"
         if self.recorded is not None and self.recorded.about.synthetic:
             say(self.recorded.about.name, words)
-        if self.network is not None and self.network.synthetic:
-            say(self.network.name, words)
+        if self.network is not None:
+            for note in ((words,) if self.network.synthetic else ()) + self.network.notes:
+                say(self.network.name, note)
 
     def chosen(
         self, utterance: Utterance | None, name: str, takes: Takes | None = None, driver: FaceDriver | None = None
@@ -197,7 +198,7 @@ class Driving:
             letters = utterance is not None and has_pinyin(utterance)
             moves = takes is None or takes(self.pinyin.mouth.movestates)
             driver = usual_driver(
-                has_table=self.recorded is not None,
+                has_table=self.recorded is not None and (utterance is not None or self.network is None),
                 has_letters=letters and moves,
                 has_network=self.network is not None,
             )

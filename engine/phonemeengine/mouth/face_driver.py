@@ -36,7 +36,8 @@ def usual_driver(*, has_table: bool, has_letters: bool, has_network: bool = Fals
 
     Parameters
     ----------
-    has_table, has_network : whether there is a table of recorded faces, or a network that learned from some.
+    has_table : whether there is a table of recorded faces, and it is known what is said.
+    has_network : whether there is a network that learned from recorded faces.
     has_letters : whether Chinese is said, and letters can move the face.
     """
     if has_table:

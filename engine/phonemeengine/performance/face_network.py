@@ -28,10 +28,11 @@ from phonemeengine.dsp.log_mel import log_mels, silent_log_mels
 from phonemeengine.encoder.head import softmax
 from phonemeengine.errors import EngineError, ModelError
 from phonemeengine.mouth.animation import MovementTrack
+from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.idle_motion import HeadPose
 from phonemeengine.mouth.performer import CLOSE_AFTER
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.performance.driver import FACE
+from phonemeengine.performance.driver import FACE, MOUTH
 from phonemeengine.performance.track import face_table
 from phonemeengine.recognition.model import LARGEST_FILE, Model, arrays_of_model, model_of_arrays
 from phonemeengine.recognition.network import Network
@@ -53,6 +54,8 @@ FADE = 0.1
 """Seconds in which the face comes to rest where no sound follows."""
 KEPT = 200
 """Frames of live sound that are remembered."""
+NAMED = 3
+"""Blend shapes that a note names."""
 
 
 class FaceLayer(NamedTuple):
@@ -95,6 +98,17 @@ class FaceNetwork(ShortRepr):
     def title(self) -> str:
         """What it is called below a face."""
         return f"{self.name} (network, synthetic performer)" if self.synthetic else f"{self.name} (network)"
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What it lacks, a sentence each."""
+        open_lips = [name for name, pose in zip(CLOSURES.values(), self.poses, strict=True) if np.isnan(pose[0])]
+        unmoved = [name for name in ARKIT if name.startswith(MOUTH) and name not in self.channels]
+        some = ", ".join(unmoved[:NAMED]) + (f" and {len(unmoved) - NAMED} more" if len(unmoved) > NAMED else "")
+        return (
+            *(f"no recording of the network has a {name} sound, so lips may stay apart there" for name in open_lips),
+            *((f"the network does not move {some}",) if unmoved else ()),
+        )
 
     @cached_property
     def columns(self) -> list[int]:
@@ -194,6 +208,10 @@ class FaceFrames:
         """Take the next frames of live sound, of which the last one ends at a time of the performer's clock."""
         kept = np.concatenate((self._frames[1], weights))[-KEPT:]
         self._frames = end - len(kept) * FRAME_PERIOD, kept
+
+    def clear(self) -> None:
+        """Forget all frames."""
+        self._frames = 0.0, self._frames[1][:0]
 
     def weights(self, time: float) -> Float32Array:
         """Return the weights at a time, seconds, float32, shape (60,), 1 for the whole movement."""

@@ -32,6 +32,7 @@ TABLES = tr_noop("Mouth tables (*.toml)")
 SCRIPTS = tr_noop("Scripts (*.txt *.docx *.TextGrid *.json);;All files (*)")
 LEXICONS = tr_noop("Lexicons (*.toml *.csv)")
 PERFORMANCES = tr_noop("Tables of recorded faces (*.sqlite)")
+NETWORKS = tr_noop("Face networks (*.face)")
 STYLES = tr_noop("Styles of speaking (*.toml)")
 EXPRESSIONS = tr_noop("Live Link Face captures (*.csv)")
 WORDS = "Praat TextGrid (*.TextGrid)"
@@ -73,6 +74,7 @@ class TalkDialogs(QObject):
         page.style_panel.target_asked.connect(self.ask_save_style)
         page.style_panel.name_asked.connect(self.ask_style_name)
         page.text.voice.panel.table_asked.connect(self.ask_performance)
+        page.text.voice.panel.network_asked.connect(self.ask_network)
         page.words_asked.connect(self.ask_save_words)
         page.speech_asked.connect(self.ask_save_speech)
 
@@ -154,6 +156,11 @@ class TalkDialogs(QObject):
         if path := self._files.ask_file(tr("Open Table of Recorded Faces"), tr(PERFORMANCES), "performance"):
             self._talking.text.drivers.performance.open(path)
 
+    def ask_network(self) -> None:
+        """Let the user choose a network that moves the face by the sound alone."""
+        if path := self._files.ask_file(tr("Open Face Network"), tr(NETWORKS), "network"):
+            self._talking.text.drivers.network.open(path)
+
     def ask_expression(self) -> None:
         """Let the user choose a recorded face that is shown beside the speech."""
         if path := self._files.ask_file(tr("Load Face Capture"), tr(EXPRESSIONS), "expression"):
@@ -228,13 +235,14 @@ class TalkDialogs(QObject):
         self._settings.setValue("talk/texts", json.dumps(written.remembered))
         self._settings.setValue("talk/languages", json.dumps(written.recent))
         self._settings.setValue("talk/styles", json.dumps(self._talking.styles.kept))
-        files, performance = self._talking.face.files, self._talking.text.drivers.performance
+        files, drivers = self._talking.face.files, self._talking.text.drivers
         keep(self._settings, "talk/mesh", files.mesh or "")
         moved = files.movestates if isinstance(files.movestates, tuple) else (files.movestates or "",)
         self._settings.setValue("talk/movestates", list(map(str, moved)))
-        tables, chosen = performance.opened
-        self._settings.setValue("talk/performances", list(map(str, tables)))
-        keep(self._settings, "talk/performance", chosen or "")
+        for key, opened in (("talk/performance", drivers.performance), ("talk/network", drivers.network)):
+            paths, chosen = opened.opened
+            self._settings.setValue(f"{key}s", list(map(str, paths)))
+            keep(self._settings, key, chosen or "")
 
     def restore(self) -> None:
         """Take up what was chosen at the last start."""
@@ -252,9 +260,10 @@ class TalkDialogs(QObject):
             written.recent = [*map(str, json.loads(str(self._settings.value("talk/languages") or "[]")))]
             self._talking.styles.restore(json.loads(str(self._settings.value("talk/styles") or "{}")))
         written.take("", None)
-        chosen = read(self._settings, "talk/performance", "")
-        tables = read_paths(self._settings, "talk/performances")
-        self._talking.text.drivers.performance.keep(tables, Path(chosen) if chosen else None)
+        drivers = self._talking.text.drivers
+        for key, opened in (("talk/performance", drivers.performance), ("talk/network", drivers.network)):
+            chosen = read(self._settings, key, "")
+            opened.keep(read_paths(self._settings, f"{key}s"), Path(chosen) if chosen else None)
 
     def _kept(self) -> tuple[Kept[Any], ...]:
         talking, text, voice, osc = self._talking, self._talking.text, self._talking.text.voice, self._talking.osc

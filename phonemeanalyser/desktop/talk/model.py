@@ -24,7 +24,7 @@ from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import Analysis
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import ExportOptions
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.face_driver import NEEDS_FILE
 from phonemeengine.mouth.face_mapping import guess_mapping
 from phonemeengine.mouth.key_layer import NO_KEYS
 from phonemeengine.mouth.morpher import Detail
@@ -274,6 +274,7 @@ class TalkModel(QObject):
                 frames = [frame for end, block in new for frame in timed_frames(block, end, said)]
                 performer.add(frames, now, live=self.session.source.live)
             self.expression.feel(new, self._performers)
+            self.text.drivers.network.listen(new, live=self.session.source.live)
 
     def _known_to(self, performer: Performer) -> Transcript | None:
         """Return what is said, where that is known: to the second head as the other preset recognises it."""
@@ -291,8 +292,9 @@ class TalkModel(QObject):
         if self._tracks or self.expression.in_step:
             position = session.source.position
             self.expression.follow(now - position)
+            start = 0.0 if session.source.live else now - position  # what is heard is followed by the clock
             for performer, track in self._tracks.items():
-                performer.play(track if session.source.playing or position else None, now - position)
+                performer.play(track if session.source.playing or position else None, start)
         if original.face is not None:
             self.performer.play(original.face, now - original.position)
         layer = self.keys.layer if original.face is None else NO_KEYS  # another recording has keys of its own
@@ -317,15 +319,15 @@ class TalkModel(QObject):
         """Say below the heads what moves them, unless there is one head, and its mouth table does."""
         drivers, original = self.text.drivers, self.text.original
         shown, beside = map(self._track_of, (self.head, self.beside))
-        by_table = shown is not None and drivers.main is FaceDriver.TABLE
-        self.head.caption = drivers.caption_of(drivers.main, shown) if self.comparing or by_table else ""
-        self.head.notes = drivers.performance.notes if by_table else ()
+        by_file = shown is not None and drivers.main in NEEDS_FILE
+        self.head.caption = drivers.caption_of(drivers.main, shown) if self.comparing or by_file else ""
+        self.head.notes = drivers.notes_of(drivers.main) if by_file else ()
         if original.face is not None:
             self.head.caption, self.head.notes = original.caption, ()
         self.beside.caption = self.comparison.caption_of(beside)
         if self.comparison.by_preset and self.text.known is None:
             self.head.caption = self.session.preset.title
-        self.beside.notes = drivers.performance.notes if drivers.compared is FaceDriver.TABLE else ()
+        self.beside.notes = drivers.notes_of(drivers.compared)
 
     def _track_of(self, head: MovingHead) -> MouthTrack | None:
         """Return what moves a head, if it knows all movestates of the mouth table."""
@@ -386,6 +388,7 @@ class TalkModel(QObject):
         self._seek()
 
     def _close_mouth(self) -> None:
+        self.text.drivers.network.begin_again()
         self._analysed.clear()
         self._last = None
         for performer in self._performers:
@@ -403,6 +406,7 @@ class TalkModel(QObject):
     def _seek(self, _column: int = 0) -> None:
         """While nothing plays, hold the pose at the end of what comes before that place."""
         session, now = self.session, self._now()
+        self.text.drivers.network.begin_again()
         if session.source.playing:
             for performer in self._performers:
                 performer.forget_coming(now)

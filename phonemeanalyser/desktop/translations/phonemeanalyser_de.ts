@@ -3230,6 +3230,16 @@
             <translation>Gesichts-Meshes und Blendshapes ({endings})</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>Face network</source>
+            <translation>Gesichtsnetz</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Face networks (*.face)</source>
+            <translation>Gesichtsnetze (*.face)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
             <source>Factory</source>
             <translation>Mitgeliefert</translation>
@@ -3523,6 +3533,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
             <source>Follow</source>
             <translation>Folgen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <source>Following the sound: {progress:.0%}</source>
+            <translation>Gesicht aus dem Klang: {progress:.0%}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
@@ -5910,6 +5925,11 @@
             <translation>Netzwerk nicht erreichbar</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>Network that moves the face by the sound alone, also live; `phonemeanalyser performance learn` makes one of recorded faces</source>
+            <translation>Netz, das das Gesicht nach dem Klang allein bewegt, auch live; `phonemeanalyser performance learn` erstellt eines aus aufgezeichneten Gesichtern</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Networks trained on 249 speakers; adapts to a voice in a minute: mouth shapes {percent} % on left-out speakers.</source>
             <translation>Netze, mit 249 Sprechern trainiert; in einer Minute an eine Stimme angepasst: Mundformen {percent} % bei ausgelassenen Sprechern.</translation>
@@ -6100,6 +6120,11 @@
             <translation>keine f0</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>No face network is open, so phonemes move the mouth; open one here.</source>
+            <translation>Kein Gesichtsnetz ist geöffnet, daher steuern Phoneme den Mund; hier eines öffnen.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>No file</source>
             <translation>Keine Datei</translation>
@@ -6155,6 +6180,11 @@
             <translation>es ist kein Modell installiert: herunterladen oder den Ordner eines vorhandenen wählen</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>No network</source>
+            <translation>Kein Netz</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
             <source>no part of a face called {name} follows a feeling; {parts}</source>
             <translation>kein Teil eines Gesichts namens {name} folgt einem Gefühl; {parts}</translation>
@@ -6168,6 +6198,11 @@
             <location filename="../../../engine/phonemeengine/calibration/fits/templates.py" />
             <source>no phoneme has enough speech for a template; record takes of 1 s each</source>
             <translation>für kein Phonem reicht die Sprache für ein Template; Takes von je 1 s aufnehmen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>no recording of the network has a {place} sound, so lips may stay apart there</source>
+            <translation>keine Aufnahme des Netzes enthält einen Laut der Art {place}; dort bleiben die Lippen womöglich offen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/model.py" />
@@ -6208,6 +6243,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>No such file or directory</source>
             <translation>Datei oder Ordner nicht gefunden</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>No table of recorded faces is open, so phonemes move the mouth; open one here.</source>
+            <translation>Keine Tabelle aufgezeichneter Gesichter ist geöffnet, daher steuern Phoneme den Mund; hier eine öffnen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
@@ -6620,6 +6660,11 @@
             <translation>Audiodatei öffnen…</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Open Face Network</source>
+            <translation>Gesichtsnetz öffnen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/preset_picker.py" />
             <source>Open file…</source>
             <translation>Datei öffnen…</translation>
@@ -6633,6 +6678,11 @@
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
             <source>open it in an audio editor and export it again</source>
             <translation>in einem Audioeditor öffnen und neu exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>Open network…</source>
+            <translation>Netz öffnen…</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
@@ -6678,6 +6728,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/session.py" />
             <source>Opening</source>
             <translation>Öffnen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <source>Opening face network…</source>
+            <translation>Gesichtsnetz wird geöffnet …</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/performance_model.py" />
@@ -9800,6 +9855,16 @@
             <translation>Das Netz lässt sich nicht öffnen ({error})</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the network does not move {shapes}</source>
+            <translation>das Netz bewegt {shapes} nicht</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>the network does not move {shapes} and {n} more</source>
+            <translation>das Netz bewegt {shapes} und {n} weitere nicht</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/performance/face_network.py" />
             <source>the network is of version {version}, and this program reads {format}; update the program</source>
             <translation>Das Netz hat die Version {version}, dieses Programm liest {format}; das Programm aktualisieren</translation>
@@ -11311,13 +11376,13 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
-            <source>What moves the mouth where the words are known</source>
-            <translation>Was den Mund bewegt, wo die Wörter bekannt sind</translation>
+            <source>What moves the mouth</source>
+            <translation>Was den Mund steuert</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>What moves the mouth where the words are known, from a voice or a recording. Automatic: recorded faces if a table is open, pinyin letters for Chinese, else phonemes</source>
-            <translation>Was den Mund bewegt, wo die Wörter bekannt sind, ob von einer Stimme oder einer Aufnahme. Automatisch: aufgezeichnete Gesichter, wenn eine Tabelle geöffnet ist, Pinyin-Buchstaben für Chinesisch, sonst Phoneme</translation>
+            <source>What moves the mouth: recorded faces and pinyin letters where the words are known, a network by any sound. Automatic: recorded faces or a network if one is open, pinyin letters for Chinese, else phonemes</source>
+            <translation>Was den Mund steuert: aufgezeichnete Gesichter und Pinyin-Buchstaben, wo die Wörter bekannt sind, ein Netz bei jedem Klang. Automatisch: aufgezeichnete Gesichter oder ein Netz, wenn geöffnet, Pinyin-Buchstaben für Chinesisch, sonst Phoneme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
@@ -11453,6 +11518,11 @@
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Wireframe</source>
             <translation>Drahtgitter</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <source>With a Face Network</source>
+            <translation>Mit einem Gesichtsnetz</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
@@ -11993,6 +12063,16 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/averaged_view.py" />
             <source>{name} (and {n} more)</source>
             <translation>{name} (und {n} weitere)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name} (network)</source>
+            <translation>{name} (Netz)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{name} (network, synthetic performer)</source>
+            <translation>{name} (Netz, künstlicher Darsteller)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/microphone_bar.py" />
@@ -12758,6 +12838,11 @@
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{name}; its channels cancel each other out when mixed, so choose one of them</source>
             <translation>{name}; Kanäle löschen sich beim Mischen aus, einen davon wählen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
+            <source>{network}: {note}.</source>
+            <translation>{network}: {note}.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_dialogs.py" />

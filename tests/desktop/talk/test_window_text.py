@@ -479,6 +479,6 @@ def test_tables_are_there_again_at_the_next_start_unless_they_are_gone(
     assert restored.opened == ((tmp_path / "ben.sqlite", table), table)
     restored.wake()
     qtbot.waitUntil(lambda: restored.chosen == table)
-    assert list(restored.tables) == [table]
+    assert list(restored.known) == [table]
     assert restored.choice is ExampleChoice.NEAREST
     again.close()

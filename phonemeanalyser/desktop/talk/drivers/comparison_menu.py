@@ -6,20 +6,21 @@ from PySide6.QtWidgets import QMenu, QWidget
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.talk.drivers.difference_model import DifferenceModel
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET, DriverModel
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
 
 COMPARISONS = {
     None: tr_noop("No Comparison"),
     FaceDriver.RULES: tr_noop("With Phonemes (Rules)"),
     FaceDriver.PINYIN: tr_noop("With Pinyin Letters"),
     FaceDriver.TABLE: tr_noop("With Recorded Faces"),
+    FaceDriver.NETWORK: tr_noop("With a Face Network"),
     OTHER_PRESET: tr_noop("With a Second Preset (Analysis > Choose Preset B)"),
 }
 """What a second head can be moved by."""
 
 
 class ComparisonMenu(QMenu):
-    """Lists what a second head can be moved by; a table or a second preset only where one is open."""
+    """Lists what a second head can be moved by; a table, a network or a second preset only where one is open."""
 
     def __init__(self, drivers: DriverModel, comparison: DifferenceModel, parent: QWidget) -> None:
         super().__init__(tr("Compare"), parent)
@@ -32,7 +33,8 @@ class ComparisonMenu(QMenu):
             self.addAction(action)
         self._group.triggered.connect(self._choose)
         drivers.changed.connect(self._show_state)
-        drivers.performance.changed.connect(self._show_state)
+        for files in (drivers.performance, drivers.network):
+            files.changed.connect(self._show_state)
         self.aboutToShow.connect(self._show_state)
         self._show_state()
 
@@ -43,8 +45,8 @@ class ComparisonMenu(QMenu):
     def _show_state(self) -> None:
         for action in self._group.actions():
             action.setChecked(action.data() == self._drivers.compared)
-            if action.data() == FaceDriver.TABLE:
-                action.setEnabled(self._drivers.performance.table is not None)
+            if action.data() in NEEDS_FILE:
+                action.setEnabled(bool(self._drivers.name_of(action.data())))
             elif action.data() == OTHER_PRESET:
                 other = self._comparison.other_preset
                 action.setEnabled(bool(other))

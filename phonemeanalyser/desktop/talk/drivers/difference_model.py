@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.drivers.movement import RecordedSpeech, movement_of, recording_of
 from phonemeanalyser.desktop.talk.words.text_model import TextModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
+from phonemeengine.audio.source import Reader
 from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.mouth.exports.exporter import ExportOptions
 from phonemeengine.mouth.movement_difference import DifferentPlace, MovementDifference, movement_difference
@@ -157,7 +158,8 @@ class DifferenceModel(QObject):
             return
         idle = replace(in_use.options.idle, blinks=False, head=False)
         options = replace(in_use.options, rate=self._rate(), table=in_use.table, idle=idle)
-        work = partial(_compared, one, other, options, in_use.driver, self._drivers.choice_beside)
+        drivers = in_use.driver, self._drivers.choice_beside
+        work = partial(_compared, one, other, options, *drivers, session.source.reopen)
         self._work.replace(lambda _progress: work(), self._take)
 
     def _take(self, compared: tuple[MovementDifference, Transcript]) -> None:
@@ -171,8 +173,13 @@ class DifferenceModel(QObject):
 
 
 def _compared(
-    one: RecordedSpeech, other: RecordedSpeech, options: ExportOptions, main: DriverChoice, beside: DriverChoice
+    one: RecordedSpeech,
+    other: RecordedSpeech,
+    options: ExportOptions,
+    main: DriverChoice,
+    beside: DriverChoice,
+    reopen: Callable[[], Reader] | None,
 ) -> tuple[MovementDifference, Transcript]:
     """Return the difference of both movements, and what is said as the second head takes it."""
-    first, second = movement_of(one, options, main), movement_of(other, options, beside)
+    first, second = movement_of(one, options, main, reopen), movement_of(other, options, beside, reopen)
     return movement_difference(first, second), other.transcript()

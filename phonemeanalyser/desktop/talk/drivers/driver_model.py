@@ -1,15 +1,16 @@
-"""By what the mouth moves where the words are known: the rules of the mouth table, letters of pinyin, or a table."""
+"""By what the mouth moves: the rules of the mouth table, letters of pinyin, recorded faces, or the sound alone."""
 
 from dataclasses import replace
 
 from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.talk.drivers.network_model import NetworkModel
 from phonemeanalyser.desktop.talk.drivers.performance_model import MeasuredSound, PerformanceModel
 from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.errors import TextError
 from phonemeengine.labels.utterance import Utterance
-from phonemeengine.mouth.face_driver import FaceDriver, usual_driver
+from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver, usual_driver
 from phonemeengine.mouth.performer import MouthTrack
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.speech.pinyin.table import load_pinyin_table
@@ -31,6 +32,7 @@ class DriverModel(QObject):
     Attributes
     ----------
     performance : the tables of recorded faces.
+    network : the networks that follow the sound alone.
     chosen : what is to move the mouth.
     compared : what moves a second head beside the first, a driver or `OTHER_PRESET`; None for no second head.
     letters : how a mouth says Chinese, where one goes by letters; None elsewhere.
@@ -41,9 +43,9 @@ class DriverModel(QObject):
     error = Signal(str)
     info = Signal(str)
 
-    def __init__(self, performance: PerformanceModel | None = None) -> None:
+    def __init__(self) -> None:
         super().__init__()
-        self.performance = performance or PerformanceModel()
+        self.performance, self.network = PerformanceModel(), NetworkModel()
         self.chosen = FaceDriver.AUTO
         self.compared: str | None = None
         self.letters: PinyinTrack | None = None
@@ -54,20 +56,30 @@ class DriverModel(QObject):
         self._state: tuple[object, ...] = ()
         self._chosen = self._asked
         self.performance.changed.connect(self._take_choice)
-        self.performance.looked_up.connect(self.changed)
-        self.performance.error.connect(self.error)
-        self.performance.info.connect(self.info)
+        self.network.changed.connect(self._take_choice)
+        for moved in (self.performance.looked_up, self.network.followed):
+            moved.connect(self.changed)
+        for part in (self.performance, self.network):
+            part.error.connect(self.error)
+            part.info.connect(self.info)
 
     @property
     def main(self) -> FaceDriver:
-        """What moves the mouth: automatically, a table that is open, letters for Chinese, else the rules."""
+        """What moves the mouth: automatically, a table or a network, letters for Chinese, else the rules."""
         if self.chosen is not FaceDriver.AUTO:
             return self.chosen
-        return usual_driver(has_table=self.performance.table is not None, has_letters=self.letters is not None)
+        has_network = self.network.network is not None
+        has_table = self.performance.table is not None and (self._utterance is not None or not has_network)
+        return usual_driver(has_table=has_table, has_letters=self.letters is not None, has_network=has_network)
+
+    @property
+    def progress(self) -> str:
+        """What is going on, in words; nothing where that is nothing."""
+        return self.performance.progress or self.network.progress
 
     @property
     def exported(self) -> DriverChoice:
-        """The same for a file; a table that is not open moves none."""
+        """The same for a file; a table or a network that is not open moves none."""
         return self._choice_of(self.chosen)
 
     @property
@@ -116,24 +128,43 @@ class DriverModel(QObject):
         """Return what moves a mouth by a driver now; None where it follows the sound."""
         if driver is FaceDriver.PINYIN and self.letters is not None:
             return self.letters.mouth()
+        if driver is FaceDriver.NETWORK:
+            return self.network.face
         return self.performance.face if driver is FaceDriver.TABLE else None
 
     def caption_of(self, driver: str, track: MouthTrack | None) -> str:
         """Return in words what moves a mouth: by a driver that has nothing for it, its sounds do."""
         if track is None:
             return FaceDriver.RULES.caption
-        return self.performance.name if driver is FaceDriver.TABLE else FaceDriver(driver).caption
+        return self.name_of(FaceDriver(driver)) or FaceDriver(driver).caption
+
+    def name_of(self, driver: FaceDriver) -> str:
+        """Return what the file is called by which a driver moves a mouth; empty where it has none."""
+        return {FaceDriver.TABLE: self.performance.name, FaceDriver.NETWORK: self.network.name}.get(driver, "")
+
+    def notes_of(self, driver: str | None) -> tuple[str, ...]:
+        """Return what the file of a driver lacks for what is said, a sentence each."""
+        notes = {FaceDriver.TABLE: self.performance.notes, FaceDriver.NETWORK: self.network.notes}
+        return () if driver is None else notes.get(FaceDriver(driver), ()) if driver != OTHER_PRESET else ()
 
     def close(self) -> None:
         """End all work."""
         self.performance.close()
+        self.network.close()
 
     def _choice_of(self, driver: FaceDriver) -> DriverChoice:
-        table = self.performance.chosen
-        style = self.performance.style
-        if table is None or driver not in {FaceDriver.AUTO, FaceDriver.TABLE}:
-            return DriverChoice(FaceDriver.AUTO if driver is FaceDriver.TABLE else driver, style=style)
-        return DriverChoice(driver, performance=(table,), choice=self.performance.choice, style=style)
+        performance = self.performance
+        table = performance.chosen if driver in {FaceDriver.AUTO, FaceDriver.TABLE} else None
+        network = self.network.chosen if driver in {FaceDriver.AUTO, FaceDriver.NETWORK} else None
+        if driver in NEEDS_FILE and table is None and network is None:
+            driver = FaceDriver.AUTO
+        return DriverChoice(
+            driver,
+            performance=() if table is None else (table,),
+            choice=performance.choice,
+            network=network,
+            style=performance.style,
+        )
 
     # -- inside -------------------------------------------------------------------------------------------
 
@@ -154,7 +185,7 @@ class DriverModel(QObject):
 
     @property
     def _asked(self) -> tuple[object, ...]:
-        return self.performance.table, self.performance.choice, self.performance.style
+        return self.performance.table, self.performance.choice, self.performance.style, self.network.network
 
     def _follow_again(self) -> None:
         utterance = self._utterance
@@ -163,6 +194,8 @@ class DriverModel(QObject):
         if state != self._state:
             self._state = state
             self._look_up(utterance)
+        sound = None if self._sound is None else (self._sound.path, self._sound.channel)
+        self.network.follow(sound, wanted=FaceDriver.NETWORK in {self.main, self.compared})
         self.changed.emit()
 
     def _look_up(self, utterance: Utterance | None) -> None:
@@ -179,7 +212,7 @@ class DriverModel(QObject):
     def _letters_of(self, utterance: Utterance) -> PinyinTrack | None:
         """Return how the mouth says Chinese; None for other languages, and where no mouth goes by letters."""
         wanted = {self.chosen, self.compared}
-        usual = self.chosen is FaceDriver.AUTO and self.performance.table is None
+        usual = self.chosen is FaceDriver.AUTO and self.performance.table is None and self.network.network is None
         in_pinyin = any(syllable.text for word in utterance.words for syllable in word.syllables)
         if FaceDriver.PINYIN not in wanted and not (usual and in_pinyin):
             return None

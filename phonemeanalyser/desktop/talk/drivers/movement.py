@@ -1,10 +1,15 @@
 """The movement of a face through a recording or a spoken text, generated as an export of it would be."""
 
+from collections.abc import Callable, Iterator
+from contextlib import closing
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from phonemeengine.arrays import Float32Array
+from phonemeengine.audio.source import Reader
 from phonemeengine.batch.work import say_nothing
 from phonemeengine.conversion.driving import DriverChoice
 from phonemeengine.features.front_end import F0
@@ -14,6 +19,7 @@ from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.transcript import NOTHING, Transcript, transcript_of_utterance
 from phonemeengine.recognition.segments import SegmentBuilder
+from phonemeengine.settings import SAMPLE_RATE
 
 
 @dataclass(frozen=True)
@@ -55,8 +61,14 @@ def recording_of(
     return RecordedSpeech(path, duration, tracks, utterance)
 
 
-def movement_of(said: RecordedSpeech, options: ExportOptions, choice: DriverChoice) -> Animation:
+def movement_of(
+    said: RecordedSpeech, options: ExportOptions, choice: DriverChoice, reopen: Callable[[], Reader] | None = None
+) -> Animation:
     """Return how a face says a recording.
+
+    Parameters
+    ----------
+    reopen : gives the sound from its beginning, which a network follows; None where there is none.
 
     Raises
     ------
@@ -65,6 +77,13 @@ def movement_of(said: RecordedSpeech, options: ExportOptions, choice: DriverChoi
     exporter, speech = Exporter("curves-json", replace(options, mesh=None)), said.transcript()
     with choice.opened(said.utterance.language if said.utterance else "") as driving:
         driver = driving.chosen(said.utterance, speech.name, exporter.takes)
-        track = driving.track(driver, said.utterance, speech, say_nothing)
+        sound = None if reopen is None else partial(_blocks_of, reopen)
+        track = driving.track(driver, said.utterance, speech, say_nothing, sound=sound)
         movement = driving.movement(track, speech, exporter, say_nothing)
     return exporter.export_of(speech, movement).animation
+
+
+def _blocks_of(reopen: Callable[[], Reader]) -> Iterator[Float32Array]:
+    with closing(reopen()) as reader:
+        while len(block := reader.read(SAMPLE_RATE)):
+            yield reader.mono(block)

@@ -1,14 +1,14 @@
 """Recorded faces for what is said: which table is chosen, and what it shows of the current sound."""
 
-from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import Signal
 
 from phonemeanalyser.desktop.language import tr
+from phonemeanalyser.desktop.talk.drivers.opened_files import OpenedFiles
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.analyser import analyse_file
 from phonemeengine.arrays import Float32Array
@@ -90,19 +90,16 @@ class FaceInHand:
                 self.failure = str(error)
 
 
-class PerformanceModel(QObject):
+class PerformanceModel(OpenedFiles):
     """Knows the tables that are open, and looks the current sound up in the one that is chosen.
 
     Signals
     -------
-    changed : other tables or another choice.
     looked_up : another face, or more units of it.
-    error, info : a sentence for the user.
+    info : a sentence for the user.
 
     Attributes
     ----------
-    tables : what was opened, by path.
-    chosen : the table in use; None for none.
     person : whose tables are used, by the language of the text; empty where a table is chosen by hand.
     choice : among the examples of a unit.
     style : in which the face speaks.
@@ -111,33 +108,26 @@ class PerformanceModel(QObject):
     notes : what the table lacks for it, a sentence each.
     """
 
-    changed = Signal()
     looked_up = Signal()
-    error = Signal(str)
     info = Signal(str)
 
     def __init__(self) -> None:
-        super().__init__()
-        self.tables: dict[Path, TableAbout] = {}
-        self.chosen: Path | None = None
+        super().__init__(_about, _opened)
         self.person = self._language = ""
         self.choice, self.style = ExampleChoice.VITERBI, neutral_style()
         self.face: FaceInHand | None = None
         self.units: tuple[UsedUnit, ...] = ()
         self.notes: tuple[str, ...] = ()
-        self._table: PerformanceTable | None = None
         self._measured: tuple[MeasuredSound, Prosody] | None = None
-        self._kept: tuple[tuple[Path, ...], Path | None] = (), None
         self._ready = 0.0, 0.0
-        self._opening = TaskQueue(self.error.emit)
         self._work, self._preparing = TaskQueue(self._fail), TaskQueue(self.error.emit)
-        for work in (self._opening, self._work):
-            work.changed.connect(self.changed)
+        self._work.changed.connect(self.changed)
 
     @property
     def table(self) -> PerformanceTable | None:
         """The table in use, open; None for none."""
-        return self._table
+        table: PerformanceTable | None = self._value
+        return table
 
     @property
     def progress(self) -> str:
@@ -146,37 +136,22 @@ class PerformanceModel(QObject):
             return tr("Opening table…")
         return tr("Looking up faces: {progress:.0%}").format(progress=self._work.progress) if self._work.busy else ""
 
-    @property
-    def name(self) -> str:
-        """What the chosen table is called, and whether no person moved for it."""
-        return "" if self._table is None else self._table.about.title
-
     # -- what is chosen -----------------------------------------------------------------------------------
-
-    def keep(self, paths: Sequence[Path], chosen: Path | None) -> None:
-        """Take note of what was open at the last start; `wake` opens it."""
-        self._kept = tuple(paths), chosen
-
-    def wake(self) -> None:
-        """Open what was open at the last start, in the background; what is not there any more is forgotten."""
-        (paths, chosen), self._kept = self._kept, ((), None)
-        if paths:
-            self._opening.submit(lambda _progress: _found(paths), lambda tables: self._take_found(tables, chosen))
-
-    @property
-    def opened(self) -> tuple[tuple[Path, ...], Path | None]:
-        """The tables that are open, or would be after `wake`, and the one in use."""
-        return self._kept if self._kept[0] else (tuple(self.tables), self.chosen)
 
     def open(self, path: Path) -> None:
         """Open a table, in the background, and use it."""
         self.person = ""
-        self._open(path)
+        super().open(path)
+
+    def choose(self, path: Path | None) -> None:
+        """Use a table that was opened before; None for none."""
+        self.person = ""
+        super().choose(path)
 
     @property
     def persons(self) -> tuple[str, ...]:
         """Of whom several tables are open."""
-        names = [about.person for about in self.tables.values() if about.person]
+        names = [about.person for about in self.known.values() if about.person]
         return tuple(dict.fromkeys(name for name in names if names.count(name) > 1))
 
     def choose_person(self, person: str) -> None:
@@ -190,16 +165,6 @@ class PerformanceModel(QObject):
         if language != self._language:
             self._language = language
             self._choose_by_language()
-
-    def choose(self, path: Path | None) -> None:
-        """Use a table that was opened before; None for none."""
-        if path is not None:
-            self.open(path)
-        elif self.chosen is not None:
-            self.person = ""
-            self._opening.cancel()
-            self.chosen = self._table = None
-            self.changed.emit()
 
     def set_choice(self, choice: ExampleChoice) -> None:
         """Choose otherwise among the examples of a unit."""
@@ -217,7 +182,7 @@ class PerformanceModel(QObject):
 
     def look_up(self, sound: MeasuredSound, utterance: Utterance) -> None:
         """Look up what is said in a sound file, in the background."""
-        table, options, known = self._table, self._options, self._measured
+        table, options, known = self.table, self._options, self._measured
         if table is None:
             self.forget()
             return
@@ -242,7 +207,7 @@ class PerformanceModel(QObject):
 
     def spoken_face(self, language: str) -> SpokenFace | None:
         """Return what looks a text up while it is spoken; None without a table. Any thread may ask."""
-        table = self._table
+        table = self.table
         return None if table is None else SpokenFace(table, language, self._options)
 
     def show_spoken(self, face: SpokenFace) -> None:
@@ -283,19 +248,16 @@ class PerformanceModel(QObject):
 
     # -- inside -------------------------------------------------------------------------------------------
 
-    def _take_found(self, tables: dict[Path, TableAbout], chosen: Path | None) -> None:
-        self.tables = {**tables, **self.tables}
-        if chosen in tables and self.chosen is None:
-            self._open(chosen)
+    def _take_found(self, known: dict[Path, Any], chosen: Path | None) -> None:
+        super()._take_found(known, chosen)
         self._choose_by_language()
-        self.changed.emit()
 
     def _choose_by_language(self) -> None:
         if self.person not in self.persons:
             return
-        own = [path for path, about in self.tables.items() if about.person == self.person]
+        own = [path for path, about in self.known.items() if about.person == self.person]
         try:
-            path = own[chosen_table([self.tables[one] for one in own], None, None, self._language)]
+            path = own[chosen_table([self.known[one] for one in own], None, None, self._language)]
         except PerformanceError as error:
             if self._language:  # several are of it
                 self.error.emit(str(error))
@@ -303,25 +265,17 @@ class PerformanceModel(QObject):
         if path != self.chosen:
             self._open(path)
 
-    def _open(self, path: Path) -> None:
-        self._opening.replace(lambda _progress: _opened(path), self._take)
-
-    def _take(self, table: PerformanceTable) -> None:
-        self._table, self.chosen = table, table.path
-        self.tables[table.path] = table.about
-        self.changed.emit()
-
     def _show(self, face: FaceInHand | None, units: tuple[UsedUnit, ...], notes: tuple[str, ...]) -> None:
         if face is not self.face:
             self._ready = 0.0, 0.0
         self.face, self.units = face, units
-        if notes and notes != self.notes and self._table is not None:
+        if notes and notes != self.notes and self.table is not None:
             told = (
                 tr("{table}: {note}; for {n} more notes, point at the caption below the head.")
                 if len(notes) > 1
                 else tr("{table}: {note}.")
             )
-            self.info.emit(told.format(table=self._table.about.name, note=notes[0], n=len(notes) - 1))
+            self.info.emit(told.format(table=self.table.about.name, note=notes[0], n=len(notes) - 1))
         self.notes = notes
         self.looked_up.emit()
 
@@ -330,22 +284,18 @@ class PerformanceModel(QObject):
         self.error.emit(sentence)
 
 
-def _found(paths: Sequence[Path]) -> dict[Path, TableAbout]:
-    """Return those tables that can be opened."""
-    tables = {}
-    for path in paths:
-        with suppress(PerformanceError), PerformanceTable.open(path) as table:
-            tables[path] = table.about
-    return tables
+def _about(path: Path) -> TableAbout:
+    with PerformanceTable.open(path) as table:
+        return table.about
 
 
-def _opened(path: Path) -> PerformanceTable:
+def _opened(path: Path) -> tuple[TableAbout, PerformanceTable]:
     """Open a table, and read what every lookup needs of it."""
     table = PerformanceTable.open(path)
     table.check()
     PerformanceDriver(table)
     _ = table.phrases
-    return table
+    return table.about, table
 
 
 def _measured(sound: MeasuredSound, progress: Progress) -> Prosody:

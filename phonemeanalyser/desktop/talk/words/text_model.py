@@ -127,8 +127,9 @@ class TextModel(QObject):
         self._saving = TaskQueue(self.error.emit)
         for part in (self._work, self._saving):
             part.changed.connect(self.changed)
-        for changed in (part.changed for part in (self.voice, self.drivers, self.drivers.performance, self.original)):
-            changed.connect(self.changed)
+        drivers = self.drivers
+        for model in (self.voice, drivers, drivers.performance, drivers.network, self.original):
+            model.changed.connect(self.changed)
         self.drivers.error.connect(self.error)
         self.original.error.connect(self.error)
         self.drivers.info.connect(self.info)
@@ -180,7 +181,7 @@ class TextModel(QObject):
         """How far the work is, in words; nothing where there is none."""
         if self.busy:
             return f"{self._work.progress:.0%}"
-        return tr("Saving spoken text…") if self._saving.busy else self.drivers.performance.progress
+        return tr("Saving spoken text…") if self._saving.busy else self.drivers.progress
 
     @property
     def to_say(self) -> TextToSay | None:
@@ -487,9 +488,9 @@ class TextModel(QObject):
     def _known_of_file(self, utterance: Utterance | None) -> tuple[Utterance | None, str, MeasuredSound | None]:
         """Return what is said in the current sound file, how it is written, and the file."""
         session, path = self._session, self.words.sound
+        sound = None if path is None else MeasuredSound(path, session.channel, session.preset.in_force)
         if utterance is None or path is None:
-            return None, "", None
-        sound = MeasuredSound(path, session.channel, session.preset.in_force)
+            return None, "", sound
         return replace(utterance, language=self._language_of_text or utterance.language), self.text, sound
 
     def _transcript_of(self, utterance: Utterance) -> Transcript:

@@ -137,7 +137,8 @@ class TextPanel(QWidget):
         self._show_state()
         self._show_text()
         self._texts.voice.wake()
-        self._texts.drivers.performance.wake()
+        for files in (self._texts.drivers.performance, self._texts.drivers.network):
+            files.wake()
 
     def _lay_out(self) -> None:
         written = column(self.field, row(self.anyway, (self.refusal, 1), spacing=6), spacing=4)

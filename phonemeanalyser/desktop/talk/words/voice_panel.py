@@ -13,7 +13,7 @@ from phonemeanalyser.desktop.talk.words.voice_model import FASTEST, SLOWEST, Voi
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import choice, label, named, offer, silent
 from phonemeanalyser.desktop.widgets.number_field import NumberField
-from phonemeengine.mouth.face_driver import FaceDriver
+from phonemeengine.mouth.face_driver import NEEDS_FILE, FaceDriver
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.speech.program import OUTPUT, TEXT
@@ -29,6 +29,11 @@ CHOICES = {
     ExampleChoice.RANDOM: tr_noop("Random"),
 }
 NO_TABLE, OTHER_TABLE = tr_noop("None"), tr_noop("Open table…")
+NO_NETWORK, OTHER_NETWORK = tr_noop("No network"), tr_noop("Open network…")
+LACKING = {
+    FaceDriver.TABLE: tr_noop("No table of recorded faces is open, so phonemes move the mouth; open one here."),
+    FaceDriver.NETWORK: tr_noop("No face network is open, so phonemes move the mouth; open one here."),
+}
 MEANING = tr_noop(
     "{output} stands for the WAV file to write, {text} for the text; without {text}, the program reads the "
     "text from standard input. If it writes a TextGrid beside the WAV file, its times are used."
@@ -41,10 +46,11 @@ class VoicePanel(QFrame):
 
     Signals
     -------
-    table_asked : the user wants to open a table of recorded faces.
+    table_asked, network_asked : the user wants to open a table of recorded faces, or a network.
     """
 
     table_asked = Signal()
+    network_asked = Signal()
 
     def __init__(self, voice: VoiceModel, drivers: DriverModel, theme: Theme, button: QWidget) -> None:
         super().__init__(button, Qt.WindowType.Popup)
@@ -61,11 +67,12 @@ class VoicePanel(QFrame):
             tr("Speech rate of the voices of espeak-ng; people speak four to five syllables a second"),
         )
         self.driver = choice(
-            ((tr(driver.caption), driver) for driver in FaceDriver if driver is not FaceDriver.NETWORK),
+            ((tr(driver.caption), driver) for driver in FaceDriver),
             tr("Driven by"),
             tr(
-                "What moves the mouth where the words are known, from a voice or a recording. Automatic: recorded "
-                "faces if a table is open, pinyin letters for Chinese, else phonemes"
+                "What moves the mouth: recorded faces and pinyin letters where the words are known, a network by "
+                "any sound. Automatic: recorded faces or a network if one is open, pinyin letters for Chinese, else "
+                "phonemes"
             ),
         )
         self.table = choice(
@@ -74,6 +81,14 @@ class VoicePanel(QFrame):
             tr(
                 "Table of recorded faces whose motion is used for new sentences; `phonemeanalyser performance "
                 "build` makes one"
+            ),
+        )
+        self.network = choice(
+            (),
+            tr("Face network"),
+            tr(
+                "Network that moves the face by the sound alone, also live; `phonemeanalyser performance learn` "
+                "makes one of recorded faces"
             ),
         )
         self.choice = choice(
@@ -113,7 +128,7 @@ class VoicePanel(QFrame):
             own = self.name.count() - 1
             self.name.setCurrentIndex(own if choice.by_program else max(0, self.name.findData(choice.name)))
             self.driver.setCurrentIndex(self.driver.findData(self._drivers.chosen))
-            self._show_tables()
+            self._show_files()
             self.rate.setValue(choice.rate)
             self.rate.setEnabled(not choice.by_program)
             if self.program.text() != choice.program:
@@ -144,6 +159,7 @@ class VoicePanel(QFrame):
             (tr("Driven by"), self.driver),
             (tr("Recorded faces"), self.table),
             (tr("Unit selection"), self.choice),
+            (tr("Face network"), self.network),
         ):
             self._rows.addRow(words, widget)
         self.setFixedWidth(WIDTH)
@@ -154,10 +170,11 @@ class VoicePanel(QFrame):
         self.rate.valueChanged.connect(lambda rate: voice.choose(rate=rate))
         self.program.editingFinished.connect(lambda: voice.choose(program=self.program.text().strip()))
         drivers, performance = self._drivers, self._drivers.performance
-        self.driver.activated.connect(lambda k: drivers.choose(FaceDriver(self.driver.itemData(k))))
+        self.driver.activated.connect(self._choose_driver)
         self.table.activated.connect(self._choose_table)
+        self.network.activated.connect(self._choose_network)
         self.choice.activated.connect(lambda k: performance.set_choice(ExampleChoice(self.choice.itemData(k))))
-        for part in (drivers, performance):
+        for part in (drivers, performance, drivers.network):
             part.changed.connect(self.show_state)
         voice.changed.connect(self.show_state)
 
@@ -168,12 +185,25 @@ class VoicePanel(QFrame):
         else:
             self._voice.choose(name=self.name.itemData(place), by_program=False)
 
+    def _choose_driver(self, place: int) -> None:
+        driver = FaceDriver(self.driver.itemData(place))
+        self._drivers.choose(driver)
+        if driver in NEEDS_FILE and not self._drivers.name_of(driver):
+            self._drivers.info.emit(tr(LACKING[driver]))
+
     def _choose_table(self, place: int) -> None:
         if place == self.table.count() - 1:
             self.close()
             self.table_asked.emit()
         else:
             self._choose_faces(self.table.itemData(place))
+
+    def _choose_network(self, place: int) -> None:
+        if place == self.network.count() - 1:
+            self.close()
+            self.network_asked.emit()
+        else:
+            self._drivers.network.choose(self.network.itemData(place))
 
     def _choose_faces(self, chosen: Path | str | None) -> None:
         """Use a table, or those of a person by the language of the text."""
@@ -183,15 +213,18 @@ class VoicePanel(QFrame):
         else:
             performance.choose(chosen)
 
-    def _show_tables(self) -> None:
-        """List whose tables are open, and all of them; those of synthetic performers are named so."""
-        performance = self._drivers.performance
-        tables = [(_named(about), path) for path, about in performance.tables.items()]
+    def _show_files(self) -> None:
+        """List whose tables are open, and all tables and networks; those of synthetic performers are named so."""
+        performance, network = self._drivers.performance, self._drivers.network
+        tables = [(_named(about), path) for path, about in performance.known.items()]
         by_language = tr("{person}, by the language of the text")
         persons = [(by_language.format(person=name), name) for name in performance.persons]
         offered = [(tr(NO_TABLE), None), *persons, *tables, (tr(OTHER_TABLE), OTHER_TABLE)]
         known = performance.person in performance.persons
         offer(self.table, offered, performance.person if known else performance.chosen)
+        networks = [(tr_engine(known.title), path) for path, known in network.known.items()]
+        offered = [(tr(NO_NETWORK), None), *networks, (tr(OTHER_NETWORK), OTHER_NETWORK)]
+        offer(self.network, offered, network.chosen)
         self.choice.setCurrentIndex(self.choice.findData(performance.choice))
         self._rows.setRowVisible(self.choice, performance.chosen is not None)
 
@@ -233,11 +266,7 @@ class VoiceButton(QToolButton):
             if choice.by_program
             else tr("{name}, {rate:g} syllables/s").format(name=choice.name or tr(OWN_VOICE), rate=choice.rate)
         )
-        moved = (
-            self._drivers.performance.name
-            if self._drivers.main is FaceDriver.TABLE
-            else tr(self._drivers.main.caption)
-        )
+        moved = tr_engine(self._drivers.name_of(self._drivers.main)) or tr(self._drivers.main.caption)
         self.setToolTip(
             tr("Choose the voice, its speech rate, and what moves the mouth (now: {who}; {moved})").format(
                 who=who, moved=moved
