@@ -22,7 +22,7 @@ from phonemeanalyser.desktop.settings import read_paths, remember
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.tasks import tried
 from phonemeanalyser.desktop.widgets.builders import answer_of, input_dialog
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
 from phonemeanalyser.desktop.widgets.plot_menu import save_picture
 from phonemeengine import __version__
 from phonemeengine.features.variables import Variable, readable_name
@@ -144,7 +144,7 @@ class Dialogs(QObject):
 
     def ask_sound(self) -> bool:
         """Let the user choose a sound file; says whether one was opened."""
-        path = self._files.ask_file(tr("Open Audio File"), tr("All files (*)"), "sound")
+        path = self._files.ask_file(tr("Open Audio File"), audio_filters(), "sound")
         return path is not None and self.open_sound(path)
 
     def recent_sounds(self) -> list[Path]:

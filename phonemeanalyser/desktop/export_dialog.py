@@ -27,7 +27,7 @@ from phonemeanalyser.desktop.session.export_kinds import EXPORT_KINDS, ExportOrd
 from phonemeanalyser.desktop.session.export_queue import ExportJob, ExportQueue, ExportState, in_the_way, sounds_in
 from phonemeanalyser.desktop.settings import keep
 from phonemeanalyser.desktop.widgets.builders import column, label, named, row
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
 from phonemeanalyser.desktop.widgets.plot_menu import let_copy
 from phonemeanalyser.desktop.widgets.preset_picker import Sections
 from phonemeengine.conversion.work import targets_of
@@ -213,7 +213,7 @@ class ExportDialog(QDialog):
     # -- what the user asks for ---------------------------------------------------------------------------
 
     def _ask_files(self) -> None:
-        self.add(self._asker.ask_files(tr("Add Audio Files"), tr("All files (*)"), "sound"))
+        self.add(self._asker.ask_files(tr("Add Audio Files"), audio_filters(), "sound"))
 
     def _ask_folder(self) -> None:
         if folder := self._asker.ask_folder(tr("Add Folder"), self._asker.folder_of("sound")):

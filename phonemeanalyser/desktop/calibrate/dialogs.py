@@ -11,7 +11,7 @@ from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr, tr_count
 from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, column, dialog_buttons, label, leave_wheel
-from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeanalyser.desktop.widgets.file_asker import FileAsker, audio_filters
 from phonemeanalyser.desktop.widgets.preset_picker import preset_filter
 from phonemeengine.phonemes import Phoneme
 
@@ -115,7 +115,7 @@ class CalibrationDialogs(QObject):
         """Let the user choose a folder of labelled recordings, or some sounds with their labels beside them."""
         title, kind = tr("Load Labelled Recordings"), "recordings"
         if not folder:
-            paths = self._files.ask_files(title, tr("All files (*)"), kind)
+            paths = self._files.ask_files(title, audio_filters(), kind)
         elif chosen := self._files.ask_folder(title, self._files.folder_of(kind)):
             self._files.remember(kind, chosen)
             paths = [chosen]

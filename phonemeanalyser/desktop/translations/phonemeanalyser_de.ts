@@ -1134,11 +1134,6 @@
             <translation>alle</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/dialogs.py" />
-            <source>All files (*)</source>
-            <translation>Alle Dateien (*)</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>all morph targets have at most {most_offsets} vertices together; make it coarser</source>
             <translation>Alle Morph-Targets zusammen haben höchstens {most_offsets} Eckpunkte; gröber machen</translation>
@@ -1407,6 +1402,11 @@
             <location filename="../../../phonemeanalyser/desktop/dialogs.py" />
             <source>Audacity labels (*.txt)</source>
             <translation>Audacity-Textmarken (*.txt)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/widgets/file_asker.py" />
+            <source>Audio and video files ({patterns});;All files (*)</source>
+            <translation>Audio- und Videodateien ({patterns});;Alle Dateien (*)</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/audio/stream.py" />

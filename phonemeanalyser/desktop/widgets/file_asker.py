@@ -7,6 +7,8 @@ from pathlib import Path
 from PySide6.QtCore import QSettings
 from PySide6.QtWidgets import QApplication, QFileDialog, QMessageBox, QWidget
 
+from phonemeanalyser.desktop.language import tr
+from phonemeengine.audio.files import SUFFIXES
 from phonemeengine.storage.files import free_path
 
 Mode = QFileDialog.FileMode
@@ -24,6 +26,12 @@ def show_dialog(mode: Mode, title: str, place: str, filters: str) -> tuple[list[
     ask = QFileDialog.getSaveFileName if mode is Mode.AnyFile else QFileDialog.getOpenFileName
     name, chosen = ask(parent, title, place, filters)
     return [name], chosen
+
+
+def audio_filters() -> str:
+    """Return the filters of a dialog that asks for sound: audio and video files, then all."""
+    patterns = " ".join(f"*{suffix}" for suffix in sorted(SUFFIXES))
+    return tr("Audio and video files ({patterns});;All files (*)").format(patterns=patterns)
 
 
 class FileAsker:

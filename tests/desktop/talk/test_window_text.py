@@ -380,11 +380,11 @@ def test_units_tell_where_they_are_from_and_are_played_by_a_click(window, deskto
     timeline, lane = window.talk.lanes.line, lane_named(window, "Units")
     units = timeline.lanes[lane]
     assert (np.diff(units.starts) > 0).all()
-    syllable = next(k for k, tip in enumerate(units.tips) if tip.startswith("syllable"))
-    assert "[s o] from so so.so, " in units.tips[syllable]
+    words = next(k for k, tip in enumerate(units.tips) if tip.startswith("words"))
+    assert "[s o s o] from so so.so, " in units.tips[words]
     original, told = desktop.talking.text.original, list[str]()
     original.changed.connect(lambda: told.append(original.caption))  # it may be over before a slow machine looks
-    QTest.mouseClick(timeline, LEFT, Qt.KeyboardModifier.NoModifier, middle_of(window, lane, syllable))
+    QTest.mouseClick(timeline, LEFT, Qt.KeyboardModifier.NoModifier, middle_of(window, lane, words))
     qtbot.waitUntil(lambda: bool(told))
     assert told[0].startswith("so so.so, original recording")
     press(window, Qt.Key.Key_Space)
