@@ -177,6 +177,7 @@ class Stage:
     parameters : in the order in which they are shown and written.
     strength : the usual value of its parameter, where 0 does nothing.
     is_range : whether its first parameter must not exceed its second.
+    hints : what each parameter does, where `hint` does not say it.
     """
 
     name: str
@@ -185,6 +186,7 @@ class Stage:
     parameters: tuple[Parameter, ...] = ()
     strength: float = 0.0
     is_range: bool = False
+    hints: tuple[str, ...] = ()
 
 
 def _bound(name: str, label: str, part: str, decimals: int, step: float) -> Parameter:
@@ -209,8 +211,7 @@ _STAGES = (
     Stage(
         Filter.QUANTISE,
         "Quantise",
-        "Keeps every n-th sample. Plain lets high frequencies alias, as in the thesis; anti-aliased filters them "
-        "out first.",
+        "Keeps every n-th sample, which lowers the sample rate and keeps frequencies below half of that.",
         (
             Parameter("quantise", "Quantise", "Rate", choices=_RATES),
             Parameter(
@@ -219,6 +220,10 @@ _STAGES = (
                 "Method",
                 choices=tuple((kind.replace("_", "-"), kind) for kind in Decimation),
             ),
+        ),
+        hints=(
+            "Keeps every sample, every second or every fourth.",
+            "Plain lets high frequencies alias, as in the thesis; anti-aliased filters them out first.",
         ),
     ),
     Stage(
@@ -263,6 +268,7 @@ _STAGES = (
             _bound("high_pass_end", "High-pass end", "To", decimals=1, step=10.0),
         ),
         is_range=True,
+        hints=("Frequencies below are removed.", "Frequencies above pass unchanged."),
     ),
     Stage(
         Filter.LOW_PASS,
@@ -273,6 +279,7 @@ _STAGES = (
             _bound("low_pass_end", "Low-pass end", "To", decimals=0, step=100.0),
         ),
         is_range=True,
+        hints=("Frequencies below pass unchanged.", "Frequencies above are removed."),
     ),
     Stage(
         Filter.DENOISE,
@@ -295,26 +302,35 @@ _STAGES = (
     Stage(
         "statistics",
         "Smoothing",
-        "Keeps phonemes from flickering: each lasts at least the minimum duration, and an unidentified one is "
-        "replaced by the most likely successor. Another phoneme follows only if its score is higher by the "
-        "stability. A decoder takes the place of both: it finds the likeliest phonemes behind the answers of rules, "
-        "within the look-ahead.",
+        "Keeps phonemes from flickering, by a minimum duration and by stability or a decoder. An unidentified "
+        "phoneme is replaced by the most likely successor.",
         (
             Parameter("minimum_hold", "Minimum duration", "Minimum", unit="s", step=0.01, usual=0.2),
             Parameter("hysteresis", "Stability", "Stability", optional=True),
             Parameter("decoder", "Decoder", "Decoder", choices=DECODINGS, optional=True),
             Parameter("change_cost", "Cost of a change", "Change", high=10.0, step=0.25, usual=10.0, optional=True),
         ),
+        hints=(
+            "Shortest time that a recognised phoneme lasts.",
+            "By how much another phoneme must score higher to replace the current one (hysteresis).",
+            "Finds the most likely sequence of phonemes within the look-ahead, from the results of the rules and "
+            "from how phonemes follow each other in the language.",
+            "Cost of each change of phoneme in the decoder; a higher cost gives fewer changes.",
+        ),
     ),
     Stage(
         "look_ahead",
         "Look-ahead",
         "How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. "
-        "Rules need none without a decoder. The microphone has a limit of its own, since there waiting delays the "
-        "mouth.",
+        "Rules need none without a decoder.",
         (
             Parameter("look_ahead", "Look-ahead", "Files", high=0.05, unit="s", step=0.01, optional=True),
             Parameter("live_look_ahead", "Live look-ahead", "Live", high=0.05, unit="s", step=0.01, optional=True),
+        ),
+        hints=(
+            "How long the recogniser of files may wait for what follows a frame: longer is more accurate.",
+            "How long the recogniser of the microphone may wait for what follows a frame: longer is more accurate, "
+            "but delays the mouth.",
         ),
     ),
     Stage(
@@ -326,6 +342,7 @@ _STAGES = (
             _level("intensity_high", "Level of intensity 1", "1 at"),
         ),
         is_range=True,
+        hints=("Peak level up to which the intensity is 0.", "Peak level from which the intensity is 1."),
     ),
 )
 STAGES = {stage.name: stage for stage in _STAGES}
@@ -334,6 +351,8 @@ PARAMETERS = {parameter.name: parameter for stage in _STAGES for parameter in st
 """All parameters, in order, by name."""
 STRENGTHS = {stage.parameters[0].name: stage for stage in _STAGES if stage.strength}
 """The filters that do nothing at strength 0, by the field of their strength."""
+HINTS = {p.name: hint for s in _STAGES for p, hint in zip(s.parameters, s.hints or (s.hint,) * 9, strict=False)}
+"""What each parameter does, by its name."""
 RANGES = tuple(tuple(parameter.name for parameter in stage.parameters) for stage in _STAGES if stage.is_range)
 """Pairs of parameters of which the first must not exceed the second."""
 THESIS_FILTERS = frozenset({Filter.QUANTISE, Filter.HIGH_PASS, Filter.NORMALISE})

@@ -25,7 +25,7 @@ COMMANDS = {
     "performance": "Make and inspect tables of recorded faces, and make synthetic recordings.",
     "preview": "Render a video of a head that speaks an audio file.",
     "record": "Record a microphone to a file, until Ctrl-C.",
-    "rules": "Find few rules in labelled recordings, and write them as a preset.",
+    "rules": "Find a few rules in labelled recordings, and write them as a preset.",
     "score": "Measure how right one or two presets are on labelled recordings.",
     "screenshot": "Take a picture of the window, without a display.",
     "serve": "Recognise streams and audio files for other programs, over WebSocket and HTTP, until Ctrl-C.",

@@ -1,4 +1,4 @@
-"""``phonemeanalyser rules``: find few rules in labelled recordings, and write them as a preset."""
+"""``phonemeanalyser rules``: find a few rules in labelled recordings, and write them as a preset."""
 
 import argparse
 import sys

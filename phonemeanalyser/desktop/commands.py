@@ -295,7 +295,7 @@ def talk_commands(talking: TalkModel, dialogs: TalkDialogs) -> Commands:
 
 
 KEYS_OF_TALK = ("Align Text with Recording", "Speak Text")
-"""The commands whose keys count on the page Talk only."""
+"""The commands whose keys count on the Talk page only."""
 
 
 def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window: QWidget) -> None:
@@ -307,7 +307,7 @@ def add_talk_menu(menus: Menus, talking: TalkModel, dialogs: TalkDialogs, window
 def lend_keys(menus: Menus, page: str, *, is_used: bool) -> None:
     """Leave keys to what is seen; `is_used` says whether Escape ends something there.
 
-    Elsewhere than on the page Analyse, letters have other uses or none.
+    Elsewhere than on the Analyse page, letters have other uses or none.
     """
     menus.lend_key("Stop", lent=is_used)
     menus.lend_key("Select All", lent=page != "Analyse")

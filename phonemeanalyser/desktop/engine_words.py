@@ -2,9 +2,11 @@
 
 import re
 from functools import cache, lru_cache
+from pathlib import Path
 
 from phonemeanalyser.desktop.engine_errors import ERRORS, PARTS
 from phonemeanalyser.desktop.language import language_in_use, tr, tr_noop
+from phonemeengine.mouth.table import load_table, shipped_tables
 from phonemeengine.phonemes import Phoneme
 
 SOUNDS = {
@@ -55,6 +57,7 @@ WORDS = (
     tr_noop("Sound alone (network)"),
     tr_noop("Phonemes (rules)"),
     tr_noop("Rectangle"),
+    tr_noop("Annosoft phonemes"),
     tr_noop("Eleven mouth shapes"),
     tr_noop("Five mouth shapes"),
     tr_noop("anger"),
@@ -314,6 +317,11 @@ SENTENCES = (
     tr_noop("include {take}"),
     tr_noop("delete {take}"),
     tr_noop("restore {take}"),
+    tr_noop("Whisper base, multilingual, by OpenAI, MIT licence; {origin}: {path}"),
+    tr_noop("chosen"),
+    tr_noop("from two packages"),
+    tr_noop("in the data of the program"),
+    tr_noop("named by {variable}"),
     tr_noop("PhonemeData name: {name}, in bins there, in Hz here"),
     tr_noop("PhonemeData name: {name}"),
     tr_noop("Limit for {variable}; {n} conditions: {phonemes}"),
@@ -408,6 +416,11 @@ def sound_name(sound: Phoneme | str) -> str:
     """Return what the window calls a phoneme or a mouth shape, which may be given by its label in files."""
     label = sound.label if isinstance(sound, Phoneme) else sound
     return tr(SOUNDS.get(label, label))
+
+
+def table_title(table: str) -> str:
+    """Return what a mouth table is called: by the name that a shipped one has, or its file."""
+    return tr(load_table(table).name) if table in shipped_tables() else Path(table).name
 
 
 def recogniser_title(name: str) -> str:

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSettings, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QSpinBox, QWidget
 
 from phonemeanalyser.colours import DARK, LIGHT
+from phonemeanalyser.desktop.engine_words import table_title
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.export_kinds import CLIPS, EXPORT_KINDS, ExportOrder, FaceInUse
 from phonemeanalyser.desktop.settings import read
@@ -34,14 +35,14 @@ from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.face_driver import FaceDriver
 from phonemeengine.mouth.head import USUAL_HEAD, Framing
 from phonemeengine.mouth.morpher import Detail
-from phonemeengine.mouth.table import load_table, shipped_tables
+from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.presets.files import load_preset
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
 
 USUAL = tr_noop("Format default")
 ON_TALK = "Same as Talk"
-"""Chosen where it is as the page Talk has it."""
+"""Chosen where it is as the Talk page has it."""
 ON_TALK_WORDS = tr_noop("Same as Talk: {name}")
 VIEWS = {Framing.MOUTH: tr_noop("Mouth"), Framing.FACE: tr_noop("Face"), Framing.BUST: tr_noop("Bust")}
 GROUNDS = {LIGHT.name: (LIGHT, tr_noop("Light")), DARK.name: (DARK, tr_noop("Dark"))}
@@ -56,7 +57,7 @@ class ExportChoices(QFormLayout):
     preset, channel : what is recognised with, unless another preset is chosen, and of what.
     sounds : of which the window may know the words.
     presets : gives others to choose from, by heading.
-    face : what the page Talk holds; its text is exported where it is the source.
+    face : what the Talk page holds; its text is exported where it is the source.
     files : asks for any other preset.
 
     Attributes
@@ -183,8 +184,8 @@ class ExportChoices(QFormLayout):
 
     @property
     def _table_on_talk(self) -> str:
-        """What the choice of the mouth table of the page Talk is called."""
-        return tr(ON_TALK_WORDS).format(name=_name_of_table(self._face.table))
+        """What the choice of the mouth table of the Talk page is called."""
+        return tr(ON_TALK_WORDS).format(name=table_title(self._face.table))
 
     def _options(self, offered: frozenset[str]) -> ExportOptions:
         """Return how mouths move, by the choices that the format offers."""
@@ -217,7 +218,7 @@ class ExportChoices(QFormLayout):
         self.kind = choice((f"{tr(kind.words)} ({kind.name})", kind.name) for kind in kinds)
         self.kind.setCurrentIndex(max(0, self.kind.findData(read(self._settings, "export/kind", "rhubarb-json"))))
         self.timing = QComboBox()
-        tables = ((_name_of_table(table), table) for table in shipped_tables())
+        tables = ((table_title(table), table) for table in shipped_tables())
         self.table = choice([(self._table_on_talk, ON_TALK), (tr(USUAL), None), *tables])
         by_talk = tr(ON_TALK_WORDS).format(name=tr(self._face.driver.driver.caption))
         self.driver = choice([(by_talk, ON_TALK), (tr(FaceDriver.RULES.caption), None)])
@@ -264,7 +265,7 @@ class ExportChoices(QFormLayout):
                 self.timing,
                 tr("Word timing"),
                 tr(
-                    "Where words and their times come from: recognition only, the page Talk, or files "
+                    "Where words and their times come from: recognition only, the Talk page, or files "
                     "beside the audio files"
                 ),
             ),
@@ -294,7 +295,7 @@ class ExportChoices(QFormLayout):
             (self.ground, tr("Background"), tr("What is behind the head; films have no transparent background")),
             (self.blinks, "", tr(BLINKS_TIP)),
             (self.head, "", tr(MOTION_TIP)),
-            (self.keys, "", tr("Keys edited on the page Talk, or saved beside a recording as NAME.keys.toml")),
+            (self.keys, "", tr("Keys edited on the Talk page, or saved beside a recording as NAME.keys.toml")),
         )
         for widget, words, tip in rows:
             self.addRow(words, named(widget, words, tip))
@@ -310,11 +311,6 @@ class ExportChoices(QFormLayout):
             self.table.setCurrentIndex(0)
         elif not fits and place >= 0:
             self.table.removeItem(place)
-
-
-def _name_of_table(table: str) -> str:
-    """Return what a mouth table is called: by the name that a shipped one has, or its file."""
-    return tr(load_table(table).name) if table in shipped_tables() else Path(table).name
 
 
 def _edge(pixels: int) -> QSpinBox:

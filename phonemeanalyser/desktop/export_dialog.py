@@ -128,7 +128,7 @@ class ExportDialog(QDialog):
 
     def _make_buttons(self) -> None:
         self.add_files, self.add_folder, self.remove, self.folder = (
-            QPushButton(words) for words in (tr("Add files…"), tr("Add folder…"), tr("Remove"), tr(BESIDE))
+            QPushButton(words) for words in (tr("Add Files…"), tr("Add Folder…"), tr("Remove"), tr(BESIDE))
         )
         self.look, self.start, self.cancel, self.shut = (
             QPushButton(words) for words in (tr("Preview"), tr("Export"), tr("Cancel"), tr("Close"))
@@ -193,7 +193,7 @@ class ExportDialog(QDialog):
             button.setEnabled(not busy and not self.choices.is_text)
 
     def _name_of(self, sound: Path) -> str:
-        return tr("Text on the page Talk") if sound == TEXT else sound.name
+        return tr("Text on the Talk page") if sound == TEXT else sound.name
 
     def _show_row(self, place: int, cells: tuple[str, ...]) -> None:
         if self._shown.get(place) == cells:
@@ -266,7 +266,7 @@ class ExportDialog(QDialog):
         )
         roles = QMessageBox.ButtonRole
         self.replace = self.question.addButton(tr("Overwrite"), roles.DestructiveRole)
-        self.keep = self.question.addButton(tr("Export only the others"), roles.AcceptRole)
+        self.keep = self.question.addButton(tr("Export Only the Others"), roles.AcceptRole)
         self.keep.setVisible(len(there) < len(targets))
         self.question.setDefaultButton(self.question.addButton(QMessageBox.StandardButton.Cancel))
         others = {sound: target for sound, target in targets.items() if sound not in there}

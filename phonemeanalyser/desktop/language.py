@@ -49,7 +49,7 @@ def tr_count(one: str, many: str, n: int) -> str:
 def tr_amid(text: str) -> str:
     """Return a title as it stands amid a sentence: small in English, while other languages keep their capitals."""
     found = tr(text)
-    return found.lower() if found == text else found
+    return found.lower() if language_in_use() == WRITTEN_IN else found
 
 
 def language_of(choice: str, system: QLocale | None = None) -> str:

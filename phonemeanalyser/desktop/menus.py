@@ -34,7 +34,7 @@ class Command:
 
     @property
     def of_views(self) -> bool:
-        """Whether its key, a letter or one that edits, counts only while the page Analyse is seen."""
+        """Whether its key, a letter or one that edits, counts only while the Analyse page is seen."""
         edits = self.key in {"Delete", "F2", "F3", "F4", "Shift+Space"} or self.key.startswith("Alt+")
         return len(self.key.removeprefix("Shift+")) == 1 or edits
 
@@ -102,7 +102,7 @@ class Menus:
         self.actions[text].setShortcut(QKeySequence("" if lent else self._keys[text]))
 
     def lend_keys_of_views(self, *, lent: bool) -> None:
-        """Take the plain keys that belong to the page Analyse away while another one is seen, or give them back."""
+        """Take the plain keys that belong to the Analyse page away while another one is seen, or give them back."""
         for text in self._of_views:
             self.lend_key(text, lent=lent)
 

@@ -81,7 +81,7 @@ class ServeDialog(QDialog):
         self.setMinimumWidth(WIDTH)
         self.preset = PresetChoice(name, sections, files)
         self.host = choice(((tr(words), host) for host, words in HOSTS.items()), tr("Address"))
-        self.port = named(QSpinBox(), tr("Port"), tr("0 takes a free port"))
+        self.port = named(QSpinBox(), tr("Port"), tr("TCP port; 0 lets the system choose a free one"))
         self.port.setRange(0, 65_535)
         self.needs_token = QCheckBox(tr("Clients need a token"))
         self.token = named(QLineEdit(), tr("Token"), tr("16 to 256 letters, digits or . _ ~ -"))

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import table_title, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.settings import keep, read
 from phonemeanalyser.desktop.widgets.builders import CANCEL, choice, dialog_buttons, label, named, row
@@ -30,7 +30,7 @@ from phonemeengine.presets.preset import Preset
 from phonemeengine.shipping.targets import TARGETS, USUAL_TABLES, ship, without_real_time_model
 
 WIDTH = 520
-CHECKED = Qt.CheckState.Checked
+CHECKED, NAME = Qt.CheckState.Checked, Qt.ItemDataRole.UserRole
 
 
 @dataclass(frozen=True)
@@ -92,9 +92,7 @@ class ShipDialog(QDialog):
         self.setMinimumWidth(WIDTH)
         self.preset = PresetChoice(preset.name, sections, files)
         self.note = label(wraps=True)
-        self.target = choice(
-            ((f"{name}: {tr(target.words)}", name) for name, target in TARGETS.items()), tr("Target")
-        )
+        self.target = choice(((tr(target.words), name) for name, target in TARGETS.items()), tr("Target"))
         self.tables = named(QListWidget(), tr("Mouth tables"))
         self.folder, self.choose = named(QLineEdit(), tr("Folder")), QPushButton(tr("Choose…"))
         self.embed = QCheckBox(tr("Preset as a C array, too (preset.c)"))
@@ -105,7 +103,7 @@ class ShipDialog(QDialog):
     def order(self) -> ShipOrder:
         """Return what is chosen."""
         items = [self.tables.item(k) for k in range(self.tables.count())]
-        tables = tuple(item.text() for item in items if item.checkState() == CHECKED)
+        tables = tuple(item.data(NAME) for item in items if item.checkState() == CHECKED)
         chosen = self.preset.path or self._in_hand
         folder = Path(self.folder.text()).expanduser()
         target = self.target.currentData()
@@ -123,7 +121,8 @@ class ShipDialog(QDialog):
     def _fill(self) -> None:
         self.target.setCurrentIndex(max(0, self.target.findData(read(self._settings, "ship/target", "c"))))
         for name in shipped_tables():
-            item = QListWidgetItem(name, self.tables)
+            item = QListWidgetItem(table_title(name), self.tables)
+            item.setData(NAME, name)
             item.setCheckState(CHECKED if name in USUAL_TABLES else Qt.CheckState.Unchecked)
         self.folder.setText(read(self._settings, "folder/ship", ""))
         self.folder.setPlaceholderText(tr("Choose a separate folder"))

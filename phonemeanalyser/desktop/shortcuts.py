@@ -36,7 +36,7 @@ GUIDE = [
     (tr_noop("Repeat previous sound"), tr_noop("Backspace")),
     (tr_noop("Repeat this sound"), "R"),
     (tr_noop("Skip"), tr_noop("Right")),
-    (tr_noop("Use new preset"), tr_noop("Return")),
+    (tr_noop("Use New Preset"), tr_noop("Return")),
     (tr_noop("End guided calibration"), tr_noop("Esc")),
 ]
 N_COLUMNS = (3, 2)

@@ -28,6 +28,14 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         f"QCheckBox::indicator:unchecked, QGroupBox::indicator:unchecked, QAbstractItemView::indicator:unchecked"
         f" {{ border: 1px solid {theme.faint}; border-radius: 2px; background: {theme.field};"
         f" width: {BOX}px; height: {BOX}px }}"
+        "QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0 }"  # which are black, on dark buttons, too
+        f"QSlider::groove:horizontal {{ height: 4px; border-radius: 2px; background: {theme.line} }}"
+        f"QSlider::sub-page:horizontal {{ border-radius: 2px; background: {theme.accent} }}"
+        "QSlider::handle:horizontal { width: 10px; margin: -5px 0; border-radius: 5px;"
+        f" border: 1px solid {theme.base}; background: {theme.text} }}"
+        f"QSlider::handle:horizontal:focus {{ border: 2px solid {theme.accent}; background: {theme.base} }}"
+        f"QSlider::handle:horizontal:disabled {{ background: {theme.faint} }}"
+        f"QSlider::sub-page:horizontal:disabled {{ background: {theme.line} }}"
     )
     if app.styleSheet() == sheet:
         return  # Qt would polish every widget anew, which takes a second
@@ -50,6 +58,7 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         QPalette.ColorRole.HighlightedText: theme.on_colour,
         QPalette.ColorRole.Link: theme.accent,
         QPalette.ColorRole.Mid: theme.line,
+        QPalette.ColorRole.Light: theme.line,
         QPalette.ColorRole.Accent: theme.accent,
     }
     for role, colour in roles.items():

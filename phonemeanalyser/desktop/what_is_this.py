@@ -51,7 +51,7 @@ PASSAGES = {
     "TransitionTimesView": ("manual", "Mouth table"),
     "ExpressionPanel": ("manual", "Expression"),
     "OscPanel": ("manual", "Other programs"),
-    "SpeechTimeline": ("manual", "The time line"),
+    "SpeechTimeline": ("manual", "The timeline"),
     "KeyLanes": ("manual", "Keys"),
     "VoicePanel": ("manual", "Voice & Face…"),
     "VoiceButton": ("manual", "Voice & Face…"),

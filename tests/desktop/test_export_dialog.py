@@ -276,7 +276,7 @@ def test_a_text_in_hand_is_exported_as_its_voice_says_it(desktop, qtbot, tmp_pat
     text.set_text("Guten Abend.")
     text.set_language("de")
     dialog = exporting(window)
-    assert cells(dialog, 0)[0] == "Text on the page Talk"
+    assert cells(dialog, 0)[0] == "Text on the Talk page"
     assert not dialog.choices.timing.isVisible()
     assert dialog.choices.kind.findData("phonemes-csv") < 0
     dialog._folder = tmp_path

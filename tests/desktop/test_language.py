@@ -485,7 +485,7 @@ def test_all_words_of_the_engines_tables_are_translated() -> None:
         *(kind.value.replace("_", " ") for kind in ToneKind),
         *LANGUAGES,
         *expression_presets(),
-        *(words for stage in STAGES.values() for words in (stage.label, stage.hint)),
+        *(words for stage in STAGES.values() for words in (stage.label, stage.hint, *stage.hints)),
         *(words for stage in STAGES.values() for of in stage.parameters for words in (of.label, of.part) if words),
         *(re.sub(r"\d+ %", "{percent} %", entry.summary) for entry in preset_entries(FACTORY_PRESETS)),
         *(load_table(name).name for name in shipped_tables() if "mouth shapes" in load_table(name).name),

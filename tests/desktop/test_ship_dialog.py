@@ -63,7 +63,7 @@ def test_the_preset_in_hand_is_shipped_with_its_changes_and_the_chosen_tables(de
     QTest.mouseClick(dialog.choose, LEFT)
     for row in range(dialog.tables.count()):
         item = dialog.tables.item(row)
-        is_wanted = item.text() in {"five", "vrm"}
+        is_wanted = item.text() in {"Five mouth shapes", "VRM A I U E O"}
         item.setCheckState(Qt.CheckState.Checked if is_wanted else Qt.CheckState.Unchecked)
     dialog.target.setCurrentIndex(dialog.target.findData("web"))
     assert not dialog.embed.isVisible()

@@ -38,7 +38,7 @@ def main(folder: Path) -> None:
 
 
 def tune_thresholds(desktop: Desktop, folder: Path) -> None:
-    """Save an error and its decision, and the page Calibrate after the threshold was moved."""
+    """Save an error and its decision, and the Calibrate page after the threshold was moved."""
     desktop.session.open(DEMO)
     _wait_while(desktop, lambda: desktop.session.busy)
     desktop.window.show_page(ANALYSE)
@@ -73,7 +73,7 @@ def calibrate(desktop: Desktop, sound: VirtualSound, own: Path, folder: Path) ->
 
 
 def animate(desktop: Desktop, own: Path, folder: Path) -> None:
-    """Save the page Talk with the words of the demo, and the dialogs for exporting and shipping."""
+    """Save the Talk page with the words of the demo, and the dialogs for exporting and shipping."""
     desktop.session.open(Path(shutil.copy(DEMO, own / "talk.flac")))
     desktop.window.show_page(TALK)
     desktop.talking.set_blinks(False)

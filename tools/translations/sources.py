@@ -51,7 +51,8 @@ def sources_in(folder: Path = WINDOW) -> dict[tuple[str, str], Source]:
 def texts_of_parameters() -> Iterator[str]:
     """Yield the words of the engine's table of parameters."""
     for stage in STAGES.values():
-        words = (stage.label, stage.hint, *(words for of in stage.parameters for words in (of.label, of.part)))
+        of_parameters = (words for of in stage.parameters for words in (of.label, of.part))
+        words = (stage.label, stage.hint, *of_parameters, *stage.hints)
         yield from filter(None, words)
 
 

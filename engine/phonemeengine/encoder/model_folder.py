@@ -72,7 +72,7 @@ def find_whisper() -> ModelFolder:
     if _fetched().is_file():
         return ModelFolder((_fetched(),), "in the data of the program")
     if parts := _parts():
-        return ModelFolder(parts, "of two packages")
+        return ModelFolder(parts, "from two packages")
     raise ModelError(f"there is no Whisper model; {HOW_TO_GET}")
 
 

@@ -1,7 +1,7 @@
 """Utterances: what is said in a sound, as words, syllables and phones with times.
 
 A script that was aligned with its recording, a text that a voice spoke, a label file, and letters of pinyin all end
-as this type; mouths, exports and time lines begin from it.
+as this type; mouths, exports and timelines begin from it.
 """
 
 from collections.abc import Iterable, Iterator, Sequence

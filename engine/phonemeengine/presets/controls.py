@@ -17,7 +17,7 @@ from phonemeengine.recognition.phoneme_data import FILTER_FIELDS, RULE_FIELDS, P
 from phonemeengine.recognition.rules import CONDITIONS, Condition, Rule, active_rules
 from phonemeengine.recognition.scores import MOST_LOG_ODDS, deficits_of
 from phonemeengine.recognition.spec import Recogniser, Tuning, spec_of
-from phonemeengine.settings import BIN_WIDTH, PARAMETERS, Filter
+from phonemeengine.settings import BIN_WIDTH, HINTS, PARAMETERS, Filter
 
 CONDITION_OF = {c.threshold: c for c in CONDITIONS}
 """The comparison of the thesis rules in which a threshold stands."""
@@ -379,7 +379,7 @@ def _calm(preset: Preset, recogniser: Recogniser | None) -> ControlGroup:
     )
     change_cost = _setting_control(
         "change_cost",
-        "What a change of phoneme costs the decoder, against the evidence of the rules' answers.",
+        HINTS["change_cost"],
         lambda _preset, _moment: None,
     )
     if preset.decoder:

@@ -1,4 +1,4 @@
-"""Segments of equal phonemes, as time lines and mouth cues need them."""
+"""Segments of equal phonemes, as timelines and mouth cues need them."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence

@@ -49,7 +49,7 @@ class TextToSay:
 
 @dataclass(frozen=True)
 class FaceInUse:
-    """What the page Talk holds, so that files are made as the head is seen.
+    """What the Talk page holds, so that files are made as the head is seen.
 
     Attributes
     ----------

@@ -195,7 +195,7 @@ def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | Non
 
 def _beginning_of(source: Path, order: ExportOrder, progress: Progress) -> str:
     if order.kind.startswith("clip-"):
-        return tr("Clips have no preview. The page Talk shows the same head.")
+        return tr("Clips have no preview. The Talk page shows the same head.")
     with TemporaryDirectory() as folder:
         order, is_long = with_texts(order, [source]), False
         if order.speech is None:

@@ -179,7 +179,7 @@ class Session(QObject):
         self.source.close()
         self.seen.leave()
         self.source = make()
-        self.results.clear(tr_noop("Opening"), self.source.name)
+        self.results.clear(tr_noop("opening"), self.source.name)
         self.opened.emit()
         self.transport_changed.emit()
 

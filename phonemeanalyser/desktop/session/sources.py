@@ -195,7 +195,7 @@ class UnspokenText(Source):
 
     kind = title = SourceKind.TEXT
     words = tr_noop("synthetic voice")
-    hint = tr_noop("Enter a text on the page Talk and press Ctrl+Return")
+    hint = tr_noop("Enter a text on the Talk page and press Ctrl+Return")
 
     def __init__(self, preset: Preset, say: Callable[[], None]) -> None:
         super().__init__(preset)

@@ -1,4 +1,4 @@
-"""The page of the head: head, script and time line at the left, tabs at the right; and the heads of a window."""
+"""The page of the head: head, script and timeline at the left, tabs at the right; and the heads of a window."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
@@ -87,7 +87,7 @@ class PhonemeChip(QWidget):
 PANEL_WIDTH = 400
 """Of the tabs at first, pixels."""
 HEIGHTS = (10_000, 130, 190, 210)
-"""Of head, script, time line and keys at first: the head takes what the others leave, pixels."""
+"""Of head, script, timeline and keys at first: the head takes what the others leave, pixels."""
 BARS_EVERY = 2
 """The bars are drawn at every second picture."""
 
@@ -109,7 +109,7 @@ class PictureCounter(QWidget):
         self.rate = choice(
             ((tr("{rate}/s").format(rate=rate), rate) for rate in PICTURE_RATES),
             tr("Pictures a second"),
-            tr("Pictures a second of the animation; Left and Right in the time line go one picture back or forward"),
+            tr("Pictures a second of the animation; Left and Right in the timeline go one picture back or forward"),
         )
         row(self.place, self.rate, on=self, spacing=6)
         self.place.setMinimumWidth(self.place.fontMetrics().horizontalAdvance(self._words(3599.999, 215_999)))
@@ -133,7 +133,7 @@ class PictureCounter(QWidget):
 
 
 class TalkPage(QWidget):
-    """Lays out head, script and time line at the left, and at the right what the face is, does, sends and shows.
+    """Lays out head, script and timeline at the left, and at the right what the face is, does, sends and shows.
 
     Signals
     -------

@@ -94,11 +94,6 @@
             <translation>0 bei</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
-            <source>0 takes a free port</source>
-            <translation>0 wählt einen freien Port</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>1 at</source>
             <translation>1 bei</translation>
@@ -871,7 +866,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_dialog.py" />
             <source>a-z, 0-9 and _, such as my_hiss</source>
-            <translation>a-z, 0-9 und _, zum Beispiel mein_zischen</translation>
+            <translation>z. B. mein_zischen (a-z, 0-9, _)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -955,7 +950,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>Add files…</source>
+            <source>Add Files…</source>
             <translation>Dateien hinzufügen…</translation>
         </message>
         <message>
@@ -965,7 +960,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>Add folder…</source>
+            <source>Add Folder…</source>
             <translation>Ordner hinzufügen…</translation>
         </message>
         <message>
@@ -980,7 +975,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>Add set…</source>
+            <source>Add Set…</source>
             <translation>Satz hinzufügen…</translation>
         </message>
         <message>
@@ -1065,7 +1060,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
-            <source>After filters</source>
+            <source>After Filters</source>
             <translation>Nach Filtern</translation>
         </message>
         <message>
@@ -1085,7 +1080,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Align anyway</source>
+            <source>Align Anyway</source>
             <translation>Trotzdem ausrichten</translation>
         </message>
         <message>
@@ -1292,6 +1287,11 @@
             <location filename="../../../phonemeanalyser/desktop/session/export_kinds.py" />
             <source>animated GIF of the head</source>
             <translation>animiertes GIF des Kopfes</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>Annosoft phonemes</source>
+            <translation>Annosoft-Phoneme</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -1639,6 +1639,11 @@
             <translation>Blendshapes</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Blend shapes on which the pose decides, with their weights in percent</source>
+            <translation>Blendshapes, die die Pose bestimmt, mit ihren Gewichten in Prozent</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Blend shapes to send</source>
             <translation>Gesendete Blendshapes</translation>
@@ -1707,6 +1712,11 @@
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Bust</source>
             <translation>Büste</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>By how much another phoneme must score higher to replace the current one (hysteresis).</source>
+            <translation>Um wie viel ein anderes Phonem besser bewertet sein muss, um das aktuelle abzulösen (Hysterese).</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -2055,7 +2065,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
-            <source>Choose preset to compare…</source>
+            <source>Choose Preset to Compare…</source>
             <translation>Preset zum Vergleich wählen…</translation>
         </message>
         <message>
@@ -2094,14 +2104,14 @@
             <translation>Die Vokale wählen</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
-            <source>Choose which blend shapes of this face stand for which of the mouth table</source>
-            <translation>Wählen, welche Blendshapes dieses Gesichts für welche der Mundtabelle stehen</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/ship_dialog.py" />
             <source>Choose…</source>
             <translation>Wählen…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>chosen</source>
+            <translation>gewählt</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
@@ -2131,7 +2141,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/figures_table.py" />
             <source>Click a segment to play it, or select one and press Return</source>
-            <translation>Klick spielt ein Segment ab; oder eines auswählen und Return drücken</translation>
+            <translation>Klick spielt ein Segment ab; oder eines auswählen und die Eingabetaste drücken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/confusion_view.py" />
@@ -2146,7 +2156,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
             <source>Click a word to play it, double-click to rename it, drag a boundary to move it. Left, Right: one picture. Up, Down or the wheel: zoom. Drag: scroll. F2: rename, to a word or to IPA between slashes. Insert: another word. Enter: split. Delete: delete.</source>
-            <translation>Wort anklicken: abspielen; Doppelklick: umbenennen. Grenze ziehen: verschieben. Links, Rechts: ein Bild. Auf, Ab oder Mausrad: zoomen. Ziehen: scrollen. F2: umbenennen, in ein Wort oder IPA zwischen Schrägstrichen. Einfg: weiteres Wort. Enter: teilen. Entf: löschen.</translation>
+            <translation>Wort anklicken: abspielen; Doppelklick: umbenennen. Grenze ziehen: verschieben. Links, Rechts: ein Bild. Auf, Ab oder Mausrad: zoomen. Ziehen: scrollen. F2: umbenennen, in ein Wort oder IPA zwischen Schrägstrichen. Einfg: weiteres Wort. Eingabetaste: teilen. Entf: löschen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
@@ -2190,7 +2200,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/export_queue.py" />
-            <source>Clips have no preview. The page Talk shows the same head.</source>
+            <source>Clips have no preview. The Talk page shows the same head.</source>
             <translation>Für Clips gibt es keine Vorschau. Die Seite Sprechen zeigt denselben Kopf.</translation>
         </message>
         <message>
@@ -2226,7 +2236,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/spectrum_view.py" />
             <source>Coarse display: the maximum of each eight adjacent bins as one step</source>
-            <translation>Grobe Darstellung: das Maximum von je acht benachbarten Frequenzbins als eine Stufe</translation>
+            <translation>Grobe Darstellung: das Maximum von je acht benachbarten Frequenzstufen als eine</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
@@ -2276,7 +2286,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/preset_box.py" />
             <source>Compare the marked preset with the one in use (Ctrl+Return)</source>
-            <translation>Das markierte Preset mit dem verwendeten vergleichen (Strg+Return)</translation>
+            <translation>Das markierte Preset mit dem verwendeten vergleichen (Strg+Eingabetaste)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
@@ -2402,6 +2412,11 @@
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Cost of a change</source>
             <translation>Kosten eines Wechsels</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Cost of each change of phoneme in the decoder; a higher cost gives fewer changes.</source>
+            <translation>Kosten jedes Phonemwechsels im Decoder; höhere Kosten ergeben weniger Wechsel.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -3016,8 +3031,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
-            <source>Enter a text on the page Talk and press Ctrl+Return</source>
-            <translation>Auf der Seite Sprechen einen Text eingeben und Strg+Return drücken</translation>
+            <source>Enter a text on the Talk page and press Ctrl+Return</source>
+            <translation>Auf der Seite Sprechen einen Text eingeben und Strg+Eingabetaste drücken</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
@@ -3161,7 +3176,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>Export only the others</source>
+            <source>Export Only the Others</source>
             <translation>Nur die anderen exportieren</translation>
         </message>
         <message>
@@ -3238,6 +3253,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Face networks (*.face)</source>
             <translation>Gesichtsnetze (*.face)</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Factor of the time for which the pose holds, comes and goes</source>
+            <translation>Faktor der Zeit, in der die Pose kommt, gehalten wird und geht</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/preset_dialogs.py" />
@@ -3361,28 +3381,33 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>Find few rules in the loaded takes and recordings</source>
-            <translation>Wenige Regeln in den geladenen Takes und Aufnahmen suchen</translation>
+            <source>Find a few rules in the loaded takes and recordings</source>
+            <translation>In den geladenen Takes und Aufnahmen wenige Regeln suchen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
-            <source>Find few rules in the loaded takes and recordings, on the page Calibrate</source>
-            <translation>Wenige Regeln in den geladenen Takes und Aufnahmen suchen, auf der Seite Kalibrieren</translation>
+            <source>Find a few rules in the loaded takes and recordings, on the Calibrate page</source>
+            <translation>In den geladenen Takes und Aufnahmen wenige Regeln suchen, auf der Seite Kalibrieren</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>Find rules</source>
+            <source>Find Rules</source>
             <translation>Regeln suchen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Find the words of the text in the recording (Ctrl+Shift+Return)</source>
-            <translation>Die Wörter des Textes in der Aufnahme finden (Strg+Umschalt+Return)</translation>
+            <translation>Die Wörter des Textes in der Aufnahme finden (Strg+Umschalt+Eingabetaste)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>Finds a tree of few rules that recognise the loaded takes and recordings, to read and to edit.</source>
-            <translation>Sucht einen Baum weniger Regeln, die die geladenen Takes und Aufnahmen erkennen, zum Lesen und Bearbeiten.</translation>
+            <source>Finds a small decision tree for the loaded takes and recordings, as rules to read and edit.</source>
+            <translation>Sucht einen kleinen Entscheidungsbaum für die geladenen Takes und Aufnahmen, als Regeln zum Lesen und Bearbeiten.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Finds the most likely sequence of phonemes within the look-ahead, from the results of the rules and from how phonemes follow each other in the language.</source>
+            <translation>Findet innerhalb der Vorausschau die wahrscheinlichste Folge von Phonemen, aus den Ergebnissen der Regeln und daraus, wie Phoneme in der Sprache aufeinander folgen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
@@ -3421,12 +3446,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
-            <source>Fit all</source>
+            <source>Fit All</source>
             <translation>Alles einpassen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>Fit all numbers</source>
+            <source>Fit All Numbers</source>
             <translation>Alle Zahlen anpassen</translation>
         </message>
         <message>
@@ -3436,12 +3461,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>Fit number</source>
+            <source>Fit Number</source>
             <translation>Zahl anpassen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
-            <source>Fit selection</source>
+            <source>Fit Selection</source>
             <translation>Auswahl einpassen</translation>
         </message>
         <message>
@@ -3451,12 +3476,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>Fit the numbers to one speaker, or take those of a file, and use them for voices of one range of pitch; Ctrl+Z removes the set</source>
-            <translation>Die Zahlen an einen Sprecher anpassen oder die einer Datei nehmen und für Stimmen eines Grundfrequenzbereichs verwenden; Strg+Z entfernt den Satz</translation>
+            <source>Fit the numbers to one speaker, or read them from a file, for voices in one range of pitch; Ctrl+Z removes the set</source>
+            <translation>Die Zahlen an einen Sprecher anpassen oder aus einer Datei lesen, für Stimmen eines Grundfrequenzbereichs; Strg+Z entfernt den Satz</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
-            <source>Fit thresholds</source>
+            <source>Fit Thresholds</source>
             <translation>Schwellen anpassen</translation>
         </message>
         <message>
@@ -3640,6 +3665,26 @@
             <translation>Frequenzglättung</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Frequencies above are removed.</source>
+            <translation>Frequenzen darüber werden entfernt.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Frequencies above pass unchanged.</source>
+            <translation>Frequenzen darüber bleiben unverändert.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Frequencies below are removed.</source>
+            <translation>Frequenzen darunter werden entfernt.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Frequencies below pass unchanged.</source>
+            <translation>Frequenzen darunter bleiben unverändert.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/sonagram_choices.py" />
             <source>Frequencies, window, levels and colour map of the sonagram</source>
             <translation>Frequenzen, Fenster, Pegel und Farbtabelle des Sonagramms</translation>
@@ -3693,6 +3738,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
             <source>From the style of side A to that of side B</source>
             <translation>Vom Stil der Seite A zu dem der Seite B</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>from two packages</source>
+            <translation>aus zwei Paketen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/status_line.py" />
@@ -3851,7 +3901,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
-            <source>Guided calibration…</source>
+            <source>Guided Calibration…</source>
             <translation>Geführte Kalibrierung…</translation>
         </message>
         <message>
@@ -4051,7 +4101,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
-            <source>How far the face shows what the text says of feeling: [smile], [angry 0.6], emoji, good and bad words; the lane Feeling of the time line shows and edits it</source>
+            <source>How far the face shows what the text says of feeling: [smile], [angry 0.6], emoji, good and bad words; the lane Feeling of the timeline shows and edits it</source>
             <translation>Wie weit das Gesicht zeigt, was der Text an Gefühl sagt: [smile], [angry 0.6], Emojis, gute und schlechte Wörter; die Spur Gefühl der Zeitleiste zeigt und ändert es</translation>
         </message>
         <message>
@@ -4061,8 +4111,18 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. Rules need none without a decoder. The microphone has a limit of its own, since there waiting delays the mouth.</source>
-            <translation>Wie lange der Erkenner auf das warten darf, was einem Frame folgt: Länger ist genauer, erhöht aber die Latenz. Regeln brauchen ohne Decoder keine. Das Mikrofon hat eine eigene Grenze, da Warten dort den Mund verzögert.</translation>
+            <source>How long the recogniser may wait for what follows a frame: longer is more accurate, but adds latency. Rules need none without a decoder.</source>
+            <translation>Wie lange der Erkenner auf das warten darf, was einem Frame folgt: Länger ist genauer, erhöht aber die Latenz. Regeln brauchen ohne Decoder keine.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>How long the recogniser of files may wait for what follows a frame: longer is more accurate.</source>
+            <translation>Wie lange der Erkenner bei Dateien auf das warten darf, was einem Frame folgt: Länger ist genauer.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>How long the recogniser of the microphone may wait for what follows a frame: longer is more accurate, but delays the mouth.</source>
+            <translation>Wie lange der Erkenner beim Mikrofon auf das warten darf, was einem Frame folgt: Länger ist genauer, verzögert aber den Mund.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
@@ -4143,6 +4203,11 @@
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
             <source>In bins of 21.53 Hz, as in a PhonemeData file</source>
             <translation>In Bins von 21.53 Hz, wie in einer PhonemeData-Datei</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>in the data of the program</source>
+            <translation>in den Daten des Programms</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/head/mapping_dialog.py" />
@@ -4571,7 +4636,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
-            <source>Keep old preset</source>
+            <source>Keep Old Preset</source>
             <translation>Altes behalten</translation>
         </message>
         <message>
@@ -4606,8 +4671,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>Keeps every n-th sample. Plain lets high frequencies alias, as in the thesis; anti-aliased filters them out first.</source>
-            <translation>Behält jeden n-ten Abtastwert. Einfach erzeugt Aliasing wie in der Thesis; ohne Aliasing filtert hohe Frequenzen zuvor heraus.</translation>
+            <source>Keeps every n-th sample, which lowers the sample rate and keeps frequencies below half of that.</source>
+            <translation>Behält jeden n-ten Abtastwert: Das senkt die Abtastrate und lässt nur Frequenzen unter deren Hälfte.</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Keeps every sample, every second or every fourth.</source>
+            <translation>Behält jeden, jeden zweiten oder jeden vierten Abtastwert.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
@@ -4616,8 +4686,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
-            <source>Keeps phonemes from flickering: each lasts at least the minimum duration, and an unidentified one is replaced by the most likely successor. Another phoneme follows only if its score is higher by the stability. A decoder takes the place of both: it finds the likeliest phonemes behind the answers of rules, within the look-ahead.</source>
-            <translation>Verhindert Flackern: Jedes Phonem dauert mindestens die Mindestdauer, und ein unbekanntes wird durch den wahrscheinlichsten Nachfolger ersetzt. Ein anderes Phonem folgt nur, wenn es um die Stabilität besser bewertet ist. Ein Decoder ersetzt beides: Er findet innerhalb der Vorausschau die wahrscheinlichsten Phoneme hinter den Antworten von Regeln.</translation>
+            <source>Keeps phonemes from flickering, by a minimum duration and by stability or a decoder. An unidentified phoneme is replaced by the most likely successor.</source>
+            <translation>Verhindert, dass Phoneme flackern: durch eine Mindestdauer und durch Stabilität oder einen Decoder. Ein unbekanntes Phonem wird durch den wahrscheinlichsten Nachfolger ersetzt.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -4631,7 +4701,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
-            <source>Keys edited on the page Talk, or saved beside a recording as NAME.keys.toml</source>
+            <source>Keys edited on the Talk page, or saved beside a recording as NAME.keys.toml</source>
             <translation>Auf der Seite Sprechen bearbeitete oder neben der Aufnahme als NAME.keys.toml gespeicherte Keyframes</translation>
         </message>
         <message>
@@ -4807,7 +4877,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/tour.py" />
             <source>Leave the tour (Escape); Help &gt; Tour of Talk shows it again</source>
-            <translation>Die Tour beenden (Escape); Hilfe &gt; Tour durch Sprechen zeigt sie wieder</translation>
+            <translation>Die Tour beenden (Esc); Hilfe &gt; Tour durch Sprechen zeigt sie wieder</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/conversion/driving.py" />
@@ -5055,6 +5125,11 @@
             <translation>Die Zeilen {begin}..{number} müssen je eine Eckpunktnummer und drei Koordinaten enthalten; korrigieren</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Lips, teeth and tongue meet in time and fully, however quiet the speech is</source>
+            <translation>Lippen, Zähne und Zunge berühren sich rechtzeitig und ganz, wie leise die Sprache auch ist</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Listen, or release the microphone</source>
             <translation>Zuhören oder das Mikrofon freigeben</translation>
@@ -5145,18 +5220,8 @@
             <translation>Gesichtsaufzeichnung laden…</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
-            <source>Load face capture…</source>
-            <translation>Gesichtsaufzeichnung laden…</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
             <source>Load Face…</source>
-            <translation>Gesicht laden…</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
-            <source>Load face…</source>
             <translation>Gesicht laden…</translation>
         </message>
         <message>
@@ -5441,8 +5506,13 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
-            <source>Map shapes…</source>
+            <source>Map Shapes…</source>
             <translation>Blendshapes zuordnen…</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/choices_panel.py" />
+            <source>Map the blend shapes of this face to those of the mouth table</source>
+            <translation>Die Blendshapes dieses Gesichts denen der Mundtabelle zuordnen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
@@ -5453,6 +5523,16 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>max</source>
             <translation>max</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <source>Maximum conditions</source>
+            <translation>Höchstzahl Bedingungen</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
+            <source>Maximum number of conditions of all rules together; fewer are easier to read</source>
+            <translation>Höchstzahl der Bedingungen aller Regeln zusammen; wenige sind leichter zu lesen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
@@ -5526,7 +5606,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
-            <source>Measure noise</source>
+            <source>Measure Noise</source>
             <translation>Geräusch messen</translation>
         </message>
         <message>
@@ -5720,11 +5800,6 @@
             <translation>Mehr im Handbuch</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>Most conditions</source>
-            <translation>Höchstens Bedingungen</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Mouth</source>
             <translation>Mund</translation>
@@ -5860,11 +5935,6 @@
             <translation>Nuscheln</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>mumbling</source>
-            <translation>nuschelnd</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/transport.py" />
             <source>Muted</source>
             <translation>Stumm</translation>
@@ -5905,6 +5975,11 @@
             <translation>Name unbekannt</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>named by {variable}</source>
+            <translation>von {variable} genannt</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Nearest duration</source>
             <translation>Ähnlichste Dauer</translation>
@@ -5938,11 +6013,6 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Neutral</source>
             <translation>Neutral</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>neutral</source>
-            <translation>neutral</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_tree.py" />
@@ -6296,7 +6366,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/word_edits.py" />
-            <source>No word is selected. Click one in the time line first.</source>
+            <source>No word is selected. Click one in the timeline first.</source>
             <translation>Kein Wort ausgewählt. Zuerst eines in der Zeitleiste anklicken.</translation>
         </message>
         <message>
@@ -6500,11 +6570,6 @@
             <translation>von 1 Sprecher</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>Of all rules together; fewer are easier to read</source>
-            <translation>Aller Regeln zusammen; wenige sind leichter zu lesen</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/score/score_strip.py" />
             <source>of {n} speakers</source>
             <translation>von {n} Sprechern</translation>
@@ -6666,7 +6731,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/preset_picker.py" />
-            <source>Open file…</source>
+            <source>Open File…</source>
             <translation>Datei öffnen…</translation>
         </message>
         <message>
@@ -6681,7 +6746,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>Open network…</source>
+            <source>Open Network…</source>
             <translation>Netz öffnen…</translation>
         </message>
         <message>
@@ -6716,7 +6781,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>Open table…</source>
+            <source>Open Table…</source>
             <translation>Tabelle öffnen…</translation>
         </message>
         <message>
@@ -6726,8 +6791,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/session/session.py" />
-            <source>Opening</source>
-            <translation>Öffnen</translation>
+            <source>opening</source>
+            <translation>dem Öffnen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/network_model.py" />
@@ -6761,13 +6826,13 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>Opens the mouth farther and faster, and moves the head more</source>
-            <translation>Öffnet den Mund weiter und schneller und bewegt den Kopf mehr</translation>
+            <source>Opens the mouth less and later, and closes it for a shorter time</source>
+            <translation>Öffnet den Mund weniger und später und schließt ihn kürzer</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>Opens the mouth less and later, and closes it for a shorter time</source>
-            <translation>Öffnet den Mund weniger und später und schließt ihn kürzer</translation>
+            <source>Opens the mouth wider and faster, and moves the head more</source>
+            <translation>Öffnet den Mund weiter und schneller und bewegt den Kopf mehr</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
@@ -6865,9 +6930,19 @@
             <translation>Pausen müssen eine Liste von Sekundenpaaren sein, gefunden {entry}; korrigieren</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Peak level from which the intensity is 1.</source>
+            <translation>Spitzenpegel, ab dem die Intensität 1 ist.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
             <source>Peak level of the microphone in dBFS, and the highest peak of the last 1.5 s. Raise the gain if it reads low, reduce it if it reads high. The light shows for one minute that the signal clipped</source>
             <translation>Spitzenpegel des Mikrofons in dBFS und der höchste der letzten 1.5 s. Verstärkung erhöhen, wenn „niedrig“ steht, verringern, wenn „hoch“ steht. Das Licht meldet eine Minute lang, dass das Signal übersteuert war</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Peak level up to which the intensity is 0.</source>
+            <translation>Spitzenpegel, bis zu dem die Intensität 0 ist.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
@@ -7036,7 +7111,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/page.py" />
-            <source>Pictures a second of the animation; Left and Right in the time line go one picture back or forward</source>
+            <source>Pictures a second of the animation; Left and Right in the timeline go one picture back or forward</source>
             <translation>Bilder pro Sekunde der Animation; Links und Rechts in der Zeitleiste gehen ein Bild zurück oder weiter</translation>
         </message>
         <message>
@@ -7090,6 +7165,11 @@
             <translation>einfach</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Plain lets high frequencies alias, as in the thesis; anti-aliased filters them out first.</source>
+            <translation>Einfach erzeugt Aliasing wie in der Thesis; ohne Aliasing filtert hohe Frequenzen zuvor heraus.</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Play</source>
             <translation>Abspielen</translation>
@@ -7132,7 +7212,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>Play the trimmed part of the take (Return or double-click)</source>
-            <translation>Zugeschnittenen Teil des Takes abspielen (Return oder Doppelklick)</translation>
+            <translation>Zugeschnittenen Teil des Takes abspielen (Eingabetaste oder Doppelklick)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -7701,7 +7781,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
-            <source>Remove set</source>
+            <source>Remove Set</source>
             <translation>Satz entfernen</translation>
         </message>
         <message>
@@ -7846,7 +7926,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/mouth_table/viseme_panel.py" />
-            <source>Reset to speech</source>
+            <source>Reset to Speech</source>
             <translation>Zurücksetzen</translation>
         </message>
         <message>
@@ -7887,7 +7967,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Return</source>
-            <translation>Return</translation>
+            <translation>Eingabetaste</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_panel.py" />
@@ -8457,7 +8537,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>Separate</source>
-            <translation>Trenne</translation>
+            <translation>Trennen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/variables_panel.py" />
@@ -8580,6 +8660,11 @@
             <translation>Anteil der gesprochenen Frames, die als Stille erkannt werden</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Share of the expression that speech takes away: 0 nothing, 1 everything</source>
+            <translation>Anteil des Ausdrucks, den die Sprache wegnimmt: 0 nichts, 1 alles</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/shortcuts.py" />
             <source>Shift+Left, Shift+Right</source>
             <translation>Umschalt+Links, Umschalt+Rechts</translation>
@@ -8613,6 +8698,11 @@
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
             <source>Shortest time that a mouth shape lasts; shorter ones are extended or merged with their neighbours</source>
             <translation>Kürzeste Zeit, die eine Mundform dauert; kürzere werden verlängert oder mit ihren Nachbarn vereint</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/settings.py" />
+            <source>Shortest time that a recognised phoneme lasts.</source>
+            <translation>Kürzeste Zeit, die ein erkanntes Phonem dauert.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
@@ -8776,7 +8866,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
-            <source>Single sounds</source>
+            <source>Single Sounds</source>
             <translation>Einzelne Laute</translation>
         </message>
         <message>
@@ -8957,7 +9047,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Speak the text with a synthetic voice (Ctrl+Return); Escape stops it</source>
-            <translation>Den Text von einer Sprechstimme vorlesen lassen (Strg+Return); Esc beendet es</translation>
+            <translation>Den Text von einer Sprechstimme vorlesen lassen (Strg+Eingabetaste); Esc beendet es</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/take_list.py" />
@@ -9107,7 +9197,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Start recording after a two-second countdown (Return)</source>
-            <translation>Aufnahme nach zwei Sekunden Countdown starten (Return)</translation>
+            <translation>Aufnahme nach zwei Sekunden Countdown starten (Eingabetaste)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
@@ -9141,12 +9231,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
-            <source>Stop aligning</source>
+            <source>Stop Aligning</source>
             <translation>Ausrichten abbrechen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/spectra/curve_panel.py" />
-            <source>Stop averaging</source>
+            <source>Stop Averaging</source>
             <translation>Mitteln abbrechen</translation>
         </message>
         <message>
@@ -9191,8 +9281,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>Style in which the face speaks: those of the program, and yours in the folder of styles</source>
-            <translation>Stil, in dem das Gesicht spricht: die des Programms und die eigenen im Ordner der Stile</translation>
+            <source>Style in which the face speaks: a built-in one, or one of your own from the styles folder</source>
+            <translation>Stil, in dem das Gesicht spricht: ein mitgelieferter oder ein eigener aus dem Ordner der Stile</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
@@ -9385,6 +9475,11 @@
             <translation>Tatarisch</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/serve_dialog.py" />
+            <source>TCP port; 0 lets the system choose a free one</source>
+            <translation>TCP-Port; bei 0 wählt das System einen freien</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_model.py" />
             <source>Test</source>
             <translation>Test</translation>
@@ -9402,11 +9497,11 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
             <source>Text of the recording, or text to speak: Ctrl+Return speaks it, Ctrl+Shift+Return aligns it with the recording</source>
-            <translation>Text der Aufnahme oder vorzulesender Text: Strg+Return liest ihn vor, Strg+Umschalt+Return richtet ihn an der Aufnahme aus</translation>
+            <translation>Text der Aufnahme oder vorzulesender Text: Strg+Eingabetaste liest ihn vor, Strg+Umschalt+Eingabetaste richtet ihn an der Aufnahme aus</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
-            <source>Text on the page Talk</source>
+            <source>Text on the Talk page</source>
             <translation>Text der Seite Sprechen</translation>
         </message>
         <message>
@@ -10010,11 +10105,6 @@
             <translation>Der Erkenner {name} kann keine eigenen Variablen verwenden: Diese würde gemessen und gezeichnet, aber kein Phonem ändern. Ein Preset mit eigenen Regeln kann sie verwenden.</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
-            <source>The recogniser {name} does not use these numbers. Choose the preset Thesis.</source>
-            <translation>Der Erkenner {name} verwendet diese Zahlen nicht. Das Preset Thesis wählen.</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/rule_editor.py" />
             <source>The recogniser {name} has no rules. Begin with rules from takes, or with Extended rules.</source>
             <translation>Der Erkenner {name} hat keine Regeln. Mit Regeln aus Takes oder mit Extended rules beginnen.</translation>
@@ -10313,11 +10403,6 @@
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
             <source>Theatrical</source>
             <translation>Theatralisch</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>theatrical</source>
-            <translation>theatralisch</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/commands.py" />
@@ -10760,11 +10845,6 @@
             <translation>Zeit im Fenster</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
-            <source>Time line: words and phones over time</source>
-            <translation>Zeitleiste: Wörter und Phone über der Zeit</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Time smoothing</source>
             <translation>Zeitglättung</translation>
@@ -10778,6 +10858,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/transport/position_slider.py" />
             <source>Timeline</source>
             <translation>Zeitleiste</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/time_line.py" />
+            <source>Timeline: words and phones over time</source>
+            <translation>Zeitleiste: Wörter und Phone über der Zeit</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/label.py" />
@@ -10886,7 +10971,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
-            <source>Try again</source>
+            <source>Try Again</source>
             <translation>Noch einmal</translation>
         </message>
         <message>
@@ -11061,7 +11146,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
-            <source>Use and save as…</source>
+            <source>Use and Save As…</source>
             <translation>Verwenden und speichern…</translation>
         </message>
         <message>
@@ -11091,12 +11176,12 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
-            <source>Use new preset</source>
+            <source>Use New Preset</source>
             <translation>Neues Preset verwenden</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
-            <source>Use the better one</source>
+            <source>Use the Better One</source>
             <translation>Das bessere verwenden</translation>
         </message>
         <message>
@@ -11107,7 +11192,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/guide/guide_view.py" />
             <source>Use the new preset; Ctrl+Z restores the old one (Return)</source>
-            <translation>Neues Preset verwenden; Strg+Z stellt das alte wieder her (Return)</translation>
+            <translation>Neues Preset verwenden; Strg+Z stellt das alte wieder her (Eingabetaste)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/fit_panel.py" />
@@ -11386,8 +11471,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/rules_panel.py" />
-            <source>What rules may ask for: frequency bands, with filters that suit them, or the preset's variables</source>
-            <translation>Wonach Regeln fragen dürfen: Frequenzbänder, mit passenden Filtern, oder die Variablen des Presets</translation>
+            <source>What rules may compare: frequency bands, with filters that suit them, or the preset's variables</source>
+            <translation>Was Regeln vergleichen dürfen: Frequenzbänder, mit passenden Filtern, oder die Variablen des Presets</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
@@ -11425,6 +11510,11 @@
             <translation>das Ende</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
+            <source>Where poses overlap, the one with the higher priority comes first</source>
+            <translation>Wo sich Posen überlagern, geht die mit der höheren Priorität vor</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />
             <source>where tier {name} begins</source>
             <translation>der Anfang von Spur {name}</translation>
@@ -11436,7 +11526,7 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/export_choices.py" />
-            <source>Where words and their times come from: recognition only, the page Talk, or files beside the audio files</source>
+            <source>Where words and their times come from: recognition only, the Talk page, or files beside the audio files</source>
             <translation>Woher Wörter und ihre Zeiten kommen: nur Erkennung, Seite Sprechen oder Dateien neben den Audiodateien</translation>
         </message>
         <message>
@@ -11473,6 +11563,11 @@
             <location filename="../../../engine/phonemeengine/encoder/model_folder.py" />
             <source>Whisper base cannot be fetched ({error}); see to the network, or name a folder</source>
             <translation>Whisper base lässt sich nicht laden ({error}); Netzwerk prüfen oder einen Ordner angeben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>Whisper base, multilingual, by OpenAI, MIT licence; {origin}: {path}</source>
+            <translation>Whisper base, mehrsprachig, von OpenAI, MIT-Lizenz; {origin}: {path}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/encoder/whisper.py" />
@@ -11526,11 +11621,6 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
-            <source>With a Second Preset (Analysis &gt; Choose Preset B)</source>
-            <translation>Mit einem zweiten Preset (Analyse &gt; Preset B wählen)</translation>
-        </message>
-        <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Phonemes (Rules)</source>
             <translation>Mit Phonemen (Regeln)</translation>
         </message>
@@ -11538,6 +11628,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
             <source>With Pinyin Letters</source>
             <translation>Mit Pinyin-Buchstaben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
+            <source>With Preset B (Analysis &gt; Choose Preset B…)</source>
+            <translation>Mit Preset B (Analyse &gt; Preset B wählen…)</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/drivers/comparison_menu.py" />
@@ -12892,12 +12987,12 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>{n} from 1 speaker</source>
-            <translation>{n} von 1 Sprecher</translation>
+            <translation>{n}, 1 Sprecher</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/takes/takes_panel.py" />
             <source>{n} from {speakers} speakers</source>
-            <translation>{n} von {speakers} Sprechern</translation>
+            <translation>{n}, {speakers} Sprecher</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/course_lanes.py" />
@@ -13593,6 +13688,11 @@
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/variable_panel.py" />
             <source>–</source>
             <translation>–</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
+            <source>“{name}” does not use these numbers. Choose the preset “Thesis”.</source>
+            <translation>„{name}“ verwendet diese Zahlen nicht. Das Preset „Thesis“ wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />

@@ -216,7 +216,7 @@ class Plot(QWidget):
         self.item: Any = self.graphics.getPlotItem()
         self._read_out = read_out
         self._mouse: QPointF | None = None
-        self.graphics.setAccessibleName(title.lower())
+        self.graphics.setAccessibleName(title)
         self._cursor_label = ReadOut(self.graphics, theme)
         self._cursor = pg.InfiniteLine(angle=90, pen=pg.mkPen(theme.faint, style=Qt.PenStyle.DashLine))
         self._hint = QLabel(tr("No data yet: press Play, or click in the recording"))

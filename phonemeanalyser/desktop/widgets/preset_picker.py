@@ -109,7 +109,7 @@ class PresetList(QFrame):
                 ],
             )
         any_file = tr("A preset or PhonemeData file of any folder")
-        self._add_group("", [_line("", tr("Open file…"), any_file, (OPEN,))])
+        self._add_group("", [_line("", tr("Open File…"), any_file, (OPEN,))])
         self.search.clear()
         self._filter("")
 

@@ -54,7 +54,7 @@ def test_keys_open_search_move_and_choose(desktop, window):
     assert picker.isVisible()
     assert [line for line in listed(window) if line[0]] == [("✓", "Thesis", desktop.preset.preset.summary)]
     QTest.keyClicks(picker.search, "thesis hyst")
-    assert [name for _, name, _ in listed(window)] == ["Thesis, calm", "Thesis, anti-aliased", "Open file…"]
+    assert [name for _, name, _ in listed(window)] == ["Thesis, calm", "Thesis, anti-aliased", "Open File…"]
     QTest.keyClick(picker.search, Qt.Key.Key_Down)
     QTest.keyClick(picker.search, Qt.Key.Key_Return)
     assert not picker.isVisible()
@@ -97,7 +97,7 @@ def test_a_file_of_any_folder_is_an_entry(desktop, window, tmp_path):
     window.files.show = FileAnswers(tmp_path / "ben.toml")
     window.preset_box.open_list()
     QTest.keyClicks(window.preset_box.list.search, "nothing has these words")
-    assert [name for _, name, _ in listed(window)] == ["Open file…"]
+    assert [name for _, name, _ in listed(window)] == ["Open File…"]
     QTest.keyClick(window.preset_box.list.search, Qt.Key.Key_Return)
     assert desktop.preset.path == tmp_path / "ben.toml"
 

@@ -317,8 +317,8 @@ def test_pictures_are_lines_where_the_name_says_so(desktop, qtbot, tmp_path):
 
 def test_the_mean_says_of_how_much_it_is_since_when(desktop, window):
     view = window.analysis.averaged
-    assert view._since.text() == "Mean of 0.8 s since Opening"
-    assert "80 frames since Opening at 0.00 s of sound.wav; quantise 4 plain" in view.heading.toolTip()
+    assert view._since.text() == "Mean of 0.8 s since opening"
+    assert "80 frames since opening at 0.00 s of sound.wav; quantise 4 plain" in view.heading.toolTip()
     press(window, Qt.Key.Key_C)
     assert view._since.text() == ""
     assert "frames" not in view.heading.toolTip()

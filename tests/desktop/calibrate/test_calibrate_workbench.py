@@ -441,7 +441,7 @@ def test_the_better_one_is_named_and_used_by_a_click(loaded: Calibrator):
         preset.tune(name, 1e6)  # with which all is silence
     loaded.settle()
     compare = bench_of(loaded).compare
-    assert compare.use.text() == "Use the better one"
+    assert compare.use.text() == "Use the Better One"
     assert not compare.use.isEnabled()
     compared_with(loaded, "learned")
     assert compare.verdict.text().startswith("<b>B is better</b>: macro F1 ")

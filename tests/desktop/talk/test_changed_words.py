@@ -1,4 +1,4 @@
-"""Words and phones that are changed by hand, on the time line or in files."""
+"""Words and phones that are changed by hand, on the timeline or in files."""
 
 import os
 

@@ -128,7 +128,7 @@ def test_a_recorded_face_goes_with_the_sound(stage: Stage, panel: ExpressionPane
     panel.file.click()
     stage.wait(0.1)
     assert shown(stage, BROW) == pytest.approx(0, abs=1)
-    assert panel.file.text() == "Load face capture…"
+    assert panel.file.text() == "Load Face Capture…"
 
 
 def test_what_is_no_recorded_face_is_refused_in_a_sentence(stage: Stage, tmp_path: Path) -> None:

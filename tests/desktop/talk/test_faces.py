@@ -116,7 +116,7 @@ def test_a_table_of_ones_own_is_loaded(stage: Stage, tmp_path: Path) -> None:
 def test_a_bad_mesh_is_refused_in_one_sentence_and_the_head_stays(window, desktop, qtbot, tmp_path):
     (tmp_path / "bad.obj").write_text("v 0 0 zero\n")
     window.files.show = FileAnswers(tmp_path / "bad.obj")
-    click(button(window.talk, "Load face…"))
+    click(button(window.talk, "Load Face…"))
     qtbot.waitUntil(lambda: window.banner.label.text().startswith("bad.obj: "))
     assert desktop.talking.face.head is Head.WOMAN
     assert window.talk.choices.face.text() == "Woman"

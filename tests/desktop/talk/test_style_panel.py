@@ -53,7 +53,7 @@ def test_a_blend_is_between_two_styles_of_which_either_is_edited(panel: StylePan
     panel.edits["A"].click()
     panel.sliders["asymmetry"].setValue(100)
     assert styles.style.asymmetry == pytest.approx((1 + 0.15) / 2)
-    assert panel.lists["A"].currentText() == "neutral *"
+    assert panel.lists["A"].currentText() == "Neutral *"
     panel.revert.click()
     assert styles.of_side("A") == load_style("neutral")
     choose(panel, "B", "")

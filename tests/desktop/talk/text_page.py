@@ -40,7 +40,7 @@ def aligned(window: MainWindow, qtbot: QtBot) -> None:
 
 
 def spoken(window: MainWindow) -> bool:
-    """Say whether the time line shows words."""
+    """Say whether the timeline shows words."""
     return bool(len(window.talk.lanes.line.lanes[0].starts))
 
 

@@ -1,4 +1,4 @@
-"""The time line: spans are where their times are, and a boundary goes where it is dragged, but no farther."""
+"""The timeline: spans are where their times are, and a boundary goes where it is dragged, but no farther."""
 
 import numpy as np
 import pytest

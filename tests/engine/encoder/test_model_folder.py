@@ -77,7 +77,7 @@ def test_a_folder_without_a_model_is_not_chosen(tmp_path):
 def test_the_halves_of_two_packages_are_one_model_and_copied_nowhere(packages, whisper_folder, data):
     assert has_whisper()
     found = find_whisper()
-    assert found.origin == "of two packages"
+    assert found.origin == "from two packages"
     assert b"".join(path.read_bytes() for path in found.files) == (whisper_folder / "model.bin").read_bytes()
     open_whisper()
     assert [path.name for path in data.iterdir()] == ["whisper-base-layer-4.onnx"]

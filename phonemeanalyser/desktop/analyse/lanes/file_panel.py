@@ -40,8 +40,8 @@ class FilePanel(QWidget):
         self._session = session
         self.view = FileView(session, courses, theme)
         self.follow = toggle_button(tr("Follow"), tr("Scroll on by a page when playback leaves the view"))
-        self.whole = tool_button(tr("Fit all"), tr("Zoom to the whole file (Shift+A)"))
-        self.selection = tool_button(tr("Fit selection"), tr("Zoom to the selection (Shift+Z); Shift+drag selects"))
+        self.whole = tool_button(tr("Fit All"), tr("Zoom to the whole file (Shift+A)"))
+        self.selection = tool_button(tr("Fit Selection"), tr("Zoom to the selection (Shift+Z); Shift+drag selects"))
         self.live = tool_button(tr("Live"), tr("Return to the live signal of the microphone (Ctrl+B)"))
         self.heading = QLabel(tr("<b>File</b>"))
         self.differs = ElidedLabel()

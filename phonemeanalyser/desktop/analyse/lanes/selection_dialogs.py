@@ -12,12 +12,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from phonemeanalyser.desktop.engine_words import sound_name, tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.selection import Selection
 from phonemeanalyser.desktop.session.session import Session
 from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label, named
 from phonemeanalyser.desktop.widgets.file_asker import FileAsker
+from phonemeengine.features.variables import readable_name
 from phonemeengine.inspection.measurement import MEASUREMENT_COLUMNS, StretchMeasurement, format_measurement
+from phonemeengine.presets.preset import Preset
 
 SIZE = 460, 520
 """Of the dialog at first, pixels."""
@@ -32,7 +35,7 @@ class MeasurementDialog(QDialog):
     copy : the button.
     """
 
-    def __init__(self, measurement: StretchMeasurement, sound: str, preset: str, parent: QWidget) -> None:
+    def __init__(self, measurement: StretchMeasurement, sound: str, preset: Preset, parent: QWidget) -> None:
         super().__init__(parent)
         self._text = format_measurement(measurement).replace(",", "\t")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -52,7 +55,10 @@ class MeasurementDialog(QDialog):
         self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
         for k, row in enumerate(rows):
             for place, words in enumerate(row):
-                item = QTableWidgetItem(tr(words) if place == 0 else words)
+                item = QTableWidgetItem(
+                    words if place else sound_name(tr_engine(readable_name(words, preset.variables)))
+                )
+                item.setToolTip("" if place else words)
                 if place > 1:
                     item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 self.table.setItem(k, place, item)
@@ -60,7 +66,7 @@ class MeasurementDialog(QDialog):
             tr(
                 "Recognised with the preset {preset}. Pitch and formants: of the voiced frames. Level: root mean "
                 "square (mean) and largest sample (max), dBFS. Phonemes: shares of all frames."
-            ).format(preset=preset),
+            ).format(preset=preset.name),
             wraps=True,
         )
         buttons = dialog_buttons(self, CLOSE)
@@ -88,7 +94,7 @@ class SelectionDialogs(QObject):
 
     def show_measurement(self, measurement: StretchMeasurement) -> None:
         """Show what was measured, beside the window."""
-        preset = self._session.preset.in_force.name
+        preset = self._session.preset.in_force
         MeasurementDialog(measurement, self._session.source.name, preset, self._window).show()
 
     def copy_frames(self) -> None:

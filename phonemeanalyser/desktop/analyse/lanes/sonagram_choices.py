@@ -44,7 +44,7 @@ class SonagramChoices(QObject):
     def __init__(self, session: Session, parent: QWidget) -> None:
         super().__init__(parent)
         self._session = session
-        self.filtered = QAction(tr("After filters"), self, checkable=True)
+        self.filtered = QAction(tr("After Filters"), self, checkable=True)
         self.filtered.setToolTip(
             tr("Show the sonagram after all active filters, as recognisers that use the filters see it")
         )

@@ -29,7 +29,7 @@ from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.presets.controls import unused_settings
 from phonemeengine.presets.model_choice import figures_ahead, for_live_use, frames_ahead
 from phonemeengine.recognition.spec import spec_of
-from phonemeengine.settings import FRAME_PERIOD, PARAMETERS, STAGES, Filter, Parameter, Stage
+from phonemeengine.settings import FRAME_PERIOD, HINTS, PARAMETERS, STAGES, Filter, Parameter, Stage
 
 LIVE_LOOK_AHEAD = "live_look_ahead"
 ENDS = (Qt.Key.Key_Home, Qt.Key.Key_End)
@@ -175,11 +175,15 @@ class FilterColumn(QScrollArea):
         self._grid.addWidget(line(self._theme.line), at, 0, 1, 3)
         heading = self._headings[stage.name] = self._heading(stage, switch)
         reset = self._reset(stage.name, stage.label)
-        hint = tr(stage.hint)
-        parts = [named(label(tr(of.part), self._theme.faint), tip=hint) for of in stage.parameters if of.part]
+        hints = [tr(HINTS[of.name]) for of in stage.parameters]
+        parts = [
+            named(label(tr(of.part), self._theme.faint), tip=hint)
+            for of, hint in zip(stage.parameters, hints, strict=True)
+            if of.part
+        ]
         self._grid.addLayout(row(heading, 1, *parts[:1], spacing=3), at + 1, 0)
         for k, of in enumerate(stage.parameters):
-            tip = f"{tr(of.label)}: {tr(stage.hint)}"
+            tip = f"{tr(of.label)}: {hints[k]}"
             self._grid.addWidget(named(self._field(of), tr(of.label), tip), at + 1 + k, 1)
             if k:
                 self._grid.addWidget(parts[k], at + 1 + k, 0, Qt.AlignmentFlag.AlignRight)

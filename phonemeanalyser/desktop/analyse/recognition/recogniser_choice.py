@@ -166,7 +166,7 @@ class EncoderDialog(QDialog):
         self._work.submit(acted, self._tell)
 
     def _tell(self, words: str) -> None:
-        self._show(tr("In use: {words}.").format(words=words), is_idle=True)
+        self._show(tr("In use: {words}.").format(words=tr_engine(words)), is_idle=True)
         self.model_changed.emit()
 
     def _refuse(self, words: str) -> None:

@@ -47,7 +47,7 @@ class RuleEditor(QWidget):
             tool_button("▼", tr("Decide later (Alt+Down, or drag)")),
         )
         self.from_takes = QPushButton(tr("Rules from Takes…"))
-        self.from_takes.setToolTip(tr("Find few rules in the loaded takes and recordings, on the page Calibrate"))
+        self.from_takes.setToolTip(tr("Find a few rules in the loaded takes and recordings, on the Calibrate page"))
         self.begin = QPushButton()
         self.words, self.faults = label(wraps=True), QLabel()
         self._lay_out()

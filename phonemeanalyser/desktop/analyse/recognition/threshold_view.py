@@ -22,6 +22,7 @@ from phonemeengine.errors import EngineError
 from phonemeengine.features.measure import Features
 from phonemeengine.features.variables import readable_name
 from phonemeengine.presets.controls import Control, ControlGroup, Moment
+from phonemeengine.settings import HINTS
 
 LABEL_WIDTH = 112
 NBSP_HZ = "\u00a0Hz"
@@ -250,7 +251,7 @@ class ThresholdView(QScrollArea):
         words = named(self._label_of(control), tip=f"<p>{hint}</p>")
         words.setFixedWidth(LABEL_WIDTH)  # the same for all recognisers, so that the dock keeps its width
         tip = f"<p>{hint}</p><p>{tr('Drag, or press the arrow keys (Shift: finer steps).')}</p>"
-        slider = named(ThresholdSlider(control, self._theme), control.name, tip)
+        slider = named(ThresholdSlider(control, self._theme), self._name_of(control), tip)
         row = Row(control, slider, self._number(control), self._reset())
         for column, widget in enumerate((words, slider, row.number, row.reset)):
             fields.addWidget(widget, at, column)
@@ -273,17 +274,24 @@ class ThresholdView(QScrollArea):
             called.setText(f"<span style='font-size:11px'>{escape(words).replace(' Hz', NBSP_HZ)}</span><br>{short}")
         return called
 
+    def _name_of(self, control: Control) -> str:
+        """Return what a screen reader says: what the variable measures, and what the control is called."""
+        words = tr_engine(readable_name(control.variable, self._preset.preset.variables))
+        return f"{words}: {tr_engine(control.label)}" if control.variable else tr_engine(control.label)
+
     def _hint_of(self, control: Control) -> str:
         """Return what a control does, and what the variable measures that is compared with it; as rich text."""
         words = readable_name(control.variable, self._preset.preset.variables)
         hint = escape(tr_engine(control.hint))
+        if not control.sign:  # the hint of a filter is its name only
+            hint = f"{escape(tr(HINTS[control.name]))}<br>{hint}"
         return f"{hint}<br>{control.variable}: {tr_engine(words)}" if words != control.variable else hint
 
     def _number(self, control: Control) -> NumberField:
         step = (control.high - control.low) / 100
         number = named(
             NumberField(-LARGEST, LARGEST, decimals=control.decimals, step=step, waits=True),
-            control.name,
+            self._name_of(control),
             f"<p>{self._hint_of(control)}</p><p>{tr('Type a number, or press the arrow keys.')}</p>",
         )
         number.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)

@@ -154,7 +154,7 @@ class CurvePanel(QWidget):
         )
         self._told = label(colour=theme.faint, wraps=True)
         self._work = QLabel()
-        self._cancel = tool_button("✕", tr("Stop averaging"), tr("Stop averaging"), curves.work.cancel, flat=True)
+        self._cancel = tool_button("✕", tr("Stop Averaging"), tr("Stop Averaging"), curves.work.cancel, flat=True)
         self._style_matrix()
         self._lay_out()
         self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)

@@ -74,7 +74,7 @@ class CountdownRing(QWidget):
             Phase.READY: tr("Ready?"),
             Phase.COUNTING: str(max(1, math.ceil(guide.seconds_left))),
             Phase.CHECKING: "…",
-            Phase.SHOWING: tr("Try again") if guide.advice else "✓",
+            Phase.SHOWING: tr("Try Again") if guide.advice else "✓",
             Phase.LEARNING: tr("Calibrating"),
             Phase.DONE: tr("Done"),
         }
@@ -144,7 +144,7 @@ class GuideView(QWidget):
             tr("Language of the sentences to read"),
         )
         self.sounds = spoken_button(
-            tr("Single sounds"),
+            tr("Single Sounds"),
             tr("Calibrate with nine single sounds instead of a sentence"),
             lambda: guide.choose(guide.language, by_sounds=not guide.by_sounds),
         )
@@ -164,7 +164,7 @@ class GuideView(QWidget):
             )
         )
         self.save = spoken_button(
-            tr("Use and save as…"), tr("Use the new preset and save it under a new name"), self._save
+            tr("Use and Save As…"), tr("Use the new preset and save it under a new name"), self._save
         )
         self.start = spoken_button(
             tr("Start"), tr("Start recording after a two-second countdown (Return)"), guide.start
@@ -178,10 +178,10 @@ class GuideView(QWidget):
             guide.cancel,
         )
         self.refuse = spoken_button(
-            tr("Keep old preset"), tr("Leave the preset unchanged; the takes are kept (Escape)"), guide.cancel
+            tr("Keep Old Preset"), tr("Leave the preset unchanged; the takes are kept (Escape)"), guide.cancel
         )
         self.accept = spoken_button(
-            tr("Use new preset"), tr("Use the new preset; Ctrl+Z restores the old one (Return)"), self._accept
+            tr("Use New Preset"), tr("Use the new preset; Ctrl+Z restores the old one (Return)"), self._accept
         )
         self._lay_out()
         self._connect()
@@ -284,7 +284,7 @@ class GuideView(QWidget):
         gains = done and guide.outcome is not None and guide.outcome.gains
         self.cancel.setVisible(not done)
         self.refuse.setVisible(done)
-        self.refuse.setText(tr("Keep old preset") if gains else tr("Close"))
+        self.refuse.setText(tr("Keep Old Preset") if gains else tr("Close"))
         self.accept.setVisible(gains)
         self.save.setVisible(gains)
         self.figures.setVisible(done and guide.outcome is not None)

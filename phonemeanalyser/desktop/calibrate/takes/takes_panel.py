@@ -174,10 +174,10 @@ class TakesPanel(QWidget):
             tr("Speaker of the takes recorded from now on"),
         )
         self.guide = spoken_button(
-            tr("Guided calibration…"), tr("Calibrate to your voice step by step, in under a minute (G)")
+            tr("Guided Calibration…"), tr("Calibrate to your voice step by step, in under a minute (G)")
         )
         self.room = spoken_button(
-            tr("Measure noise"),
+            tr("Measure Noise"),
             tr("Measure the background noise for two seconds; sets silence and denoising for every recogniser"),
         )
         self.record = RecordPanel(calibration, theme)
@@ -321,7 +321,7 @@ class TakesPanel(QWidget):
         self.clear.setEnabled(n > 0 or recordings.busy)
 
     def _show_room(self) -> None:
-        self.room.setText(tr("Keep quiet…") if self._calibration.room.listening else tr("Measure noise"))
+        self.room.setText(tr("Keep quiet…") if self._calibration.room.listening else tr("Measure Noise"))
 
     def _show_take(self) -> None:
         takes = self._calibration.takes

@@ -52,6 +52,8 @@ class FiguresTable(QTableWidget):
         """Name what is compared."""
         self.setColumnCount(len(names))
         self.setHorizontalHeaderLabels(list(names))
+        for k, name in enumerate(names):
+            self.model().setHeaderData(k, Qt.Orientation.Horizontal, name, Qt.ItemDataRole.ToolTipRole)
 
     def show_scores(self, scores: Sequence[Scores | None], gains: Gains | None = None) -> None:
         """Show figures; those after the first are coloured by whether they are better than it.

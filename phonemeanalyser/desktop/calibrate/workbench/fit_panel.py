@@ -27,7 +27,7 @@ class FitPanel(QWidget):
     def __init__(self, fit: FitModel, theme: Theme) -> None:
         super().__init__()
         self._fit = fit
-        self.begin = QPushButton(tr("Fit thresholds"))
+        self.begin = QPushButton(tr("Fit Thresholds"))
         self.stop = named(QPushButton(tr("Cancel")), tip=tr("Stop the search; the preset stays unchanged"))
         self.accept = named(
             QPushButton(tr("Apply")), tip=tr("Apply the fitted thresholds; Ctrl+Z restores the old ones")
@@ -126,7 +126,7 @@ class ComparePanel(QWidget):
             QCheckBox(tr("Difference in matrix")),
             tip=tr("Show in the confusion matrix how much more often the current preset gives each result"),
         )
-        self.figures = FiguresTable((A, B, tr("Difference")), theme)
+        self.figures = FiguresTable((A, B, f"{B} − {A}"), theme)
         self.own, self.others = (
             SegmentList(words.format(letter=letter), tr("Label → error"))
             for letter, words in ((A, tr("Only {letter} correct")), (B, tr("Only {letter} correct")))
@@ -181,13 +181,13 @@ class ComparePanel(QWidget):
         """Show which two are compared, and which one is in use."""
         model, better = self._comparison.preset, self._comparison.better
         sides = [f"{letter}: {preset.name}" for letter, preset in model.sides.items()]
-        other = f"{model.other_letter}: {model.other.preset.name}" if model.other else tr("Choose preset to compare…")
+        other = f"{model.other_letter}: {model.other.preset.name}" if model.other else tr("Choose Preset to Compare…")
         self.picker.show_name(other)
-        self.figures.set_columns((*(sides if model.other else (sides[0], B)), tr("Difference")))
+        self.figures.set_columns((*(sides if model.other else (sides[0], B)), f"{B} − {A}"))
         self.switch.setEnabled(model.other is not None)
         self.use.setEnabled(better == model.other_letter and bool(better))
         if not better:
-            self.use.setText(tr("Use the better one"))
+            self.use.setText(tr("Use the Better One"))
         else:
             words = tr("{letter}: {preset} is in use") if better == model.letter else tr("Use {letter}: {preset}")
             name = model.sides[better].name if better in model.sides else ""

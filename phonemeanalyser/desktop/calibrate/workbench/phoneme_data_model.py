@@ -94,7 +94,7 @@ class PhonemeDataModel(QObject):
         name = self._preset.preset.recogniser
         if Tuning.PITCH_SETS in spec_of(name).tuned_by:
             return ""
-        sentence = tr("The recogniser {name} does not use these numbers. Choose the preset Thesis.")
+        sentence = tr("“{name}” does not use these numbers. Choose the preset “Thesis”.")
         return sentence.format(name=recogniser_title(name))
 
     @property

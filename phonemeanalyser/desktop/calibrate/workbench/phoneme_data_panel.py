@@ -74,19 +74,19 @@ class PhonemeDataPanel(QWidget):
             )
         )
         self.add = tool_button(
-            tr("Add set…"),
+            tr("Add Set…"),
             tr(
-                "Fit the numbers to one speaker, or take those of a file, and use them for voices of one range of "
-                "pitch; Ctrl+Z removes the set"
+                "Fit the numbers to one speaker, or read them from a file, for voices in one range of pitch; Ctrl+Z "
+                "removes the set"
             ),
         )
-        self.remove = named(QPushButton(tr("Remove set")), tip=tr("Remove this pitch set; Ctrl+Z restores it"))
+        self.remove = named(QPushButton(tr("Remove Set")), tip=tr("Remove this pitch set; Ctrl+Z restores it"))
         self.fit_all = named(
-            QPushButton(tr("Fit all numbers")),
+            QPushButton(tr("Fit All Numbers")),
             tip=tr("Fit all thresholds to the loaded takes and recordings; Ctrl+Z restores the old ones"),
         )
         self.fit_row = named(
-            QPushButton(tr("Fit number")), tip=tr("Fit the number of the selected row, with all others as they are")
+            QPushButton(tr("Fit Number")), tip=tr("Fit the number of the selected row, with all others as they are")
         )
         self.state = label(wraps=True)
         self.in_use = QLabel()
@@ -128,7 +128,7 @@ class PhonemeDataPanel(QWidget):
             button.setEnabled(not why or busy)
         self.add.setEnabled(not model.why_unused)
         self.fit_all.setText(
-            tr("Stop {percent:.0f} %").format(percent=100 * model.fitting.progress) if busy else tr("Fit all numbers")
+            tr("Stop {percent:.0f} %").format(percent=100 * model.fitting.progress) if busy else tr("Fit All Numbers")
         )
         self.state.setText("" if busy else why or model.words)
         self.state.setVisible(bool(self.state.text()))
@@ -268,6 +268,8 @@ class PhonemeDataPanel(QWidget):
         for header, height in ((table.verticalHeader(), 20), (table.horizontalHeader(), NARROW)):
             header.setDefaultSectionSize(height)
             header.setHighlightSections(False)
+        heads = table.horizontalHeader()  # of two lines from the start: else the rows move, and leave a trace below
+        heads.setFixedHeight(2 * heads.fontMetrics().lineSpacing() + 6)
         table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         let_copy(table)
         open_at_once(self.add, QMenu(self.add))

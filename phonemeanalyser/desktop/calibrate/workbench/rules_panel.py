@@ -20,7 +20,9 @@ class RulesPanel(QWidget):
     def __init__(self, finding: RuleFinding, theme: Theme) -> None:
         super().__init__()
         self._finding = finding
-        self.begin = named(QPushButton(tr("Find rules")), tip=tr("Find few rules in the loaded takes and recordings"))
+        self.begin = named(
+            QPushButton(tr("Find Rules")), tip=tr("Find a few rules in the loaded takes and recordings")
+        )
         self.stop = named(QPushButton(tr("Cancel")), tip=tr("Stop the search; the preset stays unchanged"))
         self.accept = named(
             QPushButton(tr("Apply")), tip=tr("Recognise with these rules; Ctrl+Z restores the preset")
@@ -28,10 +30,10 @@ class RulesPanel(QWidget):
         self.refuse = named(QPushButton(tr("Discard")), tip=tr("Leave the preset unchanged"))
         self.conditions = named(
             NumberField(1, 500),
-            tr("Most conditions"),
-            tr("Of all rules together; fewer are easier to read"),
+            tr("Maximum conditions"),
+            tr("Maximum number of conditions of all rules together; fewer are easier to read"),
         )
-        tip = tr("What rules may ask for: frequency bands, with filters that suit them, or the preset's variables")
+        tip = tr("What rules may compare: frequency bands, with filters that suit them, or the preset's variables")
         self.variables = choice(
             [(tr("Frequency bands"), True), (tr("Variables of the preset"), False)], tr("Variables"), tip
         )
@@ -68,7 +70,7 @@ class RulesPanel(QWidget):
             return tr("Searching in the background…")
         if report is None:
             return self._finding.why_not or tr(
-                "Finds a tree of few rules that recognise the loaded takes and recordings, to read and to edit."
+                "Finds a small decision tree for the loaded takes and recordings, as rules to read and edit."
             )
         rules = report.preset.rules
         found = tr("Rules: {rules}, conditions: {conditions}.").format(
@@ -93,7 +95,7 @@ class RulesPanel(QWidget):
         column(
             row(*buttons, 1),
             row(self.variables, 1),
-            row(label(tr("Most conditions")), self.conditions, 1),
+            row(label(tr("Maximum conditions")), self.conditions, 1),
             self.words, self.figures, (self.rules, 1), 0,
             on=self, margins=(6, 6, 6, 4),
         )  # fmt: skip

@@ -14,13 +14,13 @@ COMPARISONS = {
     FaceDriver.PINYIN: tr_noop("With Pinyin Letters"),
     FaceDriver.TABLE: tr_noop("With Recorded Faces"),
     FaceDriver.NETWORK: tr_noop("With a Face Network"),
-    OTHER_PRESET: tr_noop("With a Second Preset (Analysis > Choose Preset B)"),
+    OTHER_PRESET: tr_noop("With Preset B (Analysis > Choose Preset B…)"),
 }
 """What a second head can be moved by."""
 
 
 class ComparisonMenu(QMenu):
-    """Lists what a second head can be moved by; a table, a network or a second preset only where one is open."""
+    """Lists what a second head can be moved by; a table, a network or preset B only where there is one."""
 
     def __init__(self, drivers: DriverModel, comparison: DifferenceModel, parent: QWidget) -> None:
         super().__init__(tr("Compare"), parent)

@@ -79,7 +79,7 @@ class ExpressionPanel(QWidget):
             tr("Face follows the text"),
             tr(
                 "How far the face shows what the text says of feeling: [smile], [angry 0.6], emoji, good and bad "
-                "words; the lane Feeling of the time line shows and edits it"
+                "words; the lane Feeling of the timeline shows and edits it"
             ),
         )
         self._of_text = label(width=PERCENT_WIDTH)
@@ -103,7 +103,7 @@ class ExpressionPanel(QWidget):
         self.meter.setTextVisible(False)
         self.meter.setFixedHeight(METER_HEIGHT)
         self.neutral = tool_button(tr("Neutral"), tr("Set all sliders to 0"))
-        self.file = spoken_button(tr("Load face capture…"), tr(RECORDING))
+        self.file = spoken_button(tr("Load Face Capture…"), tr(RECORDING))
         self.state = ElidedLabel()
         self.switch = named(
             QCheckBox(tr("Receive OSC at")),
@@ -206,7 +206,7 @@ class ExpressionPanel(QWidget):
         self.neutral.setEnabled(any(moved))
         path, received = self._model.path, self._model.input
         if path is None:
-            named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load face capture…"))
+            named(self.file, tr(RECORDING), tr(RECORDING)).setText(tr("Load Face Capture…"))
         else:
             show_removable(self.file, path.name, tr("Remove the face capture {path}").format(path=path))
         with silent(self.switch):
@@ -249,8 +249,9 @@ class OscPanel(QWidget):
         fields = grid(self, down=4)
         fields.addWidget(self.switch, 0, 0)
         fields.addWidget(self.address, 0, 1)
-        fields.addWidget(self.state, 1, 0)
+        fields.addWidget(label(self.table.accessibleName()), 1, 0)
         fields.addWidget(self.table, 1, 1)
+        fields.addWidget(self.state, 2, 1)
         fields.setColumnStretch(1, 1)
         self.switch.clicked.connect(self._switch)
         self.address.editingFinished.connect(lambda: osc.set_address(self.address.text()))

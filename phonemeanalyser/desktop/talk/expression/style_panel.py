@@ -33,7 +33,7 @@ from phonemeengine.mouth.table import STRONGEST
 
 AMOUNT_WORDS = {
     "mumbling": (tr_noop("Mumbling"), tr_noop("Opens the mouth less and later, and closes it for a shorter time")),
-    "theatrical": (tr_noop("Theatrical"), tr_noop("Opens the mouth farther and faster, and moves the head more")),
+    "theatrical": (tr_noop("Theatrical"), tr_noop("Opens the mouth wider and faster, and moves the head more")),
     "asymmetry": (tr_noop("Asymmetry"), tr_noop("The right half of the face stays behind the left one")),
 }
 TABLES = {
@@ -48,10 +48,18 @@ TABLES = {
 }
 """The tables of a style, by their names in its file."""
 SHIPPED = {
-    "neutral": tr_noop("neutral"),
-    "mumbling": tr_noop("mumbling"),
-    "theatrical": tr_noop("theatrical"),
+    "neutral": tr_noop("Neutral"),
+    "mumbling": tr_noop("Mumbling"),
+    "theatrical": tr_noop("Theatrical"),
 }
+HEAD_TIPS = {
+    tr_noop("Priority"): tr_noop("Where poses overlap, the one with the higher priority comes first"),
+    tr_noop("Width"): tr_noop("Factor of the time for which the pose holds, comes and goes"),
+    tr_noop("Firm"): tr_noop("Lips, teeth and tongue meet in time and fully, however quiet the speech is"),
+    tr_noop("Shape (%)"): tr_noop("Blend shapes on which the pose decides, with their weights in percent"),
+    tr_noop("Reduction"): tr_noop("Share of the expression that speech takes away: 0 nothing, 1 everything"),
+}
+"""What the columns of poses and reductions say, by their titles."""
 ROW_HEIGHT, TABLE_HEIGHT, PERCENT_WIDTH = 22, 200, 40
 
 
@@ -79,7 +87,7 @@ class StylePanel(QWidget):
     def __init__(self, styles: StyleModel, theme: Theme) -> None:
         super().__init__()
         self._model = styles
-        tip = tr("Style in which the face speaks: those of the program, and yours in the folder of styles")
+        tip = tr("Style in which the face speaks: a built-in one, or one of your own from the styles folder")
         self.lists = {side: choice((), tr("Style {side}").format(side=side), tip) for side in styles.names}
         self.edits = {
             side: toggle_button(side, tr("Edit the style of side {side} below").format(side=side))
@@ -209,6 +217,9 @@ class StylePanel(QWidget):
         table.setColumnCount(len(titles))
         table.setRowCount(len(rows))
         table.setHorizontalHeaderLabels(list(titles))
+        tips = {tr(title): tr(tip) for title, tip in HEAD_TIPS.items()}
+        for k, title in enumerate(titles):
+            table.model().setHeaderData(k, Qt.Orientation.Horizontal, tips.get(title), Qt.ItemDataRole.ToolTipRole)
         style_list(table, ROW_HEIGHT, widths)
         table.setEditTriggers(QTableWidget.EditTrigger.DoubleClicked | QTableWidget.EditTrigger.EditKeyPressed)
         for k, values in enumerate(rows):

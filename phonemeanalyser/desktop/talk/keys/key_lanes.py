@@ -20,7 +20,7 @@ from phonemeengine.arrays import Float64Array
 from phonemeengine.mouth.key_layer import KeyCurve, ShownCurve
 
 LEFT = 66
-"""Pixels of the names, as in the time line above."""
+"""Pixels of the names, as in the timeline above."""
 LANE, LEAST_LANE = 64, 26
 """Pixels of a lane: as it would like to be, and at least."""
 NEAR, DOT = 7, 3

@@ -14,6 +14,7 @@ from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import choice, grid, label, named, offer, row, silent, tool_button
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
+from phonemeanalyser.desktop.widgets.lanes import names_in_lanes
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.head import Head
@@ -59,7 +60,7 @@ class TransitionTimesView(QWidget):
         for k, phoneme in enumerate(SPEAKING):
             left = NAMES_WIDTH + k * width
             painter.fillRect(QRectF(left + 1, ROW - LINE, width - 2, LINE), QColor(PHONEME_COLOURS[phoneme]))
-            for at, text in enumerate((sound_name(phoneme), *self.milliseconds(phoneme))):
+            for at, text in enumerate((names_in_lanes()[phoneme], *self.milliseconds(phoneme))):
                 self._write(painter, at, left, width, text, self._theme.text)
 
     def milliseconds(self, phoneme: Phoneme) -> tuple[str, str]:
@@ -121,12 +122,10 @@ class ChoicesPanel(QWidget):
         self._theme = theme
         self.face = ElidedLabel()
         self.own = tool_button(
-            tr("Load face…"), tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)")
+            tr("Load Face…"), tr("Load a face mesh (.obj, .glb, .vrm, .gltf, .x) with its blend shapes (.3dm)")
         )
         self.heads = {head: tool_button(tr(name), tr(HEAD_TIPS[head])) for head, name in HEADS.items()}
-        self.map = tool_button(
-            tr("Map shapes…"), tr("Choose which blend shapes of this face stand for which of the mouth table")
-        )
+        self.map = tool_button(tr("Map Shapes…"), tr("Map the blend shapes of this face to those of the mouth table"))
         self.table = choice(
             (),
             tr("Mouth table"),

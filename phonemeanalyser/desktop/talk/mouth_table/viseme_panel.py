@@ -95,7 +95,7 @@ class VisemePanel(QWidget):
                 "everything but blinks to 0 while they are held"
             ),
         )
-        self.leave = tool_button(tr("Reset to speech"), tr("Set all sliders to 0"), act=talking.clear_visemes)
+        self.leave = tool_button(tr("Reset to Speech"), tr("Set all sliders to 0"), act=talking.clear_visemes)
         self._body = QWidget()
         head = row((heading(tr("Mouth shapes")), 1), self.mode, self.leave)
         self._column = column(head, self._body, on=self, spacing=4)

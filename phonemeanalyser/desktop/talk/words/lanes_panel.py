@@ -1,4 +1,4 @@
-"""The time line with the bar above it: what is known, which words fit badly, and how much is seen."""
+"""The timeline with the bar above it: what is known, which words fit badly, and how much is seen."""
 
 from functools import partial
 
@@ -16,11 +16,11 @@ MOST_LISTED = 30
 
 
 class LanesPanel(QWidget):
-    """The time line and its bar.
+    """The timeline and its bar.
 
     Attributes
     ----------
-    line : the time line.
+    line : the timeline.
     summary : what is known of the sound.
     poor : lists the words that fit badly; `previous` and `next` go to the one before and after.
     whole : shows all of the sound.
@@ -37,7 +37,7 @@ class LanesPanel(QWidget):
         )
         self.poor = spoken_button("", tr("Words that fit the recording badly; choose one to play it"))
         self.next = spoken_button("▸", tr("Go to the next poor match"), partial(self._texts.edits.show_poor, 1))
-        self.whole = spoken_button(tr("Fit all"), tr("Zoom to the whole length"), self._show_whole)
+        self.whole = spoken_button(tr("Fit All"), tr("Zoom to the whole length"), self._show_whole)
         open_without_arrow(self.poor, self._list)
         bar = row((self.summary, 1), self.previous, self.poor, self.next, self.whole, spacing=4)
         bar.setContentsMargins(8, 0, 8, 0)

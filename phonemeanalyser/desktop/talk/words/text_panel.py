@@ -128,7 +128,7 @@ class TextPanel(QWidget):
             f"QToolButton:disabled {{ color: {theme.faint}; background: {theme.raised}; border-color: {theme.line} }}"
         )
         self.anyway = spoken_button(
-            tr("Align anyway"), tr("Align the text, though it doesn’t seem to match the recording")
+            tr("Align Anyway"), tr("Align the text, though it doesn’t seem to match the recording")
         )
         self.refusal = ElidedLabel(tr("The recording doesn’t match this text."))
         self.state = ElidedLabel()
@@ -228,7 +228,7 @@ class TextPanel(QWidget):
         if self._aligns:
             name, tip = tr("Align"), tr("Find the words of the text in the recording (Ctrl+Shift+Return)")
         if self._aligns and self._texts.busy:
-            name, tip = tr("Cancel"), tr("Stop aligning")
+            name, tip = tr("Cancel"), tr("Stop Aligning")
         self.act.setText(name)
         named(self.act, tip, tip)
 

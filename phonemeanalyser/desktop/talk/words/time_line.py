@@ -1,4 +1,4 @@
-"""The time line below the head: the waveform, what is said when, and the time; words are played and moved there."""
+"""The timeline below the head: the waveform, what is said when, and the time; words are played and moved there."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -77,7 +77,7 @@ NOTHING = tr_noop("Open a recording with Ctrl+O, or write a text above and press
 
 
 class SpeechTimeline(QWidget):
-    """Paints waveform, lanes and times of the current sound, as much of it as the page Analyse shows.
+    """Paints waveform, lanes and times of the current sound, as much of it as the Analyse page shows.
 
     A click plays a word, a syllable or a phone, or what a unit of a recorded face was taken from, and a double click
     all of its recording; elsewhere it goes to that time. A boundary can be dragged. Left and Right go one picture.
@@ -103,7 +103,7 @@ class SpeechTimeline(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
-        self.setAccessibleName(tr("Time line: words and phones over time"))
+        self.setAccessibleName(tr("Timeline: words and phones over time"))
         self._stale = False
         self.editor = LabelEditor(self)
         self._felt, self._writes = talking.felt_text, partial(self._texts.edits.name)

@@ -28,8 +28,8 @@ CHOICES = {
     ExampleChoice.BAND: tr_noop("Random within 15 % of the duration"),
     ExampleChoice.RANDOM: tr_noop("Random"),
 }
-NO_TABLE, OTHER_TABLE = tr_noop("None"), tr_noop("Open table…")
-NO_NETWORK, OTHER_NETWORK = tr_noop("No network"), tr_noop("Open network…")
+NO_TABLE, OTHER_TABLE = tr_noop("None"), tr_noop("Open Table…")
+NO_NETWORK, OTHER_NETWORK = tr_noop("No network"), tr_noop("Open Network…")
 LACKING = {
     FaceDriver.TABLE: tr_noop("No table of recorded faces is open, so phonemes move the mouth; open one here."),
     FaceDriver.NETWORK: tr_noop("No face network is open, so phonemes move the mouth; open one here."),

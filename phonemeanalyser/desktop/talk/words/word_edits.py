@@ -30,7 +30,7 @@ from phonemeengine.settings import FRAME_PERIOD
 from phonemeengine.text.lexicon import Lexicon
 
 NO_WORDS = tr_noop("No words are known of this sound. Align its text first.")
-NOTHING_CHOSEN = tr_noop("No word is selected. Click one in the time line first.")
+NOTHING_CHOSEN = tr_noop("No word is selected. Click one in the timeline first.")
 LEAST_INSERTED = 0.03
 """Seconds of a pause in which a word can be inserted."""
 REACH = 0.5
