@@ -48,11 +48,13 @@ class PresetDialogs(QObject):
     rejected : a sentence for the user; an empty one after something went well.
     info : a sentence for the user about something to know.
     action_offered : a sentence, what can be done about it, and the function that does it.
+    offer_ended : what was offered is of no use any more, since the preset was saved or another one was loaded.
     """
 
     rejected = Signal(str)
     info = Signal(str)
     action_offered = Signal(str, str, object)
+    offer_ended = Signal(object)
 
     def __init__(
         self, window: QWidget, session: Session, preset: PresetModel, settings: QSettings, files: FileAsker
@@ -62,6 +64,8 @@ class PresetDialogs(QObject):
         self._settings, self._files = settings, files
         self._shipping = TaskQueue(self.rejected.emit)
         preset.sides_changed.connect(self._keep_sides)
+        for told in (preset.loaded, preset.file_changed):
+            told.connect(self._end_offers)
 
     def close(self) -> None:
         """Tell no more of a preset that is being shipped."""
@@ -107,6 +111,10 @@ class PresetDialogs(QObject):
         if self._preset.has_unsaved_changes:
             sentence = tr("The calibrated preset is in use but not saved yet.")
             self.action_offered.emit(sentence, tr("Save As…"), self.save_as)
+
+    def _end_offers(self) -> None:
+        for act in (self.save_as, self._preset.revert):
+            self.offer_ended.emit(act)
 
     def restore(self) -> None:
         """Load A and B of the last start, and use the one that was in use; say which file is gone."""

@@ -255,6 +255,7 @@ class MainWindow(QMainWindow):
         self.label_dialogs.join(self.analysis.file.view)
         session.microphone.recorded.connect(dialogs.offer_recording)
         dialogs.action_offered.connect(self.banner.offer)
+        dialogs.presets.offer_ended.connect(self.banner.withdraw)
         dialogs.join(self.analysis)
         dialogs.curves.loaded = lambda: () if self._calibration is None else self._calibration.workbench.utterances
         self.analysis.averaged.table_asked.connect(lambda: self._docks.show(self._spectra))

@@ -227,7 +227,7 @@ def write_clip(
     captions : of each head; none for a single one.
     sound : the sound of a film.
     progress : called with the share that is done, 0..1.
-    guard : says whether a film that is there may be replaced.
+    guard : says whether a film or pictures that are there may be replaced.
 
     Raises
     ------
@@ -289,7 +289,7 @@ def _write(
 ) -> None:
     kind = out.suffix.lower()
     if kind not in {".mp4", ".gif"}:
-        write_pictures(out, pictures)
+        write_pictures(out, pictures, overwrite=guard.overwrite)
         return
     with guarded_write(out, guard) as file:
         if kind == ".mp4":

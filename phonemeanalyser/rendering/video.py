@@ -1,6 +1,7 @@
 """Pictures one after the other, as a film with sound (.mp4), as a .gif, or as a folder of .png files."""
 
 import importlib
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -28,6 +29,9 @@ CLEARED: dict[str, Any] = {"transparency": COLOURS - 1, "disposal": 2}
 """How a transparent .gif is saved: each picture in place of the one before."""
 LONGEST_GIF = 1800
 """Frames of a .gif, which is held in memory."""
+
+_NUMBERED = re.compile(r"\d{6,}\.png")
+"""What the pictures of a folder are called."""
 
 Blocks = Iterable[Float32Array]
 
@@ -117,17 +121,28 @@ def _indexed(image: Image.Image, method: Image.Quantize) -> Image.Image:
     return found
 
 
-def write_pictures(folder: Path, pictures: Iterable[UInt8Array]) -> None:
+def write_pictures(folder: Path, pictures: Iterable[UInt8Array], *, overwrite: bool = False) -> None:
     """Write ``000000.png`` and so on into a folder, which is made if need be.
+
+    Parameters
+    ----------
+    overwrite : whether pictures of these names that are there go, also those that are not written anew.
 
     Raises
     ------
-    RenderingError : there are other things in the folder, or it cannot be written to.
+    RenderingError : there are such pictures that stay or other things in the folder, or it cannot be written to.
     """
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if next(folder.iterdir(), None) is not None:
+        earlier = list(folder.iterdir())
+        if not all(_NUMBERED.fullmatch(path.name) for path in earlier):
             raise RenderingError(f"{folder}: this folder is not empty; name another one for the pictures")
+        if earlier and not overwrite:
+            raise RenderingError(
+                f"{folder}: there are pictures already; name another folder, or replace them with --overwrite"
+            )
+        for path in earlier:
+            path.unlink()
         for number, picture in enumerate(pictures):
             Image.fromarray(picture).save(folder / f"{number:06d}.png", compress_level=4)
     except OSError as error:

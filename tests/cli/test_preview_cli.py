@@ -171,6 +171,7 @@ def test_a_mesh_is_moved_by_a_file_of_movestates(sound: Path, tmp_path: Path):
         (("-o", "a", "--fps", "0"), "the frame rate must lie in 1..240 frames per second, got 0; choose another"),
         (("-o", "a", "--fps", "0.5"), "the frame rate must lie in 1..240 frames per second, got 0.5; choose another"),
         (("-o", "full"), "full: this folder is not empty; name another one for the pictures"),
+        (("-o", "old"), "old: there are pictures already; name another folder, or replace them with --overwrite"),
         (("-o", "full/mine/a"), "full/mine/a: cannot be written ("),
         (("-o", "full/mine/a.mp4"), "full/mine/a.mp4: cannot be written ("),
         (("-o", "a", "--mesh", "gone.obj"), "gone.obj: cannot be read (No such file or directory); check the file"),
@@ -193,6 +194,8 @@ def test_what_cannot_be_done_is_said_in_one_sentence(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "mine").write_text("mine")
+    (tmp_path / "old").mkdir()
+    (tmp_path / "old" / "000000.png").touch()
     (tmp_path / "cube.obj").write_bytes(CUBE_OBJ)
     cube: MorphMesh = morph_mesh_of_cube()
     save_morph_targets(morph_targets_of(cube.mesh, cube.states), tmp_path / "cube.3dm")

@@ -356,7 +356,13 @@ def test_a_clip_is_the_one_that_the_command_makes(dialog, folder, tmp_path, qtbo
     choose(dialog, "clip-png")
     with qtbot.waitSignal(dialog.queue.finished):
         QTest.mouseClick(dialog.start, LEFT)
+    (folder / "one-pictures" / "000999.png").write_bytes((folder / "one-pictures" / "000000.png").read_bytes())
+    QTest.mouseClick(dialog.start, LEFT)
+    assert dialog.question.text() == "one-pictures already exists."
+    with qtbot.waitSignal(dialog.queue.finished):
+        QTest.mouseClick(dialog.replace, LEFT)
     assert (folder / "one-pictures" / "000000.png").is_file()
+    assert not (folder / "one-pictures" / "000999.png").exists()
     choose(dialog, "clip-mp4")
     QTest.mouseClick(dialog.start, LEFT)
     assert dialog.told.text().startswith("an .mp4 has no transparent ground")

@@ -136,7 +136,7 @@ def test_closing_asks_about_changes_of_both(desktop, window):
     model.clear_second()
 
 
-def test_changes_of_both_outlive_a_crash(desktop, tmp_path):
+def test_changes_of_both_outlive_a_crash(desktop, window, tmp_path):
     model = desktop.preset
     model.set_other(PresetDocument.read(preset_path("extended")))
     model.set_setting("minimum_hold", 0.08)
@@ -146,10 +146,13 @@ def test_changes_of_both_outlive_a_crash(desktop, tmp_path):
     kept.keep()
     model.clear_second()
     model.load(preset_path("templates"))
-    assert kept.restore()
+    window.dialogs.presets.restore_unsaved(kept)
+    assert window.banner.action.text() == "Discard Changes"
     assert model.preset.settings.minimum_hold == 0.09
     assert model.other.preset.settings.minimum_hold == 0.08
     assert model.other.path == preset_path("thesis")
+    model.load(preset_path("templates"))
+    assert window.banner.isHidden()  # what it offered would discard nothing
     kept.forget()
     assert list(tmp_path.glob("*.toml")) == []
     kept.close()

@@ -184,10 +184,14 @@ _STATES = {
 def in_the_way(targets: dict[Path, Path], order: ExportOrder, folder: Path | None) -> list[Path]:
     """Return the sounds whose files are there already, and are not known to be what the same order made.
 
+    Of pictures, those whose folder is not empty.
+
     Parameters
     ----------
     targets, order, folder : as in `ExportQueue.start`.
     """
+    if order.kind == PICTURES:
+        return [source for source, folder in targets.items() if folder.is_dir() and any(folder.iterdir())]
     jobs = [Job(source, target) for source, target in targets.items() if target.is_file()]
     work = work_of(with_texts(order, [job.source for job in jobs]))
     return [job.source for job in jobs_in_the_way(jobs, work, folder)]

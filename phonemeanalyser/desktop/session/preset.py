@@ -256,11 +256,13 @@ class PresetModel(QObject):
     def save(self, path: Path) -> None:
         """Save to a file, which becomes the preset's file; EngineError leaves everything as it was.
 
-        Where a PhonemeData file cannot hold all, `lost_in` says what is left out; that stays unsaved, and marked.
+        Where a PhonemeData file cannot hold all, `lost_in` says what is left out; that counts as saved until the next
+        start, since the user chose so.
         """
         named = replace(self.preset, name=path.stem) if path != self.path else self.preset
         save_preset(named, path)
-        before, self.document = self.preset, PresetDocument(path, named, load_preset(path))
+        before, saved = self.preset, named if self.lost_in(path) else load_preset(path)
+        self.document = PresetDocument(path, named, saved)
         if named != before:
             self._use(self.document)
         self.undo_stack.setClean()

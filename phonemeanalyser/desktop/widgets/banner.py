@@ -76,6 +76,14 @@ class Banner(QWidget):
         self.action.show()
         self._fit()
 
+    def withdraw(self, act: Callable[[], object]) -> None:
+        """Offer something no longer that does this."""
+        if self._offer is not None and self._offer[2] == act:
+            is_shown = self.action.isVisibleTo(self)
+            self._offer = None
+            if is_shown:
+                self._go_back()
+
     def _act(self) -> None:
         offer, self._offer = self._offer, None
         self._go_back()
