@@ -441,6 +441,9 @@ def _in_language(text: str, _language: str) -> str:
     if found != text:
         return found
     for sentence in (*SENTENCES, *ERRORS):
+        start, end = sentence.partition("{")[0], sentence.rpartition("}")[2]
+        if not (text.startswith(start) and text.endswith(end)):
+            continue  # before a pattern is compiled: all of them take a quarter of a second at the start
         filled = _pattern(sentence).fullmatch(text)
         if filled is not None:
             put_in = tr_engine if sentence in SENTENCES else _of_errors

@@ -98,16 +98,18 @@ class WindowLender:
 
         Its microphones are those of `studio`, which has none.
         """
-        if self._desktop is not None:
+        lent = self._desktop
+        if lent is not None and (lent._calibration, lent.window.findChild(TalkPage)) != (None, None):
+            lent = lent if self._whole else None
+            self._whole = True
+        if lent is not None:
             app = QApplication.instance()
             use_language(app, "en")
-            apply_theme(app, self._desktop.window.theme)  # both may be those of another window
+            apply_theme(app, lent.window.theme)  # both may be those of another window
             for _ in range(2):  # what the first time hides leaves its room to others with the events of the second
-                self._tidy(self._desktop)
-                if _looks(self._desktop) == self._clean:
-                    return self._desktop
-            made = self._desktop._calibration, self._desktop.window.findChild(TalkPage)
-            self._whole = self._whole or made != (None, None)
+                self._tidy(lent)
+                if _looks(lent) == self._clean:
+                    return lent
         self.close()
         self._desktop = self._begin()
         return self._desktop
@@ -204,6 +206,9 @@ class WindowLender:
         page.takes.speaker.clear()
         bench = page.workbench
         bench.tabs.setCurrentIndex(0)
+        bench.upper.setCurrentIndex(0)
+        bench.phoneme_data.show_all()
+        bench.phoneme_data.add.menu().clear()
         bench.variables.one.setCurrentIndex(bench.variables.one.findData(Phoneme.SZ))
         bench.variables.other.setCurrentIndex(bench.variables.other.findData(Phoneme.SCH))
         bench.compare.difference.setChecked(False)
@@ -217,6 +222,7 @@ def _leave_talk(desktop: Desktop) -> None:
     desktop.window.talking_dialogs.restore()
     talking.clear_visemes()
     talking.text.drivers.compare(None)
+    talking.text.set_lexicon(None)
     talking.expression.set_file(None)
     talking.expression.clear()
     if talking.face.name != tr(HEADS[USUAL_HEAD]):

@@ -244,12 +244,19 @@ def test_each_file_of_translations_is_a_language_by_its_own_name() -> None:
 
 
 @pytest.mark.parametrize("language", ["en", "de"])
-def test_numbers_have_a_point_and_nothing_between_thousands_in_every_language(
+def test_in_every_language_numbers_have_a_point_menus_letters_of_their_own_and_small_screens_suffice(
     open_window: Callable[[str], Desktop], language: str, qtbot: QtBot
 ) -> None:
     desktop = open_window(language)
+    titles = titles_of(desktop)
+    assert len({title[title.index("&") + 1].lower() for title in titles}) == len(titles) == 10
     shown(desktop, qtbot)
-    desktop.window.show_page(2)
+    desktop.window.resize(1024, 700)
+    for page in range(3):
+        desktop.window.show_page(page)
+        QApplication.processEvents()
+        assert (desktop.window.width(), desktop.window.height()) == (1024, 700)
+        assert desktop.window.minimumSizeHint().width() <= 1024
     desktop.window.dialogs.show_export()
     boxes = [box for box in desktop.window.findChildren(QDoubleSpinBox) if box.decimals()]
     assert len(boxes) > 10
@@ -277,24 +284,6 @@ def test_qts_own_buttons_and_keys_speak_german_too(spoken: Callable[[str], None]
     qtbot.addWidget(buttons)
     assert {button.text().replace("&", "") for button in buttons.buttons()} == {"Schließen", "Abbrechen"}
     assert QKeySequence("Ctrl+Space").toString(QKeySequence.SequenceFormat.NativeText) == "Strg+Leertaste"
-
-
-@pytest.mark.parametrize("language", ["en", "de"])
-def test_no_two_menus_have_the_same_letter(open_window: Callable[[str], Desktop], language: str) -> None:
-    titles = titles_of(open_window(language))
-    letters = [title[title.index("&") + 1].lower() for title in titles]
-    assert len(set(letters)) == len(titles) == 10
-
-
-def test_the_german_window_fits_a_small_screen(open_window: Callable[[str], Desktop], qtbot: QtBot) -> None:
-    desktop = open_window("de")
-    shown(desktop, qtbot)
-    desktop.window.resize(1024, 700)
-    for page in range(3):
-        desktop.window.show_page(page)
-        QApplication.processEvents()
-        assert (desktop.window.width(), desktop.window.height()) == (1024, 700)
-        assert desktop.window.minimumSizeHint().width() <= 1024
 
 
 def test_one_thing_and_several_have_words_of_their_own(spoken: Callable[[str], None]) -> None:

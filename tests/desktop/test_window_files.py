@@ -116,7 +116,7 @@ def test_a_sound_may_be_dropped_onto_any_view(desktop, window, tmp_path):
         window.filters,
         window.analysis.thresholds,
     ):
-        for target in [view, *(w for w in view.findChildren(QWidget) if w.isVisible())]:
+        for target in {type(w): w for w in (view, *view.findChildren(QWidget)) if w.isVisible()}.values():
             sound = next(sounds)
             assert (drop(target, sound), desktop.session.path) == (True, sound), (view, target)
 

@@ -65,7 +65,7 @@ def texts(window) -> list[QWidget]:
 
 def clipped(widgets: list[QWidget]) -> dict[str, tuple[int, int]]:
     """Give what has less room than it needs."""
-    return {name_of(w): room_and_need(w) for w in widgets if room_and_need(w)[0] < room_and_need(w)[1]}
+    return {name_of(w): (room, need) for w in widgets for room, need in (room_and_need(w),) if room < need}
 
 
 def name_of(widget: QWidget) -> str:
@@ -74,12 +74,12 @@ def name_of(widget: QWidget) -> str:
 
 
 def test_every_text_has_room_lies_inside_its_parent_and_on_nothing_else(window):
-    assert len(texts(window)) > 100
-    assert clipped(texts(window)) == {}
-    outside = [name_of(w) for w in texts(window) if not w.parentWidget().rect().contains(w.geometry())]
-    assert outside == []
-    for parent in {w.parentWidget() for w in texts(window)}:
-        children = [w for w in texts(window) if w.parentWidget() is parent]
+    seen = texts(window)
+    assert len(seen) > 100
+    assert clipped(seen) == {}
+    assert [name_of(w) for w in seen if not w.parentWidget().rect().contains(w.geometry())] == []
+    for parent in {w.parentWidget() for w in seen}:
+        children = [w for w in seen if w.parentWidget() is parent]
         for k, one in enumerate(children):
             covering = [name_of(o) for o in children[k + 1 :] if o.geometry().intersects(one.geometry())]
             assert covering == [], name_of(one)

@@ -22,8 +22,6 @@ from phonemeengine.presets.preset import Preset
 from tests.desktop.calibrate.calibrating import corpus
 from tests.desktop.hands import CARDS, click, press, shown
 
-pytestmark = pytest.mark.usefixtures("own_desktop")  # what was scored last stays beside a score
-
 
 @pytest.fixture
 def window(desktop, qtbot):

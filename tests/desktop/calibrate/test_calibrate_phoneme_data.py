@@ -17,8 +17,6 @@ from tests.desktop.hands import LEFT, FileAnswers, click, press
 from tests.desktop.studio import Booth
 from tests.fakes.microphones import HandDrivenMicrophone
 
-pytestmark = pytest.mark.usefixtures("open_own_booth")  # its table keeps what it showed last while it is hidden
-
 
 @pytest.fixture
 def calibrator(open_booth: Callable[..., Booth], mic: HandDrivenMicrophone) -> Calibrator:

@@ -1,5 +1,6 @@
 """The text below the head, as a user meets it: typed, aligned, said, clicked and dragged."""
 
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from pytestqt.qtbot import QtBot
 
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.language import use_language
+from phonemeanalyser.desktop.session.microphone import Microphone
 from phonemeanalyser.desktop.session.preset import PresetDocument
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
@@ -29,7 +31,9 @@ from phonemeengine.performance.table_file import write_table
 from phonemeengine.phonemes import Phoneme
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.settings import FRAME_PERIOD
+from tests.desktop.conftest import begin, settings_in
 from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, settle, shown, type_number, wav
+from tests.desktop.lent_window import WindowLender
 from tests.desktop.stage import AN_A
 from tests.desktop.talk.text_page import (
     CONTROL,
@@ -46,10 +50,37 @@ from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoi
 from tests.desktop.test_window_sizes import SMALLEST, fits
 from tests.engine.performance.test_track import recorded
 
-pytestmark = pytest.mark.usefixtures("own_desktop")  # with a voice and an aligner of its own
-
 DURATION = len(AN_A) / 44100
 SAID = Utterance((word("so", 0.2, 0.6, 0.1), word("oh", 0.6, 1.1, 3.0)), DURATION, "en-us")
+
+
+@pytest.fixture(scope="module")
+def lender(qapp: QApplication, tmp_path_factory: pytest.TempPathFactory) -> Iterator[WindowLender]:
+    """Lends a window with voices of its own."""
+    folder = tmp_path_factory.mktemp("spoken")
+
+    def make(settings: QSettings, microphone: Microphone) -> Desktop:
+        desktop = knowing(begin(qapp, settings, microphone))
+        desktop.window.talk.head.grab()  # which finds no OpenGL
+        return desktop
+
+    lender = WindowLender(make, settings_in(folder), folder, whole=True)
+    yield lender
+    lender.close()
+
+
+def knowing(desktop: Desktop) -> Desktop:
+    """Have a program know the voices of these tests, before it looks for others."""
+    voice = desktop.talking.text.voice
+    voice.look, voice.warm_up = lambda: INSTALLED, lambda: None
+    return desktop
+
+
+@pytest.fixture(autouse=True)
+def seldom_drawn(request: pytest.FixtureRequest) -> None:
+    """Have the head drawn where a test needs `graphics` only."""
+    if "graphics" not in request.fixturenames:
+        request.getfixturevalue("no_opengl")
 
 
 @pytest.fixture
@@ -63,20 +94,9 @@ def aligner() -> FakeAligner:
 
 
 @pytest.fixture
-def window(
-    request: pytest.FixtureRequest,
-    desktop: Desktop,
-    qtbot: QtBot,
-    tmp_path: Path,
-    voice: FakeVoice,
-    aligner: FakeAligner,
-) -> MainWindow:
-    """The page of the head, on a sound without labels; the head is drawn where a test needs `graphics` only."""
-    if "graphics" not in request.fixturenames:
-        request.getfixturevalue("no_opengl")
-    texts = desktop.talking.text
-    texts.tools = TextTools(aligner.align, voice.speak)
-    texts.voice.look, texts.voice.warm_up = lambda: INSTALLED, lambda: None
+def window(desktop: Desktop, qtbot: QtBot, tmp_path: Path, voice: FakeVoice, aligner: FakeAligner) -> MainWindow:
+    """The page of the head, on a sound without labels."""
+    knowing(desktop).talking.text.tools = TextTools(aligner.align, voice.speak)
     window = shown(desktop, qtbot, wav(tmp_path, AN_A, "said.wav"))
     window.show_page(2)
     qtbot.waitUntil(lambda: window.talk.text.language.count() == len(LANGUAGES) + 1)
@@ -338,8 +358,8 @@ def test_text_language_lexicon_and_voice_are_there_again_at_the_next_start(
 
 
 @pytest.fixture
-def table(tmp_path: Path) -> Path:
-    """A table of a synthetic performer who says "so"."""
+def table(tmp_path: Path, own_desktop: Desktop) -> Path:
+    """A table of a synthetic performer who says "so"; a window knows it until it is closed."""
     write_table(tmp_path / "ann.sqlite", [replace(recorded("so so.so"), synthetic=True)])
     return tmp_path / "ann.sqlite"
 
