@@ -56,8 +56,8 @@ STRESSED, STRESSED_TIME, STRESSED_HEAD, STRESSED_EXPRESSION = 0.45, 0.25, 1.0, 0
 LEFT_BEHIND = 0.5
 """Share that the right half of a face lacks at full asymmetry; lips that meet do so on both sides."""
 _CLOSING_SIDES = ("mouthPressRight", "mouthRight", "jawRight")
-_LETTERS = {Phoneme.M: "m", Phoneme.P: "p"}
-"""What of `closures` stands for phonemes, where no phone is known."""
+_PHONEMES = {"m": Phoneme.M, "p": Phoneme.P, "o": Phoneme.O, "u": Phoneme.U, "b": Phoneme.P}
+"""The phonemes of letters in `closures`; all but the last stand for them, where no phone is known."""
 
 
 @cache
@@ -149,7 +149,7 @@ class Style:
     def gesturing(self) -> GestureNumbers:
         """Return how the head goes along, with what the amounts do to it."""
         factor = (1 + STRESSED_HEAD * self.theatrical) * (1 - MUMBLED * self.mumbling)
-        return _scaled(self.gestures, factor)
+        return self.gestures.scaled(factor)
 
     def filtered(self) -> FilterNumbers:
         """Return how recorded faces are smoothed, with what the amounts do to it."""
@@ -194,25 +194,38 @@ class Style:
         return times if factor == 1.0 else times.scaled(factor, factor)
 
     def _with_closures(self, table: MouthTable) -> MouthTable:
-        """Return a table of ARKit's shapes with the poses that differ from the neutral ones."""
+        """Return a table of ARKit's shapes with the poses that differ from the neutral ones, by shape or firmness."""
         usual = _usual(USUAL_POSES)
         if table.movestates[: len(ARKIT)] != ARKIT or self.closures is usual:
             return table
         phones, shapes, phonemes = dict(table.phones), dict(table.shapes), dict(table.phonemes)
-        closed = set(table.closed_phones)
-        letters = {letter: phoneme for phoneme, letter in _LETTERS.items()}
+        closed, closed_phonemes = set(table.closed_phones), set(table.closed_phonemes)
         for name, pose in self.closures.phones.items():
             shape, known = self.closures.shapes[pose.shape], usual.phones.get(name)
-            if known is not None and usual.shapes[known.shape] == shape:
+            phoneme = _PHONEMES.get(name, Phoneme.UNIDENTIFIED)
+            before = table.shape_of(phoneme, name)
+            if known is None or usual.shapes[known.shape] != shape:
+                new = f"{self.name}: {name}"
+                shapes[new] = {**table.shapes[before], **shape}
+            elif name not in table.phones and name not in _PHONEMES:
                 continue
-            phoneme = letters.get(name, Phoneme.UNIDENTIFIED)
-            new = f"{self.name}: {name}"
-            phones[name], shapes[new] = new, {**table.shapes[table.shape_of(phoneme, name)], **shape}
-            if pose.firm:
-                closed.add(name)
-            if name in letters:
+            elif known.firm != pose.firm or (pose.firm and phoneme in table.closed_phonemes - closed_phonemes):
+                new = before  # also of b, where p is firm no more, which stood for both
+            else:
+                continue
+            phones[name] = new
+            (closed.add if pose.firm else closed.discard)(name)
+            if name in _PHONEMES and name != "b":
                 phonemes[phoneme] = new
-        return replace(table, phones=phones, shapes=shapes, phonemes=phonemes, closed_phones=frozenset(closed))
+                (closed_phonemes.add if pose.firm else closed_phonemes.discard)(phoneme)
+        return replace(
+            table,
+            phones=phones,
+            shapes=shapes,
+            phonemes=phonemes,
+            closed_phones=frozenset(closed),
+            closed_phonemes=frozenset(closed_phonemes),
+        )
 
     def _on_expression(self, expression: Expression) -> Expression:
         if self.inhibition != InhibitionTimes():
@@ -237,17 +250,6 @@ _VOWELS = frozenset("iyɨʉɯuɪʏʊeøɘɵɤoəɛœɜɞʌɔæɐaɶɑɒ")
 
 def _limited(percent: float) -> float:
     return min(max(percent, -STRONGEST), STRONGEST)
-
-
-def _scaled(numbers: GestureNumbers, factor: float) -> GestureNumbers:
-    """Return numbers multiplied by a factor, as far as their limits allow."""
-    if factor == 1.0:
-        return numbers
-    scaled = {
-        entry.name: min(getattr(numbers, entry.name) * factor, entry.metadata["limits"][1])
-        for entry in fields(numbers)
-    }
-    return replace(numbers, **scaled)
 
 
 @cache

@@ -1,6 +1,6 @@
 """The numbers of a style, each with its limits; the values here are those of the neutral style."""
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from phonemeengine.errors import MouthError, check_range
@@ -114,3 +114,10 @@ class GestureNumbers(StyleNumbers):
     sway_pitch: float = _number(1.0, 0.0, 20.0, "degrees")
     sway_roll: float = _number(0.9, 0.0, 20.0, "degrees")
     size: float = _number(1.0, 0.0, 3.0)
+
+    def scaled(self, factor: float) -> "GestureNumbers":
+        """Return all of them multiplied by a factor, as far as their limits allow."""
+        scaled = {
+            entry.name: min(getattr(self, entry.name) * factor, entry.metadata["limits"][1]) for entry in fields(self)
+        }
+        return self if factor == 1.0 else replace(self, **scaled)

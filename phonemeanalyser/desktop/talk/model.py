@@ -92,7 +92,7 @@ class TalkModel(QObject):
         self._clock, self._began = clock, clock()
         self.face, self.osc = FaceModel(), OscModel(self._now)
         self.text = text or TextModel(session)
-        self.expression, self.styles = ExpressionModel(), StyleModel()
+        self.expression, self.styles = ExpressionModel(), StyleModel(session.preset.undo_stack)
         self.felt_text = FeltText(self.text, self.expression, session.preset.undo_stack)
         self.watched, self.random = False, True
         self.attack_factor = self.release_factor = 1.0

@@ -1879,6 +1879,11 @@
             <translation>Änderung der Filter</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/expression/style_model.py" />
+            <source>change of the style {name}</source>
+            <translation>Änderung des Stils {name}</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_model.py" />
             <source>change pitch range</source>
             <translation>Grundfrequenzbereich ändern</translation>
@@ -6190,11 +6195,6 @@
             <translation>keine f0</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>No face network is open, so phonemes move the mouth; open one here.</source>
-            <translation>Kein Gesichtsnetz ist geöffnet, daher steuern Phoneme den Mund; hier eines öffnen.</translation>
-        </message>
-        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/file_painter.py" />
             <source>No file</source>
             <translation>Keine Datei</translation>
@@ -6253,6 +6253,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>No network</source>
             <translation>Kein Netz</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>No network is open, so phonemes move the mouth; open one at Face network.</source>
+            <translation>Kein Netz ist geöffnet, daher steuern Phoneme den Mund; bei „Gesichtsnetz“ eines öffnen.</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
@@ -6316,8 +6321,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>No table of recorded faces is open, so phonemes move the mouth; open one here.</source>
-            <translation>Keine Tabelle aufgezeichneter Gesichter ist geöffnet, daher steuern Phoneme den Mund; hier eine öffnen.</translation>
+            <source>No table is open, so phonemes move the mouth; open one at Recorded faces.</source>
+            <translation>Keine Tabelle ist geöffnet, daher steuern Phoneme den Mund; bei „Aufgezeichnete Gesichter“ eine öffnen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
@@ -7271,8 +7276,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>Poses of the tongue</source>
-            <translation>Posen der Zunge</translation>
+            <source>Poses of the tongue in recorded faces</source>
+            <translation>Posen der Zunge bei aufgezeichneten Gesichtern</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
@@ -11546,8 +11551,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>Which poses or numbers of the style the table below shows; double-click one to edit it</source>
-            <translation>Welche Posen oder Zahlen des Stils die Tabelle darunter zeigt; zum Ändern doppelklicken</translation>
+            <source>Which poses or numbers of the style the table below shows; double-click one to edit it. Shape, width and firmness act on rules, too, priorities on recorded faces, where poses overlap</source>
+            <translation>Welche Posen oder Zahlen des Stils die Tabelle zeigt; Doppelklick ändert eine. Form, Breite und Festigkeit wirken auch bei Regeln, Prioritäten bei aufgezeichneten Gesichtern, wo Posen überlappen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />

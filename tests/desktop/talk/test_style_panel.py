@@ -60,6 +60,29 @@ def test_a_blend_is_between_two_styles_of_which_either_is_edited(panel: StylePan
     assert styles.style == load_style("neutral")
 
 
+def test_edits_are_undone_a_drag_at_a_time(panel: StylePanel, stage: Stage) -> None:
+    styles, undo = stage.talking.styles, stage.session.preset.undo_stack
+    slider = panel.sliders["mumbling"]
+    for values in ((10, 30), (50, 70)):
+        slider.sliderPressed.emit()
+        for value in values:
+            slider.setValue(value)
+    write(panel, "gestures", 1, 1, "4")
+    assert (undo.count(), undo.undoText()) == (3, "change of the style neutral")
+    panel.revert.click()
+    assert styles.style == load_style("neutral")
+    undo.undo()
+    assert (styles.style.gestures.nod, slider.value()) == (4, 70)
+    undo.undo()
+    undo.undo()
+    assert (slider.value(), styles.style.mumbling) == (30, 0.3)
+    undo.redo()
+    assert slider.value() == 70
+    choose(panel, "A", "theatrical")
+    undo.undo()  # the style is on no side any more
+    assert styles.style == load_style("theatrical")
+
+
 def test_poses_and_numbers_are_edited_in_the_table(panel: StylePanel, stage: Stage, qtbot: QtBot) -> None:
     styles = stage.talking.styles
     write(panel, "closures", 0, 2, "1,5")

@@ -24,6 +24,7 @@ from phonemeengine.mouth.style import (
     style_of,
 )
 from phonemeengine.mouth.table import load_table, shipped_tables
+from phonemeengine.phonemes import Phoneme
 from tests.engine.mouth.speaking import phones_said, speech
 
 TABLE = load_table("arkit")
@@ -79,6 +80,17 @@ def test_numbers_of_movement_and_widths_of_closures_act():
     assert slow.on_table(TABLE).times != TABLE.times
     other = style_of(f'format = "{FORMAT}"\n[closures.p.shape]\nmouthClose = 40\njawOpen = 30\n')
     assert moved(other).weights[64, CLOSE] == pytest.approx(0.4, abs=0.02)
+
+
+def test_firmness_of_a_closure_acts_on_rules():
+    soft = style_of(f'format = "{FORMAT}"\n[closures]\np = {{ firm = false }}\nlabiodental = {{ firm = false }}\n')
+    table = load_table("arkit")
+    moved = soft.on_table(table)
+    assert (table.closes(Phoneme.P), moved.closes(Phoneme.P), moved.closes(Phoneme.P, "b")) == (True, False, True)
+    assert (table.closes(Phoneme.SZ, "f"), moved.closes(Phoneme.SZ, "f")) == (True, False)
+    assert moved.shapes[moved.shape_of(Phoneme.P)] == table.shapes[table.shape_of(Phoneme.P)]
+    firm = style_of(f'format = "{FORMAT}"\n[closures.o]\nfirm = true\n').on_table(table)
+    assert (firm.closes(Phoneme.O), firm.shape_of(Phoneme.O, "o")) == (True, table.shape_of(Phoneme.O))
 
 
 def test_expressions_give_way_as_the_style_says():

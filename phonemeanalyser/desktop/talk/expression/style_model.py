@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.tasks import tried
@@ -27,12 +28,51 @@ from phonemeengine.mouth.style import (
 from phonemeengine.storage.files import is_portable
 from phonemeengine.storage.paths import styles_folder
 
+ID_OF_STYLES = 3
+"""What edits of styles have in common on the undo stack."""
+
+
+class StyleEdit(QUndoCommand):
+    """Another content of a style; what continues the same drag of a slider becomes one edit.
+
+    It is of no use once the style is on no side any more.
+    """
+
+    def __init__(self, styles: "StyleModel", name: str, after: Style, run: object) -> None:
+        super().__init__(tr("change of the style {name}").format(name=after.name))
+        self._styles, self._name, self._run = styles, name, run
+        self._before, self._after = styles.edited, after
+
+    def id(self) -> int:
+        """Return what commands have in common that may continue each other."""
+        return ID_OF_STYLES
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        """Go on with a slider that is still being dragged."""
+        if not isinstance(other, StyleEdit) or (other._name, other._run) != (self._name, self._run):
+            return False
+        self._after = other._after
+        self.setObsolete(self._after == self._before)
+        return True
+
+    def redo(self) -> None:
+        """Do it."""
+        self.setObsolete(not self._styles.put(self._name, self._after))
+
+    def undo(self) -> None:
+        """Take it back."""
+        self.setObsolete(not self._styles.put(self._name, self._before))
+
 
 class StyleModel(QObject):
-    """Holds the styles of both sides; what is edited is the side that was chosen.
+    """Holds the styles of both sides; what is edited is the side that was chosen, and edits can be undone.
 
     A style is known by its name where it ships, and else by its path. One that was edited keeps its edits until it
-    is saved or taken back, also while others are in use.
+    is saved or reverted, also while others are in use.
+
+    Parameters
+    ----------
+    undo_stack : takes the edits; one of its own, where it is None.
 
     Signals
     -------
@@ -50,8 +90,10 @@ class StyleModel(QObject):
     changed = Signal()
     error = Signal(str)
 
-    def __init__(self) -> None:
+    def __init__(self, undo_stack: QUndoStack | None = None) -> None:
         super().__init__()
+        self._undo_stack = undo_stack or QUndoStack(self)
+        self._run = 0
         self.names = {"A": NEUTRAL, "B": ""}
         self.side, self.amount = "A", 0.0
         self._saved: dict[str, Style] = {}
@@ -108,10 +150,14 @@ class StyleModel(QObject):
 
     # -- what is edited -----------------------------------------------------------------------------------
 
+    def begin_drag(self) -> None:
+        """Make the next amounts an edit of their own, which is undone at once."""
+        self._run += 1
+
     def set_amount(self, name: str, value: float) -> None:
-        """Set an amount of the style that is edited, 0..1."""
+        """Set an amount of the style that is edited, 0..1; until another drag begins, that is one edit."""
         amount: dict[str, Any] = {name: value}
-        self._edit(lambda style: replace(style, **amount))
+        self._edit(lambda style: replace(style, **amount), (name, self._run))
 
     def set_number(self, group: str, name: str, value: float) -> None:
         """Set a number of a table; one beyond its limits is refused."""
@@ -138,9 +184,18 @@ class StyleModel(QObject):
         self._edit(lambda style: replace(style, **{group: table}))
 
     def revert(self) -> None:
-        """Take back all edits of the style that is edited since it was saved."""
-        self._edited.pop(self.names[self.side], None)
+        """Take back all edits of the style that is edited since it was saved; that can be undone, too."""
+        self._edit(lambda _style: self._saved[self.names[self.side]])
+
+    def put(self, name: str, style: Style) -> bool:
+        """Have this content of a style, unless that is on no side; says whether it is. That cannot be undone."""
+        if name not in self.names.values():
+            return False
+        self._edited[name] = style
+        if style == self._saved[name]:
+            del self._edited[name]
         self._use()
+        return True
 
     # -- files --------------------------------------------------------------------------------------------
 
@@ -206,8 +261,8 @@ class StyleModel(QObject):
     def _load(self, name: str) -> None:
         self._saved[name] = load_style(name)
 
-    def _edit(self, change: Callable[[Style], Style]) -> None:
-        name = self.names[self.side]
+    def _edit(self, change: Callable[[Style], Style], run: object = None) -> None:
+        """Push an edit; one of no run continues none."""
         try:
             style = change(self.edited)
         except EngineError as error:
@@ -215,10 +270,7 @@ class StyleModel(QObject):
             self.changed.emit()
             return
         if style != self.edited:
-            self._edited[name] = style
-            if style == self._saved[name]:
-                del self._edited[name]
-            self._use()
+            self._undo_stack.push(StyleEdit(self, self.names[self.side], style, run or object()))
 
     def _use(self) -> None:
         self.style = blend(self.of_side("A"), self.of_side("B"), self.amount if self.names["B"] else 0.0)

@@ -38,7 +38,7 @@ AMOUNT_WORDS = {
 }
 TABLES = {
     "closures": tr_noop("Poses of the lips"),
-    "tongue": tr_noop("Poses of the tongue"),
+    "tongue": tr_noop("Poses of the tongue in recorded faces"),
     "movement": tr_noop("Movement of the mouth"),
     "poses": tr_noop("Poses over recorded faces"),
     "filters": tr_noop("Smoothing of recorded faces"),
@@ -103,7 +103,10 @@ class StylePanel(QWidget):
         self.part = choice(
             ((tr(words), name) for name, words in TABLES.items()),
             tr("Table of the style"),
-            tr("Which poses or numbers of the style the table below shows; double-click one to edit it"),
+            tr(
+                "Which poses or numbers of the style the table below shows; double-click one to edit it. Shape, "
+                "width and firmness act on rules, too, priorities on recorded faces, where poses overlap"
+            ),
         )
         self.table = named(QTableWidget(), tr("Poses and numbers of the style"))
         self.table.setFixedHeight(TABLE_HEIGHT)
@@ -143,6 +146,7 @@ class StylePanel(QWidget):
             self.edits[side].clicked.connect(lambda _checked, side=side: self._edit_side(side))
         self.blend.valueChanged.connect(lambda value: model.set_blend(value / 100))
         for name, slider in self.sliders.items():
+            slider.sliderPressed.connect(model.begin_drag)
             slider.valueChanged.connect(lambda value, name=name: model.set_amount(name, value / 100))
         self.part.currentIndexChanged.connect(lambda _k: self._show_table())
         self.table.itemChanged.connect(self._take)

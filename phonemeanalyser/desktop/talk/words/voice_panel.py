@@ -31,8 +31,8 @@ CHOICES = {
 NO_TABLE, OTHER_TABLE = tr_noop("None"), tr_noop("Open Table…")
 NO_NETWORK, OTHER_NETWORK = tr_noop("No network"), tr_noop("Open Network…")
 LACKING = {
-    FaceDriver.TABLE: tr_noop("No table of recorded faces is open, so phonemes move the mouth; open one here."),
-    FaceDriver.NETWORK: tr_noop("No face network is open, so phonemes move the mouth; open one here."),
+    FaceDriver.TABLE: tr_noop("No table is open, so phonemes move the mouth; open one at Recorded faces."),
+    FaceDriver.NETWORK: tr_noop("No network is open, so phonemes move the mouth; open one at Face network."),
 }
 MEANING = tr_noop(
     "{output} stands for the WAV file to write, {text} for the text; without {text}, the program reads the "
