@@ -108,7 +108,7 @@ from .mouth.transcript import Transcript as Transcript
 from .mouth.transcript import transcript_of_utterance as transcript_of_utterance
 from .performance.corpus import build_table as build_table
 from .performance.driver import PerformanceOptions as PerformanceOptions
-from .performance.livelink import read_expression as read_expression
+from .performance.face_csv import read_expression as read_expression
 from .performance.making import make_corpus as make_corpus
 from .performance.original import RecordedFace as RecordedFace
 from .performance.original import original_sound as original_sound

@@ -72,8 +72,8 @@ EXAMPLES_OF = {
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what is to be done with recorded performances."""
     parser.epilog = (
-        "A recording is NAME.wav, NAME.TextGrid (tiers phones, words, syllables) and NAME.csv of Live Link Face; or "
-        "NAME.glb, or NAME.osc of VMC messages, in place of the latter. For each, performance WHAT --help."
+        "A recording is NAME.wav, NAME.TextGrid (tiers phones, words, syllables) and NAME.csv of Live Link Face or "
+        "OpenFace; or NAME.glb, or NAME.osc of VMC messages, in place of the latter. See performance WHAT --help."
     )
     kinds = parser.add_subparsers(required=True, metavar="WHAT")
     build = kinds.add_parser("build", help="make a table", description="Make a table from a folder of recordings.")

@@ -70,6 +70,7 @@ CASES: dict[str, Words] = {
         "lexicon": ["own.toml"],
         "performance": ["ann.sqlite"],
         "use": ["Ann"],
+        "person": ["Ann"],
         "choice": ["nearest"],
         "without": ["poses,window"],
         "keywords": ["keys.toml"],
@@ -109,7 +110,7 @@ def folder(case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with the files that options name."""
     monkeypatch.chdir(tmp_path)
     write_recording(tmp_path)
-    build_table(tmp_path, tmp_path / "ann.sqlite", name="Ann")
+    build_table(tmp_path, tmp_path / "ann.sqlite", name="Ann", person="Ann")
     words = [{"word": "mami", "start": 0.2, "end": 0.8, "speaker": who} for who in ("Ann", "Bob")]
     (tmp_path / "mami.json").write_text(json.dumps({"words": words}), encoding="utf-8")
     own = 'format = "phonemeanalyser lexicon 1"\n[words]\nmami = "ˈma.mi"\n'

@@ -41,10 +41,10 @@ from phonemeengine.mouth.poses import USUAL_POSES, load_poses
 from phonemeengine.mouth.table import TABLES, load_table
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceDriver, PerformanceOptions
+from phonemeengine.performance.face_csv import read_face_csv
 from phonemeengine.performance.gltf_face import parse_gltf_face
 from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import USUAL_KEYWORDS, load_keywords
-from phonemeengine.performance.livelink import read_livelink
 from phonemeengine.performance.recording import HEAD, phones_of
 from phonemeengine.performance.table_file import PerformanceTable, write_table
 from phonemeengine.performance.units import UnitKind
@@ -147,7 +147,7 @@ def kinds(folder: Path) -> dict[str, Kind]:
         "expressions": Kind((EXPRESSIONS.read_bytes(),), _through(folder / "expressions.toml", load_expressions)),
         "key words": Kind((USUAL_KEYWORDS.read_bytes(),), _through(folder / "keywords.toml", load_keywords)),
         "poses": Kind((USUAL_POSES.read_bytes(),), _through(folder / "poses.toml", load_poses)),
-        "live link": Kind((_livelink(),), _through(folder / "a.csv", read_livelink)),
+        "face csv": Kind((_livelink(), _openface()), _through(folder / "a.csv", read_face_csv)),
         "curves": Kind((CURVES.encode(),), _through(folder / "a.curves.json", read_curves)),
         "vmc": Kind((recorded_vmc([k / 60 for k in range(20)]).encode(),), _through(folder / "a.osc", read_vmc)),
         "gltf face": Kind((moving,), lambda content: parse_gltf_face(content, "a.glb")),
@@ -254,6 +254,11 @@ def _opus() -> bytes:
 
 def _livelink() -> bytes:
     return "".join(lines_of(ramp(20))).encode()
+
+
+def _openface() -> bytes:
+    rows = (f"{k / 60:.3f}, 1, 0.1, 0.2, 0.3, {k / 4}, 1.0" for k in range(20))
+    return "\n".join(["timestamp, success, pose_Rx, pose_Ry, pose_Rz, AU12_r, AU26_r", *rows]).encode()
 
 
 def _labels() -> bytes:

@@ -23,7 +23,7 @@ from phonemeengine.mouth.style import NEUTRAL, load_style, shipped_styles
 from phonemeengine.mouth.table import shipped_tables
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformancePart
-from phonemeengine.performance.livelink import read_expression
+from phonemeengine.performance.face_csv import read_expression
 from phonemeengine.presets.files import DEFAULT_PRESET
 from phonemeengine.presets.model_choice import WITHOUT_ENCODER
 from phonemeengine.settings import MOST_CHANNELS, Channel, Decoding, ModelKind
@@ -294,7 +294,7 @@ class ConversionOptions:
     seed: int | None = _option("seed of random variation, also of pinyin", "N", Number(0, whole=True))
     expression: tuple[str, ...] = _option(
         f"expression beside speech: NAME=V,... (0..1) of {', '.join(expression_presets())} or blend shapes; or a "
-        "Live Link Face CSV; may be repeated",
+        "Live Link Face or OpenFace CSV; may be repeated",
         "E",
         str,
         (),

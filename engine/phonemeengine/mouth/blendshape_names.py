@@ -75,6 +75,11 @@ LIVE_LINK_COLUMNS = (
 )
 """The columns of the CSV of Live Link Face."""
 
+OPENFACE_POSE = ("pose_Rx", "pose_Ry", "pose_Rz")
+"""OpenFace's columns for the turns of the head, radians about the axes of a camera that it faces."""
+STRONGEST_UNIT = 5.0
+"""The highest intensity of an action unit; the lowest is 0."""
+
 OCULUS = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "ih", "oh", "ou")
 """The 15 visemes of Oculus Lipsync, in its order."""
 

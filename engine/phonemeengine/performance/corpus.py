@@ -1,10 +1,10 @@
 """Folders of recorded performances, read and built into tables: a sound, a TextGrid and a face's movement each.
 
-``NAME.wav``, ``NAME.TextGrid`` with the tiers phones, words and syllables, and ``NAME.csv`` of Live Link Face; in
-place of the latter an animated ``NAME.glb`` or ``NAME.gltf``, or messages of the VMC protocol, ``NAME.osc``. Two
-files say something of the whole folder, if they are there: ``offsets.csv`` (columns name, seconds) by how much later
-than the sound a face begins, and ``corpus.toml`` what it is called, who speaks in which language, and whether a
-person or a model moved.
+``NAME.wav``, ``NAME.TextGrid`` with the tiers phones, words and syllables, and ``NAME.csv`` of Live Link Face or
+OpenFace; in place of the latter an animated ``NAME.glb`` or ``NAME.gltf``, or messages of the VMC protocol,
+``NAME.osc``. Two files say something of the whole folder, if they are there: ``offsets.csv`` (columns name, seconds)
+by how much later than the sound a face begins, and ``corpus.toml`` what it is called, who speaks in which language,
+and whether a person or a model moved.
 """
 
 import math
@@ -26,9 +26,9 @@ from phonemeengine.labels.phone_sets import ipa_of, stress_of_arpabet
 from phonemeengine.labels.table import read_text, rows_of
 from phonemeengine.labels.utterance import Syllable, Utterance, Word
 from phonemeengine.labels.utterance_files import read_utterance
+from phonemeengine.performance.face_csv import read_face_csv
 from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack
 from phonemeengine.performance.gltf_face import read_gltf_face
-from phonemeengine.performance.livelink import read_livelink
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import TableAbout, write_table
 from phonemeengine.performance.vmc import read_vmc
@@ -86,7 +86,7 @@ MOST_SURPLUS = 1.0
 """Seconds by which a face may outlast its sound."""
 ABOUT, OFFSETS, FORMAT = "corpus.toml", "offsets.csv", "phonemeanalyser corpus 1"
 OFFSET_COLUMNS = ("name", "seconds")
-_FACES = {".csv": read_livelink, ".glb": read_gltf_face, ".gltf": read_gltf_face, ".osc": read_vmc}
+_FACES = {".csv": read_face_csv, ".glb": read_gltf_face, ".gltf": read_gltf_face, ".osc": read_vmc}
 """What reads a face, by the ending of its file; of several the first one counts."""
 
 

@@ -7,6 +7,7 @@ import numpy as np
 
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
+from phonemeengine.mouth.action_units import shapes_moved_by
 from phonemeengine.mouth.blendshape_names import ARKIT, SHOULDERS
 
 LONGEST_GAP = 0.1
@@ -70,6 +71,18 @@ def captured(times: Float64Array, channels: Sequence[str], weights: Float32Array
         raise CorpusError(f"{file}: it needs two frames or more within an hour, found {len(times)}; record it again")
     notes = (*_repeated(int(np.sum(~kept))), *_bridged(times, file))
     return FaceTrack(times, tuple(channels), weights, notes)
+
+
+def shapes_in(names: Sequence[str]) -> dict[str, tuple[int, ...]]:
+    """Return the blend shapes that some names stand for, with the places of the names; a shape is the mean of these.
+
+    Names of ARKit and of the shoulders count in any case, and action units such as ``AU12`` for shapes without.
+    """
+    own: dict[str, tuple[int, ...]] = {}
+    for k, name in enumerate(names):
+        if (shape := shape_name(name)) is not None:
+            own.setdefault(shape, (k,))
+    return own | {shape: units for shape, units in shapes_moved_by(names).items() if shape not in own}
 
 
 def shape_name(name: str) -> str | None:

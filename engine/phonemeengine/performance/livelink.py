@@ -4,7 +4,6 @@ Times come from the time code, HH:MM:SS:FF.mmm, not from row numbers: a frame th
 The file does not say at how many frames a second its time code counts; the numbers that it reaches do.
 """
 
-import os
 import re
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,7 +13,6 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.mouth.blendshape_names import LIVE_LINK_ANGLES, LIVE_LINK_COLUMNS
-from phonemeengine.mouth.expression.streams import ExpressionStream, recorded_expression
 from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
 from phonemeengine.storage.files import printable_name, read_text_file
 
@@ -55,7 +53,7 @@ def parse_livelink(text: str, file: str) -> FaceTrack:
     columns = _columns_of(header, file)
     if not rows:
         raise CorpusError(f"{file}: there is no frame under the header; record it again")
-    numbers = _numbers_of(rows, len(columns) + 2, file)
+    numbers = numbers_of(rows, len(columns) + 2, range(2, len(columns) + 2), file)
     weights = numbers[:, [columns.index(name) for name in CHANNELS]]
     angles = [k for k, name in enumerate(CHANNELS) if name.lower() in _ANGLES]
     weights[:, angles] = np.degrees(weights[:, angles])
@@ -84,7 +82,13 @@ def _columns_of(header: str, file: str) -> list[str]:
     return names
 
 
-def _numbers_of(rows: Sequence[str], n_columns: int, file: str) -> Float32Array:
+def numbers_of(rows: Sequence[str], n_columns: int, places: Sequence[int], file: str) -> Float32Array:
+    """Return the numbers in some columns of lines, float32, shape (n_rows, n_places).
+
+    Raises
+    ------
+    CorpusError : a line has more or fewer columns, or no number where one must be.
+    """
     for k, row in enumerate(rows):
         if row.count(",") + 1 != n_columns:
             raise CorpusError(
@@ -92,10 +96,10 @@ def _numbers_of(rows: Sequence[str], n_columns: int, file: str) -> Float32Array:
                 "or damaged, so export it again"
             )
     try:
-        cells = np.loadtxt(rows, np.float32, delimiter=",", usecols=range(2, n_columns), comments=None)
+        cells = np.loadtxt(rows, np.float32, delimiter=",", usecols=places, comments=None)
     except (ValueError, IndexError) as error:
         raise CorpusError(f"{file}: there must be a number in each cell ({error!s:.80}); export it again") from error
-    return cells.reshape(-1, n_columns - 2)
+    return cells.reshape(-1, len(places))
 
 
 def _times_of(rows: Sequence[str], file: str) -> Float64Array:
@@ -127,17 +131,3 @@ def _rate_of(seconds: Float64Array, frames: Float64Array, file: str) -> int:
         )
     # Within less than a second it cannot be decided: the numbers may not have reached the end of one.
     return max(rate, USUAL_RATE) if np.ptp(seconds) < 2 else rate
-
-
-# Expressions that were recorded: the CSV of Live Link Face.
-
-
-def read_expression(path: str | os.PathLike[str]) -> ExpressionStream:
-    """Return a recording of Live Link Face as an expression, with the times of its time code from 0 on.
-
-    Raises
-    ------
-    CorpusError : it cannot be read, or says something impossible.
-    """
-    face = read_livelink(Path(path))
-    return recorded_expression(face.times, face.channels, face.weights)

@@ -3235,6 +3235,11 @@
             <translation>Gesicht</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
+            <source>Face captures of Live Link Face or OpenFace (*.csv)</source>
+            <translation>Aufzeichnungen von Live Link Face oder OpenFace (*.csv)</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
             <source>Face follows the text</source>
             <translation>Gesicht folgt dem Text</translation>
@@ -5155,11 +5160,6 @@
             <translation>Live</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
-            <source>Live Link Face captures (*.csv)</source>
-            <translation>Aufzeichnungen von Live Link Face (*.csv)</translation>
-        </message>
-        <message>
             <location filename="../../../engine/phonemeengine/settings.py" />
             <source>Live look-ahead</source>
             <translation>Vorausschau live</translation>
@@ -5186,8 +5186,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/expression_panel.py" />
-            <source>Load a face that Live Link Face captured (CSV), and show it along with the speech, in sync with the audio</source>
-            <translation>Ein mit Live Link Face aufgezeichnetes Gesicht (CSV) laden und synchron zum Ton zusätzlich zur Sprache zeigen</translation>
+            <source>Load a face that Live Link Face or OpenFace captured (CSV), and show it along with the speech, in sync with the audio</source>
+            <translation>Ein mit Live Link Face oder OpenFace aufgezeichnetes Gesicht (CSV) laden und synchron zum Ton zusätzlich zur Sprache zeigen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_panel.py" />
@@ -11920,9 +11920,19 @@
             <translation>{file}: Eine Zuordnung ist eine Tabelle [phonemes] mit Zeilen wie "AA" = "a"; so schreiben</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/face_csv.py" />
+            <source>{file}: a recording of OpenFace has the column {time} and action units such as AU12_r, and this lacks them; record it again with -aus</source>
+            <translation>{file}: Eine Aufnahme von OpenFace hat die Spalte {time} und Action Units wie AU12_r, und diese hat sie nicht; mit -aus neu aufnehmen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/labels/audacity.py" />
             <source>{file}: all its labels are points without length; drag each label over its sound and export them again</source>
             <translation>{file}: Alle Beschriftungen sind Punkte ohne Dauer; jede über ihren Laut ziehen und neu exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/face_csv.py" />
+            <source>{file}: all its numbers must be finite, and one is none; record it again</source>
+            <translation>{file}: Alle Zahlen müssen endlich sein, und eine ist keine; neu aufnehmen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/table.py" />
@@ -11943,6 +11953,11 @@
             <location filename="../../../engine/phonemeengine/labels/timed_words.py" />
             <source>{file}: it tells {known} speakers apart, {names}; {asked}</source>
             <translation>{file}: Unterscheidet {known} Sprecher, {names}; {asked}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/face_csv.py" />
+            <source>{file}: there is no frame with a face in it; record it again</source>
+            <translation>{file}: Kein Bild darin zeigt ein Gesicht; neu aufnehmen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/labels/table.py" />

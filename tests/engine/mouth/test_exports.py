@@ -31,7 +31,7 @@ from tests.engine.mouth.speaking import DURATION, phones_said, speech
 
 GOLDEN = Path(__file__).resolve().parents[2] / "data" / "exports"
 TEXTS = [name for name, form in FORMATS.items() if not form.moves_mesh]
-CURVES = ["livelink-csv", "oculus-csv", "curves-json"]
+CURVES = ["livelink-csv", "openface-csv", "oculus-csv", "curves-json"]
 
 
 def written(name: str, said: Transcript | None = None, **options: object) -> str:

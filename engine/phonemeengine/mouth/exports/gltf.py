@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
+from phonemeengine.mouth.blendshape_names import BONE
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
 from phonemeengine.mouth.files.gltf_document import Document, chunks_of, document_of
@@ -57,7 +58,8 @@ def write(export: Export) -> bytes:
         document = Document(glb.content(), lambda _name: None)
         animation = _of_targets(export.face_animation, document, faces)
         movestates = animation.movestates
-        bones = bone_angles(document, dict(zip(movestates, animation.weights.T, strict=True)))
+        columns = dict(zip(movestates, animation.weights.T, strict=True))
+        bones = bone_angles(document, _for_bones(columns, known))
         back = faces_back(document)
     except MeshError as error:
         raise ExportError(f"{face}: {error}") from error
@@ -90,6 +92,12 @@ def _of_targets(animation: Animation, document: Document, faces: Sequence[tuple[
         for target, share in (shares or {name: 1.0}).items():
             weights[target] = weights.get(target, np.float32(0)) + np.float32(share) * column
     return replace(animation, movestates=tuple(weights), weights=np.stack([*weights.values()], axis=1))
+
+
+def _for_bones(weights: dict[str, Float32Array], targets: set[str]) -> dict[str, Float32Array]:
+    """Return weights by movestates, which also turn bones where no morph target has their name."""
+    turned = {f"{BONE}{name}": column for name, column in weights.items() if name not in targets}
+    return turned | weights
 
 
 class _Samplers:

@@ -22,6 +22,7 @@ LARGEST = 1e30
 ORTHOGONAL = 1e-3
 """How far axes may be from right angles, as a cosine, and still turn."""
 
+DAMAGED = "the mesh is a damaged glTF file; export it anew from your modelling program"
 NO_BONES: Mapping[int, Float64Array] = {}
 
 Node = dict[str, Any]
@@ -88,7 +89,48 @@ def turnings_of(
             found = [scene.turning_of(node, facing * turned[node] * facing.inv()) for node in sorted(turned)]
         return [turning for turning in found if turning is not None]
     except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
-        raise ExportError("the mesh is a damaged glTF file; export it anew from your modelling program") from error
+        raise ExportError(DAMAGED) from error
+
+
+def turns_in(document: dict[str, Any], node: int, quaternions: Float32Array, *, back: bool = False) -> Rotation:
+    """Return how the head or a bone of a face turns, from what its node states: the converse of `turnings_of`.
+
+    Parameters
+    ----------
+    node : its number.
+    quaternions : shape (n_frames, 4): x, y, z, w.
+    back : whether the face looks along -z.
+
+    Raises
+    ------
+    ExportError : the scene is damaged.
+    """
+    try:
+        scene = _NodeTree(document)
+        facing, rest = Rotation.from_euler("Y", 180.0 * back, degrees=True), _rotation_of(document["nodes"][node])
+        above = facing * scene.rotation_above(node)
+        return above * Rotation.from_quat(quaternions) * rest.inv() * above.inv()
+    except (TypeError, KeyError, IndexError, ValueError, AttributeError, ArithmeticError) as error:
+        raise ExportError(DAMAGED) from error
+
+
+def poses_of(turns: Rotation) -> Float64Array:
+    """Return yaw, pitch and roll in degrees, shape (n, 3), of turns of the head, as `rotations_of` takes them."""
+    poses: Float64Array = turns.as_euler("YXZ", degrees=True) * np.array((1.0, -1.0, -1.0))
+    return poses
+
+
+def head_nodes(document: dict[str, Any], faces: Iterable[int]) -> list[int]:
+    """Return the topmost nodes with which faces turn, by the numbers of these.
+
+    Raises
+    ------
+    ExportError : the scene is damaged.
+    """
+    try:
+        return _NodeTree(document).nodes_that_turn(faces)
+    except (TypeError, KeyError, IndexError, ValueError, AttributeError) as error:
+        raise ExportError(DAMAGED) from error
 
 
 class _NodeTree:
@@ -109,7 +151,7 @@ class _NodeTree:
         node = self._nodes[number]
         if "matrix" in node and not _take_apart(node):
             return None
-        rotation, above = _rotation_of(node), self._rotation_above(number)
+        rotation, above = _rotation_of(node), self.rotation_above(number)
         turned = above.inv() * turns * above
         turning = Turning(number, (turned * rotation).as_quat(), self._translations_of(node, rotation, turned))
         if not all(np.abs(track).max() < LARGEST for track in turning.tracks().values()):
@@ -131,7 +173,8 @@ class _NodeTree:
             node = self._above[node]
         raise ValueError("a node lies below itself")
 
-    def _rotation_above(self, number: int) -> Rotation:
+    def rotation_above(self, number: int) -> Rotation:
+        """Return how the nodes above a node turn it at rest."""
         rotation = Rotation.identity()
         for k in list(self._chain(number))[1:]:
             node = self._nodes[k]

@@ -18,7 +18,7 @@ from phonemeengine.mouth.expression.streams import ExpressionStream, expression_
 from phonemeengine.mouth.expression.text_feeling import TimedFeeling, text_expression
 from phonemeengine.mouth.osc import OscAddress, OscExpression
 from phonemeengine.mouth.performer import Performer
-from phonemeengine.performance.livelink import read_expression
+from phonemeengine.performance.face_csv import read_expression
 
 USUAL_ADDRESS = "127.0.0.1:39540"
 """Where VMC programs send faces to on this computer."""

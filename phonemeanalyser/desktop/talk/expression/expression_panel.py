@@ -25,7 +25,8 @@ from phonemeanalyser.desktop.widgets.builders import (
 from phonemeanalyser.desktop.widgets.labels import ElidedLabel
 
 RECORDING = tr_noop(
-    "Load a face that Live Link Face captured (CSV), and show it along with the speech, in sync with the audio"
+    "Load a face that Live Link Face or OpenFace captured (CSV), and show it along with the speech, in sync with the "
+    "audio"
 )
 PERCENT_WIDTH = 40
 FOLLOWING = {
