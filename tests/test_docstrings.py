@@ -15,6 +15,7 @@ import pytest
 
 from tests.conftest import ROOT
 from tests.test_names import PACKAGES, modules
+from tools.terms import statements
 
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 TICKED = re.compile(r"(?<!`)`([^`\n]+)`(?!`)")
@@ -23,7 +24,7 @@ NOTHING = re.compile(r"Returns? (nothing|None)\b")
 
 
 def functions(tree: ast.AST) -> Iterator[ast.FunctionDef | ast.AsyncFunctionDef]:
-    yield from (node for node in ast.walk(tree) if isinstance(node, FUNCTIONS))
+    yield from (node for node in statements(tree) if isinstance(node, FUNCTIONS))
 
 
 def false_returns(tree: ast.AST) -> Iterator[str]:
@@ -77,7 +78,7 @@ class Product:
             for node in tree.body:
                 defines = isinstance(node, (*FUNCTIONS, ast.ClassDef))
                 self.tops |= {node.name} if defines else set(stored(node))
-            for definition in (node for node in ast.walk(tree) if isinstance(node, ast.ClassDef)):
+            for definition in (node for node in statements(tree) if isinstance(node, ast.ClassDef)):
                 self.tops.add(definition.name)
                 self.members[definition.name] |= members_of(definition)
                 self.bases[definition.name] += [ast.unparse(base) for base in definition.bases]
@@ -115,7 +116,7 @@ def is_installed(name: str) -> bool:
 
 def prose_of(tree: ast.Module, text: str) -> Iterator[tuple[int, str]]:
     """Give the docstrings and comments of a module, with the lines that they begin at."""
-    for node in ast.walk(tree):
+    for node in statements(tree):
         match node:
             case ast.Expr(value=ast.Constant(value=str(said))):
                 yield node.lineno, said
@@ -127,9 +128,11 @@ def prose_of(tree: ast.Module, text: str) -> Iterator[tuple[int, str]]:
 def stale_names(path: Path, tree: ast.Module, product: Product) -> Iterator[str]:
     text = (ROOT / path).read_text(encoding="utf-8")
     if TICKED.search(text):
-        nearby = {*names_of(tree), *(module.stem for module in (ROOT / path).parent.iterdir())}
-        for line, said in prose_of(tree, text):
-            yield from (f"{path}:{line} `{name}`" for name in TICKED.findall(said) if not product.has(name, nearby))
+        named = [(line, name) for line, said in prose_of(tree, text) for name in TICKED.findall(said)]
+        elsewhere = [(line, name) for line, name in named if name not in product.tops]
+        if elsewhere:  # to gather all names of a module takes long
+            nearby = {*names_of(tree), *(module.stem for module in (ROOT / path).parent.iterdir())}
+            yield from (f"{path}:{line} `{name}`" for line, name in elsewhere if not product.has(name, nearby))
 
 
 def test_docstrings_say_return_where_something_is_returned() -> None:

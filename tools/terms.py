@@ -154,7 +154,7 @@ def message_texts() -> Iterator[tuple[str, int, str]]:
         if path.name == "sentences.py":  # texts to read aloud
             continue
         tree = ast.parse(path.read_text("utf-8"))
-        docstrings = {node.value for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+        docstrings = {node.value for node in statements(tree) if isinstance(node, ast.Expr)}
         for node in ast.walk(tree):
             if not isinstance(node, ast.Constant) or node in docstrings:
                 continue
@@ -184,8 +184,7 @@ def code_texts() -> Iterator[tuple[str, int, str]]:
             if comment := COMMENT.search(text):
                 yield name, line, comment[0]
         # A docstring is any literal that stands as a statement: also those below attributes.
-        statements = (node.value for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Expr))
-        for node in statements:
+        for node in (node.value for node in statements(ast.parse(source)) if isinstance(node, ast.Expr)):
             if isinstance(node, ast.Constant) and isinstance(node.value, str):
                 yield name, node.lineno, node.value
     yield from _runtime_comments()
@@ -197,6 +196,15 @@ def _runtime_comments() -> Iterator[tuple[str, int, str]]:
             source = path.read_text("utf-8")
             for comment in COMMENT_OF[path.suffix].finditer(source):
                 yield path.relative_to(ROOT).as_posix(), source.count("\n", 0, comment.start()) + 1, comment[0]
+
+
+def statements(tree: ast.AST) -> Iterator[ast.stmt]:
+    """Yield all statements, of which there are far fewer than nodes."""
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.stmt):
+            yield node
+        if isinstance(node, ast.stmt | ast.excepthandler | ast.match_case):
+            yield from statements(node)
 
 
 def _modules(*folders: str) -> Iterator[Path]:

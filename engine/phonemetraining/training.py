@@ -68,7 +68,7 @@ def reduces_precision(device: str) -> bool:
 @lru_cache(maxsize=1)
 def bfloat16_pays() -> bool:
     """Return whether the processor multiplies matrices of 16-bit numbers faster, as measured once."""
-    numbers = torch.randn(512, 512)
+    numbers = torch.randn(256, 256)
     halved = numbers.bfloat16()
     return min(repeat(lambda: halved @ halved, number=4)) < min(repeat(lambda: numbers @ numbers, number=4))
 

@@ -50,9 +50,8 @@ def test_an_unusual_file_has_labels_too(name: str, tmp_path: Path, capsys: pytes
     path = ODD_FILES[name](tmp_path)
     analysed(path)
     runs = runs_in(capsys.readouterr().out)
-    for kind, suffix in SUFFIXES.items():
-        analysed(path, "--format", kind, "-o", tmp_path / "out")
-        assert labels_in(tmp_path / "out" / f"{path.stem}{suffix}") == runs
+    analysed(path, "--format", "textgrid", "-o", tmp_path / "out")
+    assert labels_in(tmp_path / "out" / f"{path.stem}.TextGrid") == runs
 
 
 @pytest.mark.parametrize("kind", SUFFIXES)

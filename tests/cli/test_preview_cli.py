@@ -251,13 +251,14 @@ def test_how_closely_the_mouth_follows_is_told_as_to_the_exports(sound: Path, pl
         assert (other[: len(usual)] != usual).any(), words
 
 
-def test_a_folder_of_sounds_becomes_a_folder_of_clips(sound: Path, tmp_path: Path, capsys):
+@pytest.mark.parametrize("jobs", ["1", pytest.param("2", marks=pytest.mark.long)])
+def test_a_folder_of_sounds_becomes_a_folder_of_clips(jobs: str, sound: Path, tmp_path: Path, capsys):
     folder, out = tmp_path / "sounds", tmp_path / "out"
     folder.mkdir()
     for name in ("a.wav", "b.wav"):
         (folder / name).write_bytes(sound.read_bytes())
     (folder / "c.wav").write_bytes(b"no sound")
-    words = ["preview", str(folder), "-o", str(out), "--format", "gif", *SMALL, *FEW, "--jobs", "2"]
+    words = ["preview", str(folder), "-o", str(out), "--format", "gif", *SMALL, *FEW, "--jobs", jobs]
     assert main(words) == 1
     assert "c.wav" in capsys.readouterr().err
     assert outputs_in(out) == ["a.gif", "b.gif"]

@@ -182,6 +182,7 @@ def test_what_is_installed_writes_the_page_of_a_report(installed: Path, tmp_path
     assert (tmp_path / "report.html").read_text().endswith("</html>\n")
 
 
+@pytest.mark.long  # as `make test` installs the checkout for all tests
 def test_a_checkout_that_is_installed_for_editing_finds_the_presets(tmp_path: Path) -> None:
     python = fresh_python(tmp_path / "fresh", build("wheel:editable", tmp_path / "built"))
     program = "import phonemeanalyser, phonemeengine as e; print(e.__file__, e.load_preset('learned').name)"

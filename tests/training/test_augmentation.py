@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.signal import correlate
 
 from phonemeengine.calibration.background_sounds import BACKGROUNDS, music
 from phonemeengine.settings import SAMPLE_RATE
@@ -102,6 +101,8 @@ def test_codecs_leave_the_sound_in_its_place(seed: int):
     """The seeds draw each codec once."""
     sound = speech()
     heard = codec(sound, np.random.default_rng(seed))
+    from scipy.signal import correlate  # it takes seconds, as test files are read by each process
+
     lag = int(correlate(heard, sound).argmax()) - (len(sound) - 1)
     assert abs(lag) <= SAMPLE_RATE // 1000
     assert len(heard) == len(sound)

@@ -2,7 +2,6 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.signal import butter, sosfiltfilt
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.performance.smoothing import (
@@ -38,6 +37,8 @@ def test_slow_movements_stay_and_trembling_goes() -> None:
 
 
 def test_the_phrase_is_filtered_as_a_butterworth_filter_does_forwards_and_backwards() -> None:
+    from scipy.signal import butter, sosfiltfilt  # it takes seconds, as test files are read by each process
+
     long = phones_in("m", 4.0)  # so slow that the phrase's cut-off is the least, and syllables are long
     silent = tuple(replace(phone, word=-1, syllable=-1) for phone in long)
     times = np.arange(round(long[-1].end * RATE) + 1) / RATE
