@@ -9,8 +9,9 @@ from typing import Generic, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from phonemeengine.arrays import BoolArray, Float32Array, UInt32Array
+from phonemeengine.arrays import BoolArray, Float32Array, Float64Array, UInt32Array
 from phonemeengine.errors import MeshError
+from phonemeengine.mouth.combinations import combinations_of, combined
 from phonemeengine.mouth.mesh import FARTHEST, MOST_VERTICES, Mesh
 
 LEAST_MOVE = 0.0001
@@ -273,6 +274,7 @@ class MovestateSet(Percentages[str]):
         self.mesh = mesh
         self.states = tuple(states)
         self._look_at_states()
+        self._combinations = {self._place(n): parts for n, parts in combinations_of([*self._places]).items()}
         self._movers: list[_Run | _Scattered | None] = [None] * len(self.states)
         self._morphed = mesh.positions.copy()
         self._room = np.empty_like(mesh.positions)
@@ -289,12 +291,24 @@ class MovestateSet(Percentages[str]):
         """
         out = self._morphed
         np.copyto(out, self.mesh.positions)
-        for place in np.flatnonzero(self._percentages).tolist():
+        percentages = self._corrected()
+        for place in np.flatnonzero(percentages).tolist():
             mover = self._movers[place]
             if mover is None:
                 mover = self._movers[place] = _mover_of(self.states[place])
-            mover.add(out, np.float32(self._percentages[place] / 100), self._room)
+            mover.add(out, np.float32(percentages[place] / 100), self._room)
         return out
+
+    def _corrected(self) -> Float64Array:
+        """Return the percentages, where combination shapes follow their parts unless they are moved themselves."""
+        if not self._combinations:
+            return self._percentages
+        shares = dict(zip(self._places, self.weights, strict=True))
+        percentages = self._percentages.copy()
+        for place, parts in self._combinations.items():
+            if not percentages[place]:
+                percentages[place] = 100 * combined(parts, shares)
+        return percentages
 
     def _look_at_states(self) -> None:
         if len(self._places) < len(self.states):

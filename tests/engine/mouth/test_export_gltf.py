@@ -54,17 +54,19 @@ def read(content: bytes, folder: Path) -> GLTF2:
 
 
 def test_the_movement_is_that_of_live_link_and_its_times_rise(tmp_path: Path) -> None:
-    names = ("jawOpen", "unknown", "mouthPucker")
+    names = ("jawOpen", "unknown", "mouthPucker", "mouthPucker_jawOpen")
     gltf = read(animated(face(tmp_path, face_with_targets(names)), rate=30.0), tmp_path)
     (animation,) = gltf.animations
     channel, sampler = animation.channels[0], animation.samplers[0]
     assert (channel.target.node, channel.target.path, sampler.interpolation) == (0, "weights", "LINEAR")
-    times, weights = floats_of(gltf, sampler.input), floats_of(gltf, sampler.output).reshape(-1, 3)
+    times, weights = floats_of(gltf, sampler.input), floats_of(gltf, sampler.output).reshape(-1, 4)
     np.testing.assert_allclose(times, np.arange(int(DURATION * 30) + 1) / 30, atol=1e-6)
     form = gltf.accessors[sampler.input]
     assert (form.min, form.max) == ([0.0], [pytest.approx(float(times[-1]))])
     movement = Exporter("livelink-csv", ExportOptions(rate=30.0, idle=STILL)).export_of(speech()).animation
-    for target, name in enumerate(names):
+    np.testing.assert_allclose(weights[:, 3], weights[:, 0] * weights[:, 2], atol=1e-6)
+    assert weights[:, 3].max() > 0.01
+    for target, name in enumerate(names[:3]):
         expected = movement.weights[:, ARKIT.index(name)] if name in ARKIT else np.zeros(len(times))
         np.testing.assert_allclose(weights[:, target], expected, atol=1e-6)
     assert weights[:, 0].max() > 0.3

@@ -5,6 +5,7 @@ import numpy as np
 import pytest
 
 from phonemeengine.errors import MeshError
+from phonemeengine.mouth.combinations import combinations_of
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.movestate import Mode, Movestate, MovestateSet, movestate_at, movestate_of
 from tests.meshes import CORNERS, cube, moved_by
@@ -208,3 +209,39 @@ class TestOneState:
         state: Movestate = movestate_at("s", [1], [UP])
         assert state.interactable
         assert not replace(state, interactable=False).interactable
+
+
+def test_a_shape_is_a_combination_of_others_by_its_name():
+    names = (
+        "jawOpen",
+        "smileLeft",
+        "smileRight",
+        "AU12_L",
+        "AU26",
+        "smile_jawOpen",
+        "AU12_L_AU26",
+        "jaw_Open",
+        "AU12",
+    )
+    assert combinations_of((*names, "jawOpen_jawOpen_x", "_", "jawOpen_")) == {
+        "smile_jawOpen": (("smileLeft", "smileRight"), ("jawOpen",)),
+        "AU12_L_AU26": (("AU12_L",), ("AU26",)),
+    }
+
+
+@pytest.mark.parametrize(
+    ("percentages", "moved"),
+    [
+        ({"open": 50, "wideLeft": 40, "wideRight": 60}, 0.25),
+        ({"open": 200, "wideLeft": 100, "wideRight": 100}, 1.0),
+        ({"open": -50, "wideLeft": 100, "wideRight": 100}, 0.0),
+        ({"open": 50}, 0.0),
+        ({"open": 50, "wideLeft": 40, "wideRight": 60, "open_wide": 70}, 0.7),
+    ],
+)
+def test_a_combination_follows_the_product_of_its_parts(percentages, moved):
+    plain = [movestate_of(name, moved_by((0,), RIGHT)) for name in ("open", "wideLeft", "wideRight")]
+    face = MovestateSet(cube(), [*plain, movestate_of("open_wide", moved_by((1,), UP))])
+    face.set_percentages(percentages)
+    assert (face.morphed()[1] - face.mesh.positions[1]).tolist() == pytest.approx([0, moved, 0], abs=1e-6)
+    assert face.percentages["open_wide"] == percentages.get("open_wide", 0)

@@ -16,6 +16,7 @@ from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import ExportError, MeshError
 from phonemeengine.mouth.animation import Animation
 from phonemeengine.mouth.blendshape_names import BONE
+from phonemeengine.mouth.combinations import combinations_of, combined
 from phonemeengine.mouth.exports.export import Export
 from phonemeengine.mouth.exports.glb import LARGEST_JSON, Glb, read_face, shipped_glb
 from phonemeengine.mouth.files.gltf_document import Document, chunks_of, document_of
@@ -152,6 +153,10 @@ def _weights_for(names: Sequence[str], animation: Animation) -> Float32Array | N
     for target, name in enumerate(names):
         if name in columns:
             weights[:, target] = animation.weights[:, columns[name]]
+    moved = dict(zip(names, weights.T, strict=True))
+    for name, parts in combinations_of(names).items():
+        if name not in columns:
+            weights[:, names.index(name)] = combined(parts, moved)
     return weights
 
 
