@@ -352,17 +352,19 @@ def _looks(desktop: Desktop) -> Counter[object]:
 
 def _looks_of(child: QWidget | QAction) -> tuple[str, ...]:
     """Return what is seen of something; what is hidden, or off, gets its text or its choice when it is shown."""
-    rests = (
-        (isinstance(child, QLabel | QToolButton) and child.isHidden())
-        or (isinstance(child, QComboBox) and not child.isEnabled())
-        or (isinstance(child, QSplitter) and not child.isVisible())
-    )
-    names = SEEN[QWidget] if rests else _names_of(type(child))
-    seen = [getattr(child, name)() for name in names]
+    kind = type(child)
+    names, rests_where = _names_of(kind)
+    seen = [getattr(child, name)() for name in (SEEN[QWidget] if rests_where(child) else names)]
     kept = sorted((name, repr(v)) for name, v in vars(child).items() if isinstance(v, (bool, str, Enum, Path)))
-    return type(child).__name__, child.objectName(), repr(seen), repr(kept)
+    return kind.__name__, child.objectName(), repr(seen), repr(kept)
 
 
 @cache
-def _names_of(kind: type) -> tuple[str, ...]:
-    return tuple(name for known, names in SEEN.items() if issubclass(kind, known) for name in names)
+def _names_of(kind: type) -> tuple[tuple[str, ...], Callable[[QWidget], bool]]:
+    """Return what tells of a kind of things that it was changed, and what tells of one that it rests."""
+    names = tuple(name for known, names in SEEN.items() if issubclass(kind, known) for name in names)
+    if issubclass(kind, QLabel | QToolButton):
+        return names, QWidget.isHidden
+    if issubclass(kind, QComboBox):
+        return names, lambda box: not box.isEnabled()
+    return names, (lambda splitter: not splitter.isVisible()) if issubclass(kind, QSplitter) else lambda _other: False

@@ -105,16 +105,11 @@ def test_a_folder_that_cannot_be_written_is_said_and_nothing_is_lost(desktop, wi
 
 
 @pytest.mark.usefixtures("own_desktop")
-def test_closing_without_changes_asks_nothing(desktop, window, hand):
+def test_closing_without_changes_asks_nothing_and_silences_what_plays(desktop, window, hand):
+    click(window.transport.play)
     assert window.close()
     assert said(hand) == 0
     assert not window.redraw.timer.isActive()
-
-
-@pytest.mark.usefixtures("own_desktop")
-def test_closing_while_it_plays_silences_it(desktop, window):
-    click(window.transport.play)
-    assert window.close()
     assert not desktop.session.source.playing
 
 

@@ -185,19 +185,14 @@ def test_nothing_scrolls_sideways_at_any_size_with_any_recogniser(settings, requ
 
 
 @pytest.mark.usefixtures("own_desktop")
-def test_the_window_opens_within_the_screen(desktop, qapp):
-    available = desktop.window.screen().availableSize()
-    assert available.width() < 1280  # else this says nothing
-    assert desktop.window.width() < available.width()
-    assert desktop.window.height() < available.height()
-
-
-@pytest.mark.usefixtures("own_desktop")
 @pytest.mark.parametrize(("width", "together"), [(1016, True), (1280, False)])
-def test_a_narrow_window_has_the_filters_behind_the_thresholds_until_the_user_moves_them(
+def test_a_window_opens_within_the_screen_and_a_narrow_one_has_the_filters_behind_the_thresholds(
     desktop, qtbot, width, together
 ):
-    window = desktop.window
+    window, available = desktop.window, desktop.window.screen().availableSize()
+    assert available.width() < 1280  # else this says nothing
+    assert window.width() < available.width()
+    assert window.height() < available.height()
     window.resize(width, 700)
     window.show()
     qtbot.waitExposed(window)

@@ -310,14 +310,34 @@ def test_a_room_in_which_somebody_speaks_changes_nothing(open_booth: Open, mic: 
     assert calibrator.booth.desktop.preset.preset == before
 
 
-def test_a_clipped_sound_is_asked_for_once_more_with_what_to_do(by_sounds: Calibrator):
-    guide = by_sounds.model.guide
-    answer(by_sounds, 1, loud=5.0)
-    assert "The recording is clipped: " in by_sounds.page.guide.advice.text()
-    assert by_sounds.takes == () or all(take.phoneme is not Phoneme.A for take in by_sounds.takes)
+def test_a_clipped_sound_is_asked_for_again_and_sounds_are_said_once_more_or_skipped_by_keys(by_sounds: Calibrator):
+    guide, window, microphone = by_sounds.model.guide, by_sounds.booth.window, by_sounds.booth.studio.model
+    for _ in range(2):  # it is asked for once more, and R does not wait for that
+        answer(by_sounds, 1, loud=5.0)
+        assert "The recording is clipped: " in by_sounds.page.guide.advice.text()
+        assert all(take.phoneme is not Phoneme.A for take in by_sounds.takes)
+    press(window, Qt.Key.Key_R)
+    assert (guide.index, guide.phase, guide.advice) == (1, Phase.WAITING, "")
+    assert not microphone.recording
     answer(by_sounds, 1)
     assert guide.advice == ""
     by_sounds.until(lambda: guide.index == 2, silently=False)
+    before = by_sounds.takes[-1].number
+    press(window, Qt.Key.Key_Backspace)
+    assert guide.index == 1
+    answer(by_sounds, 1)
+    by_sounds.settle()
+    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.A]
+    assert by_sounds.takes[-1].number == before + 1
+    by_sounds.until(lambda: guide.index == 2, silently=False)
+    press(window, Qt.Key.Key_Right)
+    assert guide.index == 3
+    answer(by_sounds, 3)
+    by_sounds.settle()
+    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.A, STEPS[3].phoneme]
+    guide.cancel()
+    press(window, Qt.Key.Key_R)  # Record is a key of the page Analyse
+    assert not microphone.recording
 
 
 def test_a_room_that_is_not_quiet_is_measured_again(open_booth: Open, mic: HandDrivenMicrophone):
@@ -341,18 +361,6 @@ def test_who_says_nothing_is_told_so_and_asked_again(guided: Calibrator):
     guided.until(lambda: guide.advice, silently=False)
     assert "No voice was detected" in guide.advice
     assert (guide.index, guide.phase) == (1, Phase.WAITING)
-
-
-def test_back_lets_a_take_make_room_for_a_new_one(by_sounds: Calibrator):
-    guide = by_sounds.model.guide
-    answer(by_sounds, 1)
-    by_sounds.until(lambda: guide.index == 2, silently=False)
-    press(by_sounds.booth.window, Qt.Key.Key_Backspace)
-    assert guide.index == 1
-    answer(by_sounds, 1)
-    by_sounds.settle()
-    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.A]
-    assert by_sounds.takes[-1].number == 3
 
 
 def test_nothing_is_recorded_before_the_user_is_ready_and_the_countdown_is_over(open_booth: Open, mic):
@@ -398,32 +406,12 @@ def test_cancel_leaves_no_take_of_the_room_behind_and_undo_brings_it_back(guided
     assert [take.phoneme for take in guided.takes] == [Phoneme.SILENCE]
 
 
-def test_skipped_sounds_are_left_out(by_sounds: Calibrator):
-    guide = by_sounds.model.guide
-    press(by_sounds.booth.window, Qt.Key.Key_Right)
-    assert guide.index == 2
-    answer(by_sounds, 2)
-    by_sounds.settle()
-    assert [take.phoneme for take in by_sounds.takes] == [Phoneme.SILENCE, Phoneme.E]
-
-
 def test_escape_ends_the_guide_and_leaves_the_microphone_alone(guided: Calibrator):
     press(guided.booth.window, Qt.Key.Key_Escape)
     assert not guided.model.guide.running
     assert guided.booth.studio.model.active
     press(guided.booth.window, Qt.Key.Key_Escape)  # now it is Stop again
     assert not guided.booth.studio.model.active
-
-
-def test_r_asks_for_the_same_sound_again_and_records_nothing(by_sounds: Calibrator):
-    guide = by_sounds.model.guide
-    answer(by_sounds, 1, loud=5.0)
-    press(by_sounds.booth.window, Qt.Key.Key_R)
-    assert (guide.index, guide.phase, guide.advice) == (1, Phase.WAITING, "")
-    assert not by_sounds.booth.studio.model.recording
-    guide.cancel()
-    press(by_sounds.booth.window, Qt.Key.Key_R)  # Record is a key of the page Analyse
-    assert not by_sounds.booth.studio.model.recording
 
 
 def test_beside_the_page_of_the_guide_escape_and_r_are_the_window_s(guided: Calibrator):
