@@ -72,7 +72,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     _add_voice(parser)
     _add_files(parser)
-    add_options(parser, "table", "fps", "minimum", *MOVED, *DRIVEN, "preset", "channel", "overwrite")
+    add_options(
+        parser, "table", "fps", "minimum", *MOVED, *DRIVEN, "performance-sound", "preset", "channel", "overwrite"
+    )
 
 
 def run(options: argparse.Namespace) -> int:
@@ -86,9 +88,10 @@ def run(options: argparse.Namespace) -> int:
             _check_without_voice(options, files)
             _move_without_voice(options, files, text)
         elif files.nothing:
-            play_aloud(_spoken(options, text, driving))
+            play_aloud(driving.spoken(_spoken(options, text, driving), say_note))
         else:
-            files.write_spoken(_spoken(options, text, driving), _language_of(options, text), text)
+            sentences = driving.spoken(_spoken(options, text, driving), say_note)
+            files.write_spoken(sentences, _language_of(options, text), text)
     return 0
 
 
@@ -218,6 +221,8 @@ def _follow(player: Player, spooled: SpooledSpeech) -> None:
 
 
 def _check_without_voice(options: argparse.Namespace, files: SpeechFiles) -> None:
+    if options.performance_sound:
+        raise EngineError("without sound no recording speaks; leave --performance-sound, --silent or --recording out")
     if files.nothing:
         raise EngineError("there is nothing to write; ask for the plan with --plan, or for a file with --export")
     if files.sound is not None or files.labels is not None:

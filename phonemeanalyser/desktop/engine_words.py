@@ -87,6 +87,7 @@ WORDS = (
     tr_noop("Unity package: C#, a talking face and a talking sprite"),
     tr_noop("add-on for Godot 4 (GDScript and C#), with the same two"),
     # units of an utterance, and of a recorded face
+    tr_noop("clip"),
     tr_noop("sentence"),
     tr_noop("words"),
     tr_noop("word"),

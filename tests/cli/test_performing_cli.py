@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from phonemeanalyser.cli.main import main
+from phonemeengine import SoundReader
 from phonemeengine.mouth.blendshape_names import ARKIT
-from phonemeengine.performance.corpus import build_table
-from tests.engine.performance.corpora import write_recording
+from phonemeengine.performance.corpus import build_table, pitches_of
+from tests.engine.performance.corpora import TONE, write_recording
 
 JAW = 2 + ARKIT.index("jawOpen")
 PLAIN = ["--without", "poses,filters,energy,window"]
@@ -37,7 +38,7 @@ def test_a_recording_that_is_said_again_moves_as_it_did(recorded: Path) -> None:
     assert jaws[:61] == pytest.approx(np.linspace(0, 1, 61).tolist(), abs=0.01)
     assert jaws[61:] == pytest.approx([1.0] * len(jaws[61:]), abs=0.01)  # without a window, nothing leads to rest
     units = (recorded / "units.csv").read_text(encoding="utf-8").splitlines()
-    assert "0.250,0.700,word,m a m i,mami,0.250,0.700" in units
+    assert "0.100,0.900,sentence,sil m a m i sil,mami,0.100,0.900" in units
     assert main(["speak", "--recording", "mami.wav", "--performance", "ann.sqlite", "--units", "again.csv"]) == 0
     assert (recorded / "again.csv").read_text(encoding="utf-8").splitlines() == units
 
@@ -61,6 +62,19 @@ def test_a_voice_is_said_by_the_table(recorded: Path) -> None:
     words = ["mummy", "--language", "en-us", "--performance", "ann.sqlite", "--units", "units.csv"]
     assert main(["speak", *words]) == 0
     assert "m" in (recorded / "units.csv").read_text(encoding="utf-8")
+
+
+def test_the_recordings_speak_in_place_of_the_voice(recorded: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ["speak", "mummy", "--language", "en-us", "--performance", "ann.sqlite", "--performance-sound"]
+    assert main([*words, "-o", "own.wav", "--units", "units.csv"]) == 0
+    assert "Ann: note: the recordings have no [ʌ], so it sounds like" in capsys.readouterr().err
+    with SoundReader(recorded / "own.wav") as reader:
+        heard = pitches_of(reader.read_mono())
+    assert np.median(heard[heard > 0]) == pytest.approx(TONE, rel=0.03)  # which is all that is heard in the recording
+    (recorded / "mami.wav").unlink()
+    assert main([*words, "-o", "again.wav"]) == 1
+    assert "the sound of the recording 'mami' is not in the folder '.'" in capsys.readouterr().err
+    assert not (recorded / "again.wav").exists()
 
 
 def _head_in(folder: Path) -> dict[str, list[float]]:
@@ -117,6 +131,10 @@ EXPORT = ["export", "mami.wav", "--format", "livelink-csv", "-o", "out.csv"]
         ([*EXPORT, "--performance", "ann.sqlite"], "looked up by the phones that are said, which are unknown"),
         ([*EXPORT, "--performance", "ann.sqlite", "--keywords", "mami.csv"], "mami.csv: this is no TOML file"),
         ([*EXPORT, "--performance", "ann.sqlite", "--units", "mami.csv"], "mami.csv: the file that is there"),
+        (
+            ["speak", "hi", "--silent", "--plan", "-", "--performance", "ann.sqlite", "--performance-sound"],
+            "without sound no recording speaks; leave --performance-sound, --silent or --recording out",
+        ),
         (["speak", "hi", "--text-driver", "table"], "--text-driver table needs a table of recorded faces"),
     ],
 )

@@ -1,6 +1,6 @@
 """What moves a face by what is said: recorded faces, a network that learned from them, pinyin letters, or rules."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -19,6 +19,7 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import PerformanceOptions, PerformancePart
 from phonemeengine.performance.face_network import FaceNetwork, FaceNetworkTrack, Sound, load_face_network
 from phonemeengine.performance.keywords import load_keywords
+from phonemeengine.performance.own_sound import OwnSound
 from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable
 from phonemeengine.performance.track import PerformanceTrack, format_units, owns
@@ -26,6 +27,7 @@ from phonemeengine.speech.pinyin.spring import Spring
 from phonemeengine.speech.pinyin.table import PinyinTable, load_pinyin_table
 from phonemeengine.speech.pinyin.timing import has_pinyin
 from phonemeengine.speech.pinyin.track import pinyin_track
+from phonemeengine.speech.voice import SpokenSentence
 from phonemeengine.storage.replacing import Guard, write_guarded
 
 Takes = Callable[[tuple[str, ...]], bool]
@@ -56,6 +58,7 @@ class DriverChoice:
     units : where it is written what was taken from which recording; None writes nothing.
     overwrite : whether whatever is there is replaced.
     style : in which the face speaks; None for the neutral one.
+    own_sound : whether the table's recordings speak, rather than a voice.
 
     Raises
     ------
@@ -77,6 +80,7 @@ class DriverChoice:
     overwrite: bool = field(default=False, compare=False)
     style: Style | None = None
     person: str | None = None
+    own_sound: bool = False
 
     def __post_init__(self) -> None:
         drivers = {self.driver, self.beside}
@@ -115,6 +119,7 @@ class DriverChoice:
             options.overwrite,
             None if options.style in {None, NEUTRAL} else load_style(options.style),
             options.person,
+            options.performance_sound,
         )
 
     @contextmanager
@@ -142,7 +147,11 @@ class DriverChoice:
             network = None if self.network is None else load_face_network(self.network)
             abouts = [table.about for table in tables]
             table = tables[chosen_table(abouts, self.use, self.person, language or "")] if tables else None
-            yield Driving(self, pinyin, table, options, network)
+            own = None
+            if table is not None and self.own_sound:
+                own = OwnSound(table, self.choice, options.seed)
+                options = replace(options, given=own.units_of)
+            yield Driving(self, pinyin, table, options, network, own)
 
 
 USUAL_DRIVER: DriverChoice = DriverChoice()
@@ -160,6 +169,7 @@ class Driving:
     recorded : the recorded faces; None where they move nothing.
     options : how these are looked up.
     network : moves a face by the sound alone; None where none does.
+    own_sound : has the recorded faces speak; None where a voice does.
     """
 
     asked: DriverChoice
@@ -167,6 +177,24 @@ class Driving:
     recorded: PerformanceTable | None
     options: PerformanceOptions
     network: FaceNetwork | None = None
+    own_sound: OwnSound | None = None
+
+    def spoken(self, sentences: Iterable[SpokenSentence], say: Say) -> Iterator[SpokenSentence]:
+        """Return what a voice says, as the table's recordings say it where they are to speak; say what they lack.
+
+        Raises
+        ------
+        EngineError : the sound of a recording is missing, or cannot be read.
+        """
+        own, told = self.own_sound, 0
+        if own is None:
+            yield from sentences
+            return
+        for sentence in own.follow(sentences):
+            for note in own.notes[told:]:
+                say(own.table.about.name, note)
+            told = len(own.notes)
+            yield sentence
 
     def say_notes(self, say: Say) -> None:
         """Say if no person, but a model of one, moved in the recorded faces."""

@@ -347,6 +347,9 @@ class ConversionOptions:
         f"parts to leave out, any of {','.join(PerformancePart)}", "PARTS", read_parts, needs=_TABLE, elsewhere=False
     )
     keywords: tuple[Path, ...] = _files("your own words with gestures, and conjunctions (TOML)", "F", needs=_TABLE)
+    performance_sound: bool = _switch(
+        "speak with the sounds of the table's recordings, as the voice would say it", needs=_TABLE, elsewhere=False
+    )
     units: Path | None = _file("write which recording each unit comes from", "OUT.csv", needs=_TABLE)
     mesh: Path | None = _file("head: woman or man, or your own face: .glb, .vrm, .gltf, .obj or .x", "M")
     movestates: Path | None = _file("its movestates: .3dm or .3dma", "F")

@@ -1,16 +1,16 @@
 """Which of the recorded examples of a unit is taken: any, the nearest in length, or those that fit best together."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
 
 import numpy as np
 
-from phonemeengine.arrays import Float32Array
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.errors import PerformanceError
 from phonemeengine.labels.articulation import OPENNESS, articulations_of, letters_of
-from phonemeengine.performance.halves import TRAITS, RecordedHalves, Recordings, traits_of
+from phonemeengine.performance.halves import TRAITS, RecordedHalves, Recordings, bounds_of, traits_of
 from phonemeengine.performance.recording import SILENCE, PerformedPhone
 from phonemeengine.performance.table_file import Example, PerformanceTable
 from phonemeengine.performance.units import Sentence, Unit, UnitKind, duration_of, units_of
@@ -70,6 +70,32 @@ class PlacedUnit:
     examples: tuple[Example, ...] = ()
 
 
+@dataclass(frozen=True, eq=False)
+class ChosenUnits:
+    """What a sentence is made of.
+
+    Attributes
+    ----------
+    bounds : of its halves, seconds; see `bounds_of`.
+    placed : its units, in order of time.
+    examples : one for each.
+    """
+
+    bounds: Float64Array
+    placed: tuple[PlacedUnit, ...]
+    examples: tuple[Example, ...]
+
+    def bounds_in(self, sentence: Sentence) -> Float64Array:
+        """Return the bounds in a text, where the sentence stands, seconds; its silences are as long as there."""
+        bounds = bounds_of(sentence)
+        bounds[2:-2] = self.bounds[2:-2] + (bounds[2] - self.bounds[2])
+        return bounds
+
+
+Given = Callable[[Sentence], ChosenUnits | None]
+"""Tells the units of a sentence that are chosen already; None where it does not know the sentence."""
+
+
 def placed_units(
     phones: Sequence[PerformedPhone], inventory: Inventory, strings: Iterable[PlacedUnit] = ()
 ) -> tuple[PlacedUnit, ...]:
@@ -96,13 +122,13 @@ def placed_units(
     return tuple(sorted(found, key=lambda placed: placed.unit.first))
 
 
-def notes_on(phones: Sequence[PerformedPhone], inventory: Inventory) -> Iterator[str]:
-    """Say which phones the table lacks, and what it has in their place, a sentence each."""
+def notes_on(phones: Sequence[PerformedPhone], inventory: Inventory, verb: str = "looks") -> Iterator[str]:
+    """Say which phones the table lacks, and what each looks, or sounds, like in their place, a sentence each."""
     for name in sorted({phone.name for phone in phones}):
         if (name,) not in inventory[UnitKind.LEFT_HALF]:
             likest_ones = dict.fromkeys(likest(name, inventory, kind) for kind in reversed(_HALVES))
             others = " and ".join(f"[{other}]" for other in likest_ones)
-            yield f"the recordings have no [{name}], so it looks like {others}"
+            yield f"the recordings have no [{name}], so it {verb} like {others}"
 
 
 def likest(name: str, inventory: Inventory, kind: UnitKind) -> str:

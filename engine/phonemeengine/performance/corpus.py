@@ -9,8 +9,8 @@ and whether a person or a model moved.
 
 import math
 import os
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +29,7 @@ from phonemeengine.labels.utterance_files import read_utterance
 from phonemeengine.performance.face_csv import read_face_csv
 from phonemeengine.performance.face_track import LONGEST_GAP, FaceTrack
 from phonemeengine.performance.gltf_face import read_gltf_face
+from phonemeengine.performance.keywords import plain_words
 from phonemeengine.performance.recording import Performance, PerformedPhone, phones_of
 from phonemeengine.performance.table_file import TableAbout, write_table
 from phonemeengine.performance.vmc import read_vmc
@@ -54,7 +55,7 @@ def measured(phones: Sequence[PerformedPhone], samples: Float32Array) -> tuple[P
     samples : float32, shape (n,), of the sound in which they are spoken, mono at 44.1 kHz, ±1.
     """
     squares = np.concatenate([[0.0], np.cumsum(samples.astype(np.float64) ** 2)])
-    pitches = _pitches_of(samples)
+    pitches = pitches_of(samples)
     return tuple(replace(phone, energy=_level(squares, phone), pitch=_pitch(pitches, phone)) for phone in phones)
 
 
@@ -71,7 +72,8 @@ def _pitch(pitches: Float32Array, phone: PerformedPhone) -> float:
     return float(np.median(frames)) if len(frames) else 0.0
 
 
-def _pitches_of(samples: Float32Array) -> Float32Array:
+def pitches_of(samples: Float32Array) -> Float32Array:
+    """Return the pitch of a sound for each 10 ms, Hz; 0 where it is unvoiced."""
     framer = Framer()
     blocks = [framer.cut_frames(samples[k : k + _AT_ONCE]) for k in range(0, len(samples), _AT_ONCE)]
     found = [fundamental_of(block) for block in (*blocks, framer.finish()) if len(block)]
@@ -122,6 +124,7 @@ class Corpus:
     recordings : those that are complete, by name.
     notes : what is odd about the folder, a sentence each.
     person, language : who speaks, and in which language; empty where that is not known.
+    clips : recordings that answer words, or up to five words, as `plain` writes them.
     """
 
     name: str
@@ -130,6 +133,7 @@ class Corpus:
     notes: tuple[str, ...]
     person: str = ""
     language: str = ""
+    clips: Mapping[str, str] = field(default_factory=dict)
 
 
 def find_recordings(folder: Path) -> Corpus:
@@ -154,9 +158,12 @@ def find_recordings(folder: Path) -> Corpus:
             "there is none in this folder; put them side by side"
         )
     recordings, unknown = _shifted(recordings, folder / OFFSETS)
-    notes = (*(note for note in found if isinstance(note, str)), *unknown)
+    clips, known = about.get("clips", {}), {recording.name for recording in recordings}
+    lacking = dict.fromkeys(name for name in clips.values() if name not in known)
+    silent = (f"{ABOUT}: there is no recording {name[:40]!r} for [clips]" for name in lacking)
+    notes = (*(note for note in found if isinstance(note, str)), *unknown, *silent)
     synthetic, name = about.get("synthetic", False), about.get("name", folder.resolve().name)
-    return Corpus(name, synthetic, recordings, notes, about.get("person", ""), about.get("language", ""))
+    return Corpus(name, synthetic, recordings, notes, about.get("person", ""), about.get("language", ""), clips)
 
 
 def read_performance(recording: RecordingFiles, *, synthetic: bool = False) -> tuple[Performance, tuple[str, ...]]:
@@ -204,8 +211,9 @@ def _about(folder: Path) -> dict[str, Any]:
 
 def _entries_of_about(text: str) -> dict[str, Any]:
     table = parse_toml(text, "such a file", FORMAT, CorpusError)
-    known: dict[str, type] = {"name": str, "synthetic": bool, "person": str, "language": str}
-    return table.read(known, optional=tuple(known))
+    known: dict[str, type] = {"name": str, "synthetic": bool, "person": str, "language": str, "clips": dict}
+    entries, clips = table.read(known, optional=tuple(known)), table.table("clips")
+    return entries | {"clips": {words: name for name in clips.entries for words in plain_words(clips, name)}}
 
 
 def _recording_of(sound: Path, files: dict[str, Path]) -> RecordingFiles | str:
@@ -325,6 +333,7 @@ def build_table(
         folder=folder,
         person=person or corpus.person,
         language=language or corpus.language,
+        clips=corpus.clips,
     )
     return BuiltTable(about, tuple(reading.left_out), (*corpus.notes, *reading.notes))
 

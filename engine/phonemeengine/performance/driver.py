@@ -14,6 +14,7 @@ from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.performance.choice import (
     Chosen,
     ExampleChoice,
+    Given,
     PlacedUnit,
     chosen_examples,
     notes_on,
@@ -120,6 +121,7 @@ class PerformanceOptions:
     without : what is left out.
     style : how mouth and tongue are posed, smoothed and moved, and how the head goes along.
     keywords : words with gestures, and conjunctions; those that ship, where it is None.
+    given : tells the units of a sentence that are chosen already, as its sound is made of them; see `OwnSound`.
     """
 
     choice: ExampleChoice = ExampleChoice.VITERBI
@@ -127,6 +129,7 @@ class PerformanceOptions:
     without: frozenset[PerformancePart] = frozenset()
     style: Style = field(default_factory=neutral_style)
     keywords: Keywords | None = None
+    given: Given | None = None
 
 
 @dataclass(frozen=True)
@@ -189,8 +192,7 @@ class PerformanceDriver:
 
     def units(self, sentence: Sentence, number: int) -> tuple[UsedUnit, ...]:
         """Return the units of a sentence in order of time; see `weights`."""
-        placed, chosen = self._looked_up(sentence, number)
-        return tuple(_used(placed, chosen, bounds_of(sentence)))
+        return tuple(_used(*self._looked_up(sentence, number)))
 
     def weights(self, sentence: Sentence, number: int, times: Float64Array, frame: float) -> Float32Array:
         """Return the weights of the movestates of `FACE` at some times, float32, shape (n_times, 60).
@@ -206,18 +208,25 @@ class PerformanceDriver:
         ------
         PerformanceError : the table is damaged.
         """
-        placed, chosen = self._looked_up(sentence, number)
-        moved = self._finished(fitted(placed, chosen, bounds_of(sentence), times), sentence, times, frame)
+        moved = self._finished(fitted(*self._looked_up(sentence, number), times), sentence, times, frame)
         weights = np.zeros((len(times), len(FACE)), np.float32)
         weights[:, self._places] = moved
         if PerformancePart.POSES not in self.options.without:
             weights[:, _TONGUE] = tongue_weights(sentence, self._tongue_poses, times, frame)
         return weights
 
-    def _looked_up(self, sentence: Sentence, number: int) -> tuple[tuple[PlacedUnit, ...], list[Chosen]]:
+    def _looked_up(
+        self, sentence: Sentence, number: int
+    ) -> tuple[tuple[PlacedUnit, ...], list[Chosen], Float64Array]:
+        """Return the units of a sentence, their examples, and when its halves begin and end."""
+        given = None if self.options.given is None else self.options.given(sentence)
+        if given is not None:
+            chosen = [(self._recordings[example.recording], example) for example in given.examples]
+            return given.placed, chosen, given.bounds_in(sentence)
         placed = placed_units(sentence, self._inventory, recorded_strings(sentence, self._table))
         seed = (abs(self.options.seed), int(self.options.seed < 0), number)
-        return placed, chosen_examples(placed, sentence, self._table, self._recordings, self.options.choice, seed)
+        chosen = chosen_examples(placed, sentence, self._table, self._recordings, self.options.choice, seed)
+        return placed, chosen, bounds_of(sentence)
 
     def _finished(self, weights: Float32Array, sentence: Sentence, times: Float64Array, frame: float) -> Float32Array:
         """Filter before posing, since a filter would open closed lips; the loudness spares these."""

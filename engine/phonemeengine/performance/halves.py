@@ -31,6 +31,8 @@ SHORTEST = 0.005
 """Seconds; what is shorter counts as so long."""
 STEP = 12.0
 """Decibels."""
+PITCH_HEARD = 2.0
+"""What an octave counts where sounds meet; a step of the level counts 1."""
 FARTHEST = 100.0
 """What differs by more counts as so much."""
 SPEED = 0.03
@@ -102,16 +104,17 @@ class Recordings:
     ----------
     table : where they are.
     columns : the numbers of the channels that are looked up.
+    audible : whether pitch and level count at the joints, too.
     """
 
-    def __init__(self, table: PerformanceTable, columns: IndexArray) -> None:
-        self._table, self._columns = table, columns
+    def __init__(self, table: PerformanceTable, columns: IndexArray, *, audible: bool = False) -> None:
+        self._table, self._columns, self._audible = table, columns, audible
         self._halves: WeakKeyDictionary[Performance, RecordedHalves] = WeakKeyDictionary()
 
     def __getitem__(self, number: int) -> RecordedHalves:
         performance = self._table.recording(number)
         if performance not in self._halves:
-            self._halves[performance] = _halves_of(performance, self._columns)
+            self._halves[performance] = _halves_of(performance, self._columns, audible=self._audible)
         return self._halves[performance]
 
 
@@ -124,14 +127,24 @@ def weights_at(weights: Float32Array, frames: Float64Array) -> Float32Array:
     return first + share * (weights[np.minimum(below + 1, len(weights) - 1)] - first)
 
 
-def _halves_of(performance: Performance, columns: IndexArray) -> RecordedHalves:
+def _halves_of(performance: Performance, columns: IndexArray, *, audible: bool) -> RecordedHalves:
     weights, bounds = performance.weights[:, columns], bounds_of(performance.phones)
     frames = bounds * performance.rate
     after, before = weights_at(weights, frames + 1), weights_at(weights, frames - 1)
     joints = np.hstack([weights_at(weights, frames), (after - before) * (SPEED * performance.rate / 2)])
+    if audible:
+        joints = np.hstack([joints, _voice_at_bounds(performance.phones)])
     return RecordedHalves(
         performance.name, performance.rate, weights, bounds, traits_of(performance.phones), joints.astype(np.float32)
     )
+
+
+def _voice_at_bounds(phones: Sequence[PerformedPhone]) -> Float64Array:
+    """Return how high and loud the voice is at each bound, by how audible jumps are; shape (2 n_phones + 1, 2)."""
+    voiced = [phone.pitch for phone in phones if phone.pitch > 0]
+    usual = float(np.median(voiced)) if voiced else 1.0
+    own = [(PITCH_HEARD * np.log2((phone.pitch or usual) / 100), phone.energy / STEP) for phone in phones]
+    return np.repeat(np.array([*own, own[-1]]), 2, axis=0)[:-1]
 
 
 def _places(numbers: Sequence[int]) -> Float64Array:

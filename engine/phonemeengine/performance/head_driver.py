@@ -12,7 +12,7 @@ import numpy as np
 from phonemeengine.arrays import Float32Array, Float64Array, IndexArray
 from phonemeengine.mouth.idle_motion import HeadMotion
 from phonemeengine.mouth.style_numbers import GestureNumbers
-from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, load_keywords
+from phonemeengine.performance.keywords import CHANNELS, Gesture, Keywords, joined_words, load_keywords, phrases_in
 from phonemeengine.performance.phrases import Phrase, PhraseMatch, PhraseMatchKind, phrases_of
 from phonemeengine.performance.recording import HEAD, SILENCE, Performance
 from phonemeengine.performance.smoothing import MonotoneCubics, crossed, low_passed
@@ -56,7 +56,11 @@ class HeadDriver:
         self._numbers = gestures or GestureNumbers()
         keywords = load_keywords() if keywords is None else keywords
         self._conjunctions = keywords.conjunctions_in(words, language)
-        self._gestures = tuple(keywords.gestures_in(words, language))
+        clips = table.about.clips
+        self._clips = tuple((*span, clips[joined_words(words, *span)]) for span in phrases_in(words, clips))
+        answered = {word for first, last, _name in self._clips for word in range(first, last + 1)}
+        made = keywords.gestures_in(words, language)
+        self._gestures = tuple(found for found in made if answered.isdisjoint(range(found[0], found[1] + 1)))
         self._table, self._seed = table, seed
         self._columns = {name: k for k, name in enumerate(table.about.channels) if name in CHANNELS}
         self._turns = {*HEAD} <= self._columns.keys()
@@ -99,6 +103,12 @@ class HeadDriver:
         values *= (crossed(times, begin, begin + REST) * (1 - crossed(times, end - REST, end)))[:, None]
         for start, stop, gesture in self._gestures_in(sentence):
             _gesticulate(values, gesture, (times - start) / (stop - start), self._numbers.size)
+        for start, stop, clip in self._clips_in(sentence):
+            begun, ended = (crossed(times, at - FADE / 2, at + FADE / 2) for at in (start, stop))
+            spoken = clip.phones[0].end, clip.phones[-1].start
+            recorded = self._sampled(clip, np.interp(times, (start, stop), spoken))
+            moved = [CHANNELS.index(name) for name in self._columns]
+            values[:, moved] += (begun - ended)[:, None] * (self._numbers.size * recorded - values)[:, moved]
         values = low_passed(values, CUTOFF * (times[1] - times[0]))
         values[:, len(HEAD) :] = values[:, len(HEAD) :].clip(0, 1)
         return values[inner].astype(np.float32)
@@ -125,14 +135,25 @@ class HeadDriver:
             values[:, CHANNELS.index(name)] = np.interp(times, frames, recorded) - median
         return values
 
+    def _clips_in(self, sentence: Sentence) -> Iterator[tuple[float, float, Performance]]:
+        """Return the recordings that answer words of a sentence, each with the start and end of these, seconds."""
+        starts, ends = _times_of_words(sentence)
+        for first, last, name in self._clips:
+            if first in starts and last in ends:
+                yield starts[first], ends[last], self._table.recording_called(name)
+
     def _gestures_in(self, sentence: Sentence) -> Iterator[tuple[float, float, Gesture]]:
         """Return the gestures of a sentence, each with its start and end, seconds."""
-        starts = {phone.word: phone.start for phone in reversed(sentence)}
-        ends = {phone.word: phone.end for phone in sentence}
+        starts, ends = _times_of_words(sentence)
         for first, last, gesture in self._gestures:
             if first in starts and last in ends:
                 end = max(ends[last], starts[first] + gesture.shortest)
                 yield starts[first], min(end, sentence[-1].end), gesture
+
+
+def _times_of_words(sentence: Sentence) -> tuple[dict[int, float], dict[int, float]]:
+    """Return when each word begins and ends, seconds, by its number."""
+    return {phone.word: phone.start for phone in reversed(sentence)}, {phone.word: phone.end for phone in sentence}
 
 
 def _fitted(match: PhraseMatch, times: Float64Array) -> Float64Array:

@@ -76,12 +76,13 @@ class Keywords:
         language : its tag, such as ``en-us``; an unknown language has none.
         """
         known = self.words.get(base_of(language), {})
-        for first, last in _found(words, known):
-            yield first, last, self.gestures[known[_joined(words, first, last)]]
+        for first, last in phrases_in(words, known):
+            yield first, last, self.gestures[known[joined_words(words, first, last)]]
 
     def conjunctions_in(self, words: Sequence[str], language: str) -> frozenset[int]:
         """Return the words of a sentence before which it may be split, by their numbers."""
-        return frozenset(first for first, _ in _found(words, self.conjunctions.get(base_of(language), frozenset())))
+        known = self.conjunctions.get(base_of(language), frozenset())
+        return frozenset(first for first, _ in phrases_in(words, known))
 
     def with_others(self, others: "Keywords") -> "Keywords":
         """Return these with others added; where both know a gesture or a word, it is as the others have it."""
@@ -133,7 +134,7 @@ def keywords_of(text: str, known: Mapping[str, Gesture] | None = None) -> Keywor
     return Keywords(
         gestures,
         {name: _gestured(table, names) for name, table in languages.items()},
-        {name: frozenset(_plain_words(table, CONJUNCTIONS)) for name, table in languages.items()},
+        {name: frozenset(plain_words(table, CONJUNCTIONS)) for name, table in languages.items()},
     )
 
 
@@ -147,24 +148,44 @@ def base_of(language: str) -> str:
     return "cmn" if language.lower() in mandarin.TAGS else language.lower().partition("-")[0]
 
 
+def plain_words(table: StrictTable, key: str) -> Iterator[str]:
+    """Return the words, or few words, of an entry as `plain` writes them.
+
+    Raises
+    ------
+    EngineError : it is no list of words; the error is that of the table.
+    """
+    words = table.value(key, list, [])
+    for word in words:
+        if not isinstance(word, str) or not plain(word):
+            raise table.refusal(key, "a list of words", words)
+        yield plain(word)
+
+
+def phrases_in(words: Sequence[str], entries: Collection[str]) -> Iterator[tuple[int, int]]:
+    """Return where entries stand in a sentence, first word and last one; they do not overlap, and the longest counts.
+
+    Parameters
+    ----------
+    entries : words, or up to five, as `plain` writes them.
+    """
+    k = 0
+    while k < len(words):
+        longest = range(min(k + MOST_WORDS, len(words)) - 1, k - 1, -1)
+        last = next((last for last in longest if joined_words(words, k, last) in entries), None)
+        if last is not None:
+            yield k, last
+        k = k + 1 if last is None else last + 1
+
+
 def _eased(places: Float64Array) -> Float64Array:
     """Return places between whole numbers moved along half a cosine."""
     whole = np.floor(places)
     return whole + (1 - np.cos(np.pi * (places - whole))) / 2
 
 
-def _found(words: Sequence[str], entries: Collection[str]) -> Iterator[tuple[int, int]]:
-    """Return where entries stand in a sentence, first word and last one; they do not overlap."""
-    k = 0
-    while k < len(words):
-        longest = range(min(k + MOST_WORDS, len(words)) - 1, k - 1, -1)
-        last = next((last for last in longest if _joined(words, k, last) in entries), None)
-        if last is not None:
-            yield k, last
-        k = k + 1 if last is None else last + 1
-
-
-def _joined(words: Sequence[str], first: int, last: int) -> str:
+def joined_words(words: Sequence[str], first: int, last: int) -> str:
+    """Return the words from one to another, both counted, as `plain` writes them."""
     return "".join(map(plain, words[first : last + 1]))
 
 
@@ -190,12 +211,4 @@ def _values_of(channels: StrictTable, name: str) -> tuple[float, ...]:
 def _gestured(table: StrictTable, gestures: Collection[str]) -> dict[str, str]:
     """Return the gesture of each word of a language."""
     table.check_keys((), (CONJUNCTIONS, *sorted(gestures)))
-    return {word: name for name in table.entries if name != CONJUNCTIONS for word in _plain_words(table, name)}
-
-
-def _plain_words(table: StrictTable, key: str) -> Iterator[str]:
-    words = table.value(key, list, [])
-    for word in words:
-        if not isinstance(word, str) or not plain(word):
-            raise table.refusal(key, "a list of words", words)
-        yield plain(word)
+    return {word: name for name in table.entries if name != CONJUNCTIONS for word in plain_words(table, name)}

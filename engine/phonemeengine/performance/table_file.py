@@ -5,6 +5,7 @@ read-only as a file that does not change, so that it may lie anywhere, and is on
 was made by the very words below: what a stranger's database would compute is never run.
 """
 
+import json
 import os
 import sqlite3
 import threading
@@ -12,7 +13,7 @@ import weakref
 from collections import OrderedDict
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import closing, contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import groupby
 from operator import itemgetter
@@ -25,7 +26,15 @@ from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.execution import Closing
 from phonemeengine.performance.phrases import PhraseIndex
 from phonemeengine.performance.recording import Performance, PerformedPhone
-from phonemeengine.performance.table_rows import DamageError, phone_of, real_of, text_of, weights_of, whole_of
+from phonemeengine.performance.table_rows import (
+    DamageError,
+    clips_of,
+    phone_of,
+    real_of,
+    text_of,
+    weights_of,
+    whole_of,
+)
 from phonemeengine.performance.units import STRINGS, UnitKind, duration_of, units_of
 from phonemeengine.storage.files import atomic_write, printable, printable_name, reason_of
 
@@ -83,6 +92,7 @@ class TableAbout:
     rate : frames a second of all of them.
     folder : where the recordings were found, beside the table; empty where that is not known.
     person, language : who speaks, and in which language, such as ``en-us``; empty where that is not known.
+    clips : recordings that answer words, or few words, as `plain` writes them.
     """
 
     name: str
@@ -94,6 +104,7 @@ class TableAbout:
     folder: str = ""
     person: str = ""
     language: str = ""
+    clips: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def title(self) -> str:
@@ -243,6 +254,15 @@ class PerformanceTable(Closing):
         ------
         PerformanceError : there is none, or it is damaged.
         """
+        return self.recording(self.number_of(name))
+
+    def number_of(self, name: str) -> int:
+        """Return the number of the first recording of a name.
+
+        Raises
+        ------
+        PerformanceError : there is none.
+        """
         with self._asking():
             row = self._connection.execute("SELECT min(id) FROM recording WHERE name = ?", (name,)).fetchone()
             some = self._connection.execute("SELECT name FROM recording ORDER BY id LIMIT 1").fetchone()
@@ -251,7 +271,7 @@ class PerformanceTable(Closing):
                 f"{self.about.name}: there is no recording {printable(name[:40])!r} in this table; they are called "
                 f"as their files are, such as {printable(text_of(some[0])[:40])!r}"
             )
-        return self.recording(whole_of(row[0]))
+        return whole_of(row[0])
 
     def recordings(self) -> Iterator[tuple[int, Performance]]:
         """Return all recordings, each with its number; none is kept."""
@@ -297,6 +317,7 @@ class PerformanceTable(Closing):
 def write_table(
     path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None,
     folder: str | os.PathLike[str] | None = None, person: str = "", language: str = "",
+    clips: Mapping[str, str] | None = None,
 ) -> TableAbout:  # fmt: skip
     """Write a table of performances; what is at `path` stays until the table is complete and on the disk.
 
@@ -309,6 +330,7 @@ def write_table(
     name : what the table is called; as the file, where it is None.
     folder : where the recordings are, so that their sounds are found again.
     person, language : who speaks, and in which language; empty where that is not known.
+    clips : recordings that answer words; see `TableAbout`. Those that are not there are left out.
 
     Raises
     ------
@@ -319,7 +341,7 @@ def write_table(
         with atomic_write(path, durable=True) as file, closing(_created(file.name)) as connection:
             place = "" if folder is None else _place_beside(path, folder)
             meta = {"name": path.stem if name is None else name, "folder": place}
-            _Writing(connection).write(performances, meta | {"person": person, "language": language})
+            _Writing(connection).write(performances, meta | {"person": person, "language": language}, clips or {})
             return _about(connection)
     except EngineError:
         raise
@@ -351,17 +373,20 @@ class _Writing:
         self._connection = connection
         self._items: dict[tuple[UnitKind, tuple[str, ...]], int] = {}
 
-    def write(self, performances: Iterable[Performance], meta: Mapping[str, str]) -> None:
-        """Write all of them, and what is known of the table."""
+    def write(self, performances: Iterable[Performance], meta: Mapping[str, str], clips: Mapping[str, str]) -> None:
+        """Write all of them, what is known of the table, and which of them answer words."""
+        names = set[str]()
         first: Performance | None = None
         for number, performance in enumerate(performances, 1):
             first = first or performance
             performance.check_beside(first)
             self._add(number, performance)
+            names.add(performance.name)
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
         self._connection.executemany("INSERT INTO channel VALUES (?, ?)", enumerate(first.channels))
-        self._connection.executemany("INSERT INTO meta VALUES (?, ?)", meta.items())
+        there = {"clips": json.dumps({words: name for words, name in clips.items() if name in names})}
+        self._connection.executemany("INSERT INTO meta VALUES (?, ?)", {**meta, **there}.items())
         rows = ((k, kind.value, " ".join(names)) for (kind, names), k in self._items.items())
         self._connection.executemany("INSERT INTO item VALUES (?, ?, ?)", rows)
         self._connection.execute("COMMIT")
@@ -458,10 +483,11 @@ def _about(connection: sqlite3.Connection) -> TableAbout:
     query = "SELECT count(*), sum(duration), max(rate), max(synthetic) FROM recording"
     n, duration, rate, synthetic = connection.execute(query).fetchone()
     channels = connection.execute("SELECT name FROM channel ORDER BY place")
+    folder, person, language = (text_of(meta.get(key, "")) for key in ("folder", "person", "language"))
     return TableAbout(
         text_of(meta["name"]), bool(whole_of(synthetic)), whole_of(n), real_of(duration),
         tuple(text_of(row[0]) for row in channels), real_of(rate),
-        *(text_of(meta.get(key, "")) for key in ("folder", "person", "language")),
+        folder, person, language, clips_of(meta.get("clips", "{}")),
     )  # fmt: skip
 
 

@@ -1,5 +1,6 @@
 """What the rows of a table of performances hold, looked at before it is believed."""
 
+import json
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,14 @@ def weights_of(content: Any, n_frames: int, n_channels: int) -> Float32Array:
     if not isinstance(content, bytes) or len(content) != 2 * n_frames * n_channels:
         raise DamageError("the weights of a recording do not fit its frames")
     return np.frombuffer(content, "<f2").reshape(n_frames, n_channels).astype(np.float32)
+
+
+def clips_of(content: Any) -> dict[str, str]:
+    """Return the recordings that answer words, of JSON."""
+    clips = json.loads(text_of(content))
+    if not isinstance(clips, dict):
+        raise DamageError("the words of its clips are missing")
+    return {words: text_of(name) for words, name in clips.items()}
 
 
 def phone_of(row: tuple[Any, ...]) -> PerformedPhone:

@@ -79,6 +79,7 @@ def _middle(pitches: Float32Array) -> float:
 class UnitKind(StrEnum):
     """The sets of units, the longest first; a table has no index of `STRINGS`, see `recorded_strings`."""
 
+    CLIP = "clip"
     SENTENCE = "sentence"
     WORDS = "words"
     WORD = "word"
@@ -92,7 +93,7 @@ class UnitKind(StrEnum):
     LEFT_HALF = "left-half"
 
 
-STRINGS = frozenset({UnitKind.SENTENCE, UnitKind.WORDS})
+STRINGS = frozenset({UnitKind.CLIP, UnitKind.SENTENCE, UnitKind.WORDS})
 """Sets whose units are found by their words."""
 
 

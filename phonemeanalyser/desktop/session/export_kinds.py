@@ -25,6 +25,7 @@ from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.files.io import FaceFiles
 from phonemeengine.mouth.key_layer import KeyLayer
 from phonemeengine.mouth.table import USUAL_TABLE
+from phonemeengine.performance.choice import Given
 from phonemeengine.presets.model_choice import for_files
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import Channel
@@ -40,11 +41,13 @@ class TextToSay:
     ----------
     text, language : what is said.
     speak : has the voice say it, sentence by sentence.
+    given : tells of what the sound is made, where recordings speak; see `PerformanceOptions`.
     """
 
     text: str
     language: str
     speak: Callable[[], Iterator[SpokenSentence]] = field(compare=False, repr=False)
+    given: Given | None = field(default=None, compare=False, repr=False)
 
 
 @dataclass(frozen=True)
@@ -179,7 +182,8 @@ class SpeechWork:
     @contextmanager
     def opened(self) -> Iterator[Act]:
         """Open what moves the face, and give what writes the file."""
-        with self.order.driver.opened(self.speech.language) as driving:
+        with self.order.driver.opened(self.speech.language) as opened:
+            driving = replace(opened, options=replace(opened.options, given=self.speech.given))
 
             def act(job: Job, say: Say, progress: Progress) -> Made:
                 exporter = Exporter(self.order.kind, self.order.options)

@@ -294,6 +294,7 @@ class TalkDialogs(QObject):
             Kept("talk/voice_rate", lambda: voice.choice.rate, lambda rate: voice.choose(rate=rate)),
             Kept("talk/voice_program", lambda: voice.choice.program, lambda words: voice.choose(program=words)),
             Kept("talk/voice_by_program", lambda: voice.choice.by_program, lambda on: voice.choose(by_program=on)),
+            Kept("talk/voice_own_sound", lambda: voice.choice.own_sound, lambda on: voice.choose(own_sound=on)),
             Kept("talk/text_driver", lambda: drivers.chosen, drivers.choose),
             Kept("talk/performance_person", lambda: drivers.performance.person, drivers.performance.choose_person),
             Kept("talk/performance_choice", lambda: drivers.performance.choice, drivers.performance.set_choice),

@@ -2189,6 +2189,11 @@
             <translation>Clients brauchen ein Token</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>clip</source>
+            <translation>Clip</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/widgets/level_meter.py" />
             <source>CLIPPED</source>
             <translation>ÜBERSTEUERT</translation>
@@ -6325,6 +6330,11 @@
             <translation>Keine Tabelle ist geöffnet, daher steuern Phoneme den Mund; bei „Aufgezeichnete Gesichter“ eine öffnen.</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/scripts.py" />
+            <source>no table of recorded faces is open that could speak; open one, or choose a voice</source>
+            <translation>keine Tabelle aufgezeichneter Gesichter ist geöffnet, die sprechen könnte; eine öffnen oder eine Stimme wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
             <source>No take of {phoneme} was recorded: {state}. Try again once the microphone is running.</source>
             <translation>Kein Take von {phoneme} aufgenommen: {state}. Noch einmal versuchen, sobald das Mikrofon läuft.</translation>
@@ -6893,6 +6903,11 @@
             <location filename="../../../phonemeanalyser/desktop/export_dialog.py" />
             <source>Overwrite Existing Files</source>
             <translation>Vorhandene Dateien überschreiben</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
+            <source>Own sound of the recorded faces</source>
+            <translation>Eigener Ton der aufgezeichneten Gesichter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/manual.py" />
@@ -10400,6 +10415,11 @@
             <translation>Das OpenGL des Fensters ist nicht benutzbar ({error}); Grafiktreiber aktualisieren</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <source>the words of its clips are missing</source>
+            <translation>die Wörter ihrer Clips fehlen</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/expression/felt.py" />
             <source>the {name} follow a feeling by 0..1, found {amount}; correct it</source>
             <translation>{name} folgt einem Gefühl mit 0..1, gefunden: {amount}; berichtigen</translation>
@@ -11331,8 +11351,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
-            <source>Voice that speaks the text: one of espeak-ng, or an external text-to-speech program</source>
-            <translation>Stimme, die den Text spricht: eine von espeak-ng oder ein externes Sprachprogramm</translation>
+            <source>Voice that speaks the text: one of espeak-ng, the recordings of the table in use, or an external text-to-speech program</source>
+            <translation>Stimme, die den Text spricht: eine von espeak-ng, die Aufnahmen der benutzten Tabelle oder ein externes Sprachprogramm</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
@@ -12733,6 +12753,11 @@
             <location filename="../../../engine/phonemeengine/audio/headers.py" />
             <source>{name}: the sizes in its header do not match the file ({lie}), so {advice}</source>
             <translation>{name}: Die Größen in den Kopfdaten passen nicht zur Datei ({lie}), daher {advice}</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/own_sound.py" />
+            <source>{name}: the sound of the recording {recording} is not in the folder {self} beside the table; put it there, or use a voice</source>
+            <translation>{name}: der Ton der Aufnahme {recording} liegt nicht im Ordner {self} neben der Tabelle; ihn dort ablegen oder eine Stimme benutzen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />

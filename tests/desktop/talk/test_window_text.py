@@ -20,7 +20,7 @@ from phonemeanalyser.desktop.talk.drivers.driver_model import OTHER_PRESET
 from phonemeanalyser.desktop.talk.words.text_model import TextTools
 from phonemeanalyser.desktop.talk.words.text_panel import NO_LANGUAGE
 from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
-from phonemeanalyser.desktop.talk.words.voice_panel import OWN_PROGRAM, OWN_VOICE, VoicePanel
+from phonemeanalyser.desktop.talk.words.voice_panel import OWN_PROGRAM, OWN_SOUND, OWN_VOICE, VoicePanel
 from phonemeanalyser.desktop.window import MainWindow
 from phonemeengine.analyser import Analysis
 from phonemeengine.labels.utterance import LabelUnit, Utterance, spans_of
@@ -275,8 +275,18 @@ def opened(window: MainWindow, qtbot: QtBot) -> VoicePanel:
 @popping_up
 def test_voice_rate_mouth_and_a_program_of_ones_own_are_chosen_by_the_keyboard(window, desktop, qtbot):
     below = opened(window, qtbot)
-    names = [below.name.itemText(k) for k in range(below.name.count())]  # women and men come first, a program last
-    assert names == [OWN_VOICE, "f1 (female)", "f2 (female)", "m1 (male)", "croak", "klatt", "Reed", OWN_PROGRAM]
+    names = [below.name.itemText(k) for k in range(below.name.count())]  # women go before men, a program is the last
+    assert names == [
+        OWN_VOICE,
+        OWN_SOUND,
+        "f1 (female)",
+        "f2 (female)",
+        "m1 (male)",
+        "croak",
+        "klatt",
+        "Reed",
+        OWN_PROGRAM,
+    ]
     QTest.keyClicks(below.name, "f2")
     QTest.keyClick(below.name, Qt.Key.Key_Return)
     type_number(below.rate, "5.5")
@@ -372,7 +382,7 @@ def performed(window: MainWindow, desktop: Desktop, table: Path, qtbot: QtBot) -
 
 
 @popping_up
-def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(window, desktop, qtbot, table):
+def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(window, desktop, voice, qtbot, table):
     window.files.show = FileAnswers(table)
     aligned(window, qtbot)
     below = opened(window, qtbot)
@@ -389,6 +399,11 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
     below.choice.setFocus()
     QTest.keyClicks(below.choice, "random w")
     assert desktop.talking.text.drivers.performance.choice is ExampleChoice.BAND
+    below.name.setFocus()
+    QTest.keyClicks(below.name, "own")
+    desktop.talking.text.say()
+    qtbot.waitUntil(lambda: bool(voice.choices))
+    assert voice.choices[0].recordings.table is desktop.talking.text.drivers.performance.table
     below.table.setFocus()
     QTest.keyClick(below.table, Qt.Key.Key_Home)
     assert desktop.talking.text.drivers.performance.chosen is None

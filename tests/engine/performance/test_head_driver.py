@@ -10,6 +10,7 @@ from phonemeengine.performance.head_driver import HeadDriver
 from phonemeengine.performance.keywords import CHANNELS, Keywords
 from phonemeengine.performance.phrases import PhraseMatch, PhraseMatchKind
 from phonemeengine.performance.recording import HEAD, Performance
+from phonemeengine.performance.table_file import PerformanceTable, write_table
 from tests.engine.performance.rhythms import RATE, Movement, performed, said, table_of, words_of
 
 NONE = Keywords({}, {}, {})
@@ -252,3 +253,18 @@ def test_silence_and_a_single_frame_have_a_track(tmp_path: Path) -> None:
     with table_of(tmp_path, recorded) as table:
         values = HeadDriver(table, ["da"], "").track(said("da"), np.zeros(1))
     assert values.shape == (1, len(CHANNELS))
+
+
+def test_a_recording_answers_a_key_word_with_its_head_and_brows(tmp_path: Path) -> None:
+    whole = _recorded("da da da da da da", headYaw=_level(0.0))
+    clip = _recorded("ya", headPitch=_at(0.4, -9.0, 0.1), browInnerUp=_at(0.4, 0.6, 0.1), length=0.2)
+    write_table(tmp_path / "t.sqlite", [whole, clip], clips={"hello": "ya"})
+    phones = said("da da da da da da")
+    with PerformanceTable.open(tmp_path / "t.sqlite") as table:
+        driver = HeadDriver(table, ("da", "da", "da", "Hello!", "da", "da"), "en", NONE)
+        values = driver.track(phones, _times(phones[-1].end))
+    moved = Moved(values, (), ())
+    answered = 0.3 + 3.5 * 0.2  # the middle of its word
+    assert _time_of_peak(moved, "headPitch") == pytest.approx(answered, abs=0.03)
+    assert np.abs(_channel(moved, "headPitch")).max() > 4
+    assert np.abs(values[: round(0.5 * RATE)]).max() < 0.1

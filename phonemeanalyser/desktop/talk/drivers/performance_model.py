@@ -1,6 +1,6 @@
 """Recorded faces for what is said: which table is chosen, and what it shows of the current sound."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,7 @@ from phonemeengine.mouth.style import Style, neutral_style
 from phonemeengine.mouth.transcript import Prosody, Transcript, transcript_of_utterance
 from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.driver import FACE, PerformanceDriver, PerformanceOptions, UsedUnit
+from phonemeengine.performance.own_sound import OwnSound
 from phonemeengine.performance.spoken_face import SpokenFace
 from phonemeengine.performance.table_choice import chosen_table
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout
@@ -205,10 +206,22 @@ class PerformanceModel(OpenedFiles):
 
         self._work.replace(act, take)
 
-    def spoken_face(self, language: str) -> SpokenFace | None:
-        """Return what looks a text up while it is spoken; None without a table. Any thread may ask."""
+    def own_sound(self) -> OwnSound | None:
+        """Return what has the recordings of the table in use speak; None without a table."""
         table = self.table
-        return None if table is None else SpokenFace(table, language, self._options)
+        return None if table is None else OwnSound(table, self.choice)
+
+    def spoken_face(self, language: str, own: OwnSound | None = None) -> SpokenFace | None:
+        """Return what looks a text up while it is spoken; None without a table. Any thread may ask.
+
+        Parameters
+        ----------
+        own : makes the sound of which the face has the units; None where a voice speaks.
+        """
+        table, options = self.table, self._options
+        if own is not None and own.table is table:
+            options = replace(options, given=own.units_of)
+        return None if table is None else SpokenFace(table, language, options)
 
     def show_spoken(self, face: SpokenFace) -> None:
         """Show a text that is being spoken, as far as it is; call it again when there is more of it."""

@@ -10,7 +10,7 @@ from phonemeanalyser.desktop.talk.words.voice_model import VoiceChoice
 from phonemeengine.alignment.align import align_analyses, align_word
 from phonemeengine.analyser import Analysis, analyse_file
 from phonemeengine.audio.files import SoundReader
-from phonemeengine.errors import AudioError, EngineError
+from phonemeengine.errors import AudioError, EngineError, VoiceError
 from phonemeengine.execution import Progress, report_progress
 from phonemeengine.labels import textgrid
 from phonemeengine.labels.table import write_text
@@ -144,7 +144,7 @@ def found_word(asked: WordInSound) -> Word:
 
 
 def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSentence]:
-    """Return a text as a voice of espeak-ng speaks it, sentence by sentence, or whole as a program does.
+    """Return a text as a voice of espeak-ng or recordings speak it, sentence by sentence, or whole as a program does.
 
     Raises
     ------
@@ -153,7 +153,10 @@ def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSente
     if voice.by_program:
         lexicon, literal = voice.lexicon, voice.literal
         return iter([speak_by_program(voice.program, text, language=language, lexicon=lexicon, literal=literal)])
-    return Voice(language, voice.name, voice.rate, voice.lexicon or Lexicon()).speak(text, literal=voice.literal)
+    if voice.own_sound and voice.recordings is None:
+        raise VoiceError(tr("no table of recorded faces is open that could speak; open one, or choose a voice"))
+    sentences = Voice(language, voice.name, voice.rate, voice.lexicon or Lexicon()).speak(text, literal=voice.literal)
+    return sentences if voice.recordings is None else voice.recordings.follow(sentences)
 
 
 def write_speech(sentences: Iterable[SpokenSentence], language: str, path: Path) -> None:

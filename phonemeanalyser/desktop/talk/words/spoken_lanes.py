@@ -25,6 +25,7 @@ LETTERS, PERFORMED = tr_noop("Letters"), tr_noop("Units")
 WORD_COLOUR, SYLLABLE_COLOUR, RIME_COLOUR = "#3d5a80", "#5c677d", "#7a8499"
 """Dark enough for white letters, in both looks."""
 UNIT_COLOURS = {
+    UnitKind.CLIP: "#0f5c70",
     UnitKind.SENTENCE: "#155e63",
     UnitKind.WORDS: "#17665a",
     UnitKind.WORD: "#1b6e53",

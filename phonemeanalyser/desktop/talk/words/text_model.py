@@ -189,7 +189,8 @@ class TextModel(QObject):
         if self._session.source.kind is not SourceKind.TEXT or not self.text.strip():
             return None
         text, language, voice = self.text, self._language_of_text, self._voice
-        return TextToSay(text, language, lambda: self.tools.speak(text, language, voice))
+        given = None if voice.recordings is None else voice.recordings.units_of
+        return TextToSay(text, language, lambda: self.tools.speak(text, language, voice), given)
 
     # -- what is chosen -----------------------------------------------------------------------------------
 
@@ -432,14 +433,15 @@ class TextModel(QObject):
 
     @property
     def _voice(self) -> VoiceChoice:
-        return replace(self.voice.choice, lexicon=self._lexicon, literal=self.literal)
+        own = self.drivers.performance.own_sound() if self.voice.choice.own_sound else None
+        return replace(self.voice.choice, lexicon=self._lexicon, literal=self.literal, recordings=own)
 
     def _spoken(
         self, text: str, language: str, voice: VoiceChoice, *, look_up: bool
     ) -> tuple[Iterator[SpokenSentence], SpokenFace | None]:
         """Return a text as a voice speaks it, and what its face is looked up by, where it is."""
         sentences = self.tools.speak(text, language, voice)
-        face = self.drivers.performance.spoken_face(language) if look_up else None
+        face = self.drivers.performance.spoken_face(language, voice.recordings) if look_up else None
         return (sentences, None) if face is None else (face.follow(sentences), face)
 
     def _take_speech(self, speech: RunningSpeech, text: str, voice: VoiceChoice) -> None:

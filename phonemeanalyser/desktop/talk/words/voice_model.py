@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import VoiceError
+from phonemeengine.performance.own_sound import OwnSound
 from phonemeengine.speech.pinyin.timing import USUAL_RATE
 from phonemeengine.speech.voice import RATES
 from phonemeengine.text import mandarin
@@ -29,6 +30,8 @@ class VoiceChoice:
     rate : syllables a second, `SLOWEST`..`FASTEST`.
     program : a text-to-speech program of the user's own, as a command.
     by_program : whether that program speaks, at a rate of its own.
+    own_sound : whether the recordings of the table in use speak, as the voice would say it.
+    recordings : those; None where no table is in use.
     lexicon : how words are pronounced that the voice reads otherwise; None for none.
     literal : whether the notation of scripts is spoken, too.
     """
@@ -37,6 +40,8 @@ class VoiceChoice:
     rate: float = USUAL_RATE
     program: str = ""
     by_program: bool = False
+    own_sound: bool = False
+    recordings: OwnSound | None = None
     lexicon: Lexicon | None = None
     literal: bool = False
 

@@ -20,6 +20,7 @@ from phonemeengine.speech.program import OUTPUT, TEXT
 
 WIDTH = 420
 OWN_VOICE, OWN_PROGRAM = tr_noop("Default voice of the language"), tr_noop("External program")
+OWN_SOUND = tr_noop("Own sound of the recorded faces")
 KINDS = {"m": tr_noop("male"), "f": tr_noop("female")}
 """What the voices are that are a letter and a number."""
 CHOICES = {
@@ -59,7 +60,12 @@ class VoicePanel(QFrame):
         self.setStyleSheet(f"#voice {{ background: {theme.window}; border: 1px solid {theme.line} }}")
         self.setAccessibleName(tr("Voice"))
         self.name = choice(
-            (), tr("Voice"), tr("Voice that speaks the text: one of espeak-ng, or an external text-to-speech program")
+            (),
+            tr("Voice"),
+            tr(
+                "Voice that speaks the text: one of espeak-ng, the recordings of the table in use, or an external "
+                "text-to-speech program"
+            ),
         )
         self.rate = named(
             NumberField(SLOWEST, FASTEST, decimals=1, step=0.1, unit=" " + tr("syllables/s"), waits=True),
@@ -125,8 +131,8 @@ class VoicePanel(QFrame):
         choice = self._voice.choice
         with silent(self.rate, self.program):
             self._list_voices()
-            own = self.name.count() - 1
-            self.name.setCurrentIndex(own if choice.by_program else max(0, self.name.findData(choice.name)))
+            program, found = self.name.count() - 1, max(0, self.name.findData(choice.name))
+            self.name.setCurrentIndex(program if choice.by_program else int(choice.own_sound) or found)
             self.driver.setCurrentIndex(self.driver.findData(self._drivers.chosen))
             self._show_files()
             self.rate.setValue(choice.rate)
@@ -180,10 +186,14 @@ class VoicePanel(QFrame):
 
     def _choose_voice(self, place: int) -> None:
         if place == self.name.count() - 1:
-            self._voice.choose(by_program=True)
+            self._voice.choose(by_program=True, own_sound=False)
             self.program.setFocus()
+        elif place == 1:
+            self._voice.choose(by_program=False, own_sound=True)
+            if self._drivers.performance.chosen is None:
+                self._choose_table(self.table.count() - 1)
         else:
-            self._voice.choose(name=self.name.itemData(place), by_program=False)
+            self._voice.choose(name=self.name.itemData(place), by_program=False, own_sound=False)
 
     def _choose_driver(self, place: int) -> None:
         driver = FaceDriver(self.driver.itemData(place))
@@ -231,9 +241,10 @@ class VoicePanel(QFrame):
     def _list_voices(self) -> None:
         """List the voices, once they are known: those of men and women first."""
         names = sorted(self._voice.installed.voices, key=lambda name: (not _kind_of(name), name.lower()))
-        if self.name.count() != len(names) + 2:
+        if self.name.count() != len(names) + 3:
             self.name.clear()
             self.name.addItem(tr(OWN_VOICE), "")
+            self.name.addItem(tr(OWN_SOUND), None)
             for name in names:
                 kind = _kind_of(name)
                 self.name.addItem(f"{name} ({tr(kind)})" if kind else name, name)
@@ -264,7 +275,9 @@ class VoiceButton(QToolButton):
         who = (
             tr(OWN_PROGRAM)
             if choice.by_program
-            else tr("{name}, {rate:g} syllables/s").format(name=choice.name or tr(OWN_VOICE), rate=choice.rate)
+            else tr("{name}, {rate:g} syllables/s").format(
+                name=tr(OWN_SOUND) if choice.own_sound else choice.name or tr(OWN_VOICE), rate=choice.rate
+            )
         )
         moved = tr_engine(self._drivers.name_of(self._drivers.main)) or tr(self._drivers.main.caption)
         self.setToolTip(
