@@ -1,6 +1,7 @@
 """The head of an exported face turns as its pose says, wherever it hangs in the scene."""
 
 import json
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -14,10 +15,13 @@ from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
 from phonemeengine.mouth.exports.glb import read_face
 from phonemeengine.mouth.exports.gltf_rotation import rotations_of, turnings_of
+from phonemeengine.mouth.expression.composer import Expression
+from phonemeengine.mouth.expression.streams import held_expression
 from phonemeengine.mouth.face_mapping import guess_mapping, mapped_table
+from phonemeengine.mouth.idle_motion import DOWN, SIDEWAYS, UP
 from phonemeengine.mouth.performer import IdleMotion
 from phonemeengine.mouth.table import table_to_toml
-from tests.avatars import HEAD, JAW, avatar
+from tests.avatars import HEAD, JAW, LEFT_EYE, RIGHT_EYE, avatar
 from tests.engine.mouth.speaking import speech
 from tests.glb_faces import face_with_targets
 
@@ -196,21 +200,29 @@ def test_a_face_on_bones_without_a_head_speaks_and_stays(tmp_path: Path) -> None
 
 
 @pytest.mark.parametrize("version", [0, 1])
-def test_bones_of_an_avatar_open_its_jaw_and_turn_its_head_whichever_way_it_faces(
-    version: int, tmp_path: Path
-) -> None:
+def test_bones_of_an_avatar_move_jaw_eyes_and_head_whichever_way_it_faces(version: int, tmp_path: Path) -> None:
     path, table = tmp_path / "avatar.vrm", tmp_path / "own.toml"
     path.write_bytes(avatar(version, only=("mouthPucker",)))
-    mapping = guess_mapping(["mouthPucker", "bone jawOpen"], "arkit")
+    looks = [f"eyeLook{way}{side}" for side in ("Left", "Right") for way in ("Up", "Down", "Out", "In")]
+    mapping = guess_mapping(["mouthPucker", "bone jawOpen", *(f"bone {name}" for name in looks)], "arkit")
     table.write_text(table_to_toml(mapped_table(mapping, "own")), encoding="utf-8")
-    scene = Scene(
-        b"".join(Exporter("gltf", ExportOptions(rate=RATE, mesh=path, table=str(table))).chunks_of(speech()))
-    )
-    movement = Exporter("livelink-csv", ExportOptions(rate=RATE)).export_of(speech()).animation
+    gaze = {"eyeLookUpLeft": 0.4, "eyeLookOutLeft": 0.5, "eyeLookDownRight": 0.3, "eyeLookInRight": 0.6}
+    options = ExportOptions(rate=RATE, idle=IdleMotion(expression=Expression((held_expression(gaze),))))
+    own = replace(options, mesh=path, table=str(table))
+    scene = Scene(b"".join(Exporter("gltf", own).chunks_of(speech())))
+    movement = Exporter("livelink-csv", options).export_of(speech()).animation
     jaw, opened = scene.track(JAW, "rotation"), movement.weights[:, ARKIT.index("jawOpen")]
     assert jaw is not None
     assert opened.max() > 0.3
     np.testing.assert_allclose(Rotation.from_quat(jaw).as_rotvec(degrees=True)[:, 0], 20 * opened, atol=0.02)
+    for bone, first, outwards in ((LEFT_EYE, 0, 1), (RIGHT_EYE, 4, -1)):
+        eye = scene.track(bone, "rotation")
+        up, down, out, into = movement.weights[:, [ARKIT.index(name) for name in looks[first : first + 4]]].T
+        assert eye is not None
+        assert up.max() + down.max() > 0.25
+        assert out.max() + into.max() > 0.4
+        angles = np.stack([DOWN * down - UP * up, outwards * SIDEWAYS * (out - into)], axis=1)
+        np.testing.assert_allclose(Rotation.from_quat(eye).as_rotvec(degrees=True)[:, :2], angles, atol=0.05)
     facing, frame = Rotation.from_euler("Y", 0 if version else 180, degrees=True), len(opened) // 2
     turned = facing * poses()[frame]
     np.testing.assert_allclose(scene.matrix(HEAD, frame)[:3, :3], turned.as_matrix(), atol=1e-5)
