@@ -1129,6 +1129,11 @@
             <translation>alle</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/workbench_view.py" />
+            <source>All labels are ambiguous, so there are no distributions; load others</source>
+            <translation>Alle Beschriftungen sind mehrdeutig, daher gibt es keine Verteilungen; andere laden</translation>
+        </message>
+        <message>
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>all morph targets have at most {most_offsets} vertices together; make it coarser</source>
             <translation>Alle Morph-Targets zusammen haben höchstens {most_offsets} Eckpunkte; gröber machen</translation>

@@ -135,6 +135,8 @@ class WorkbenchView(QWidget):
         words = (
             tr("Measuring…")
             if workbench.measuring.busy
+            else tr("All labels are ambiguous, so there are no distributions; load others")
+            if workbench.features is not None
             else tr("Record takes or load labelled recordings to see distributions")
         )
         preview = workbench.preview
