@@ -111,7 +111,7 @@ def test_each_head_is_called_what_moves_it_and_a_synthetic_performer_so(recorded
     ):
         sheet = SideBySide((128, 96), captions, LIGHT.text, LIGHT.window)
         assert sheet.head_size == HEAD
-        (first, *_rest) = shown(captions[0], *words)
+        (first, *_rest) = shown(captions[0], *words, "--fps", "1")
         assert np.array_equal(first[88:], sheet.picture(list(heads))[88:])
 
 

@@ -114,8 +114,8 @@ def test_the_weights_are_those_of_a_mouth_that_hears_the_same(server: str, recor
     assert np.max(told.column("weights")) > 0.3
 
 
-def test_the_whole_corpus_has_the_same_phonemes_as_offline(server: str) -> None:
-    for path in sorted(CORPUS.rglob("*.flac"))[::12]:
+def test_other_speakers_have_the_same_phonemes_as_offline(server: str) -> None:
+    for path in sorted(CORPUS.rglob("*.flac"))[::25]:
         samples, rate = soundfile.read(path, dtype="float32")
         told = streamed(server, {"encoding": "f32", "rate": rate}, cut(samples.tobytes(), [882 * 4]))
         check(told, heard(samples))
