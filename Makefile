@@ -21,8 +21,7 @@ run: setup
 test: setup
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
-	$(BIN)/lint-imports
-	$(BIN)/mypy & $(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal; tests=$$?; wait $$! && exit $$tests
+	{ $(BIN)/lint-imports && $(BIN)/mypy; } & $(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal; tests=$$?; wait $$! && exit $$tests
 
 # The demo page in Chromium, which hears a recording as its microphone, and bundles and examples there. Needs chromium and npm, and the network once.
 test-web: setup
