@@ -301,6 +301,7 @@ SENTENCES = (
     tr_noop("the network does not move {shapes}"),
     tr_noop("offline, ±{seconds} s of context"),
     tr_noop("encoder, look-ahead {ms} ms"),
+    tr_noop("{recogniser} with a decoder, look-ahead {ms} ms"),
     tr_noop("{recogniser}, look-ahead {ms} ms"),
     tr_noop("waiting for a signal from {microphone}"),
     tr_noop("no signal from {microphone} for {seconds} s; trying again every 2 s"),

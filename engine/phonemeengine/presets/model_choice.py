@@ -205,7 +205,8 @@ def model_in_words(preset: Preset) -> str:
         return preset.recogniser
     if preset.decoder is None and model is not None and model.centred:
         return f"offline, ±{seconds:g} s of context"
-    return f"{preset.recogniser}, look-ahead {1000 * seconds:g} ms"
+    decoded = "" if preset.decoder is None else " with a decoder"
+    return f"{preset.recogniser}{decoded}, look-ahead {1000 * seconds:g} ms"
 
 
 def has_model(preset: Preset, kind: ModelKind) -> bool:

@@ -13396,6 +13396,11 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>{recogniser} with a decoder, look-ahead {ms} ms</source>
+            <translation>{recogniser} mit Decoder, Vorausschau {ms} ms</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>{recogniser}, look-ahead {ms} ms</source>
             <translation>{recogniser}, Vorausschau {ms} ms</translation>
         </message>

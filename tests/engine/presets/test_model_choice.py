@@ -122,6 +122,7 @@ def test_a_preset_that_wants_no_other_model_has_none():
 def test_what_is_heard_with_is_told_in_words():
     assert model_in_words(PRESET) == "learned, look-ahead 50 ms"
     assert model_in_words(for_files(PRESET)) == "offline, ±0.51 s of context"
+    assert model_in_words(load_preset("extended")) == "rules with a decoder, look-ahead 50 ms"
     assert model_in_words(Preset()) == "thesis"
 
 

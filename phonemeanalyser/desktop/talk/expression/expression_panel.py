@@ -61,6 +61,14 @@ class ExpressionPanel(QWidget):
         super().__init__()
         self._theme = theme
         self._talking, self._model = talking, talking.expression
+        self._make_sliders()
+        self._make_inputs()
+        self._lay_out(theme)
+        self._connect()
+        self._show_state()
+
+    def _make_sliders(self) -> None:
+        """Make what asks for expressions, and for what follows the voice and the text."""
         self.sliders = {
             name: _slider(tr("Strength of the expression: {name}").format(name=tr(name)))
             for name in self._model.shares
@@ -85,6 +93,10 @@ class ExpressionPanel(QWidget):
         )
         self._of_text = label(width=PERCENT_WIDTH)
         self._of_text.setToolTip(self.text_feeling.toolTip())
+        self.neutral = tool_button(tr("Neutral"), tr("Set all sliders to 0"))
+
+    def _make_inputs(self) -> None:
+        """Make what shows and sets the speech's share, and what takes expressions from files and programs."""
         self.priority = slider_of_percent(
             tr("Speech priority"),
             tr(
@@ -103,7 +115,6 @@ class ExpressionPanel(QWidget):
         self.meter.setRange(0, 100)
         self.meter.setTextVisible(False)
         self.meter.setFixedHeight(METER_HEIGHT)
-        self.neutral = tool_button(tr("Neutral"), tr("Set all sliders to 0"))
         self.file = spoken_button(tr("Load Face Capture…"), tr(RECORDING))
         self.state = ElidedLabel()
         self.switch = named(
@@ -119,9 +130,6 @@ class ExpressionPanel(QWidget):
             tr("Address (HOST:PORT) at which messages of other programs are received, such as 127.0.0.1:39540"),
         )
         self.address.setPlaceholderText("HOST:PORT")
-        self._lay_out(theme)
-        self._connect()
-        self._show_state()
 
     def refresh(self) -> None:
         """Show what changes by itself."""
