@@ -40,7 +40,7 @@ READ_ALONE = {
     "train": "it takes hours; tests/training/test_learning_cli.py trains a small network",
     "takes my-takes --empty-deleted": "it asks a question",
     "whisper --fetch": "it downloads a model",
-    "ship learned -o page --target web": "it compiles for a minute; tests/engine/shipping does it once",
+    "ship learned -o page --target web": "it compiles; tests/engine/shipping does it once",
     "": "it opens the window on a display",
     "speech.wav --preset my-voice.toml": "it opens the window on a display",
 }
