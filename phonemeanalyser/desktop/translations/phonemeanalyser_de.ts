@@ -1316,7 +1316,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>Any language</source>
-            <translation>Jede Sprache</translation>
+            <translation>Beliebige Sprache</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/label_dialogs.py" />
