@@ -14,6 +14,7 @@ from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
 from phonemeengine.errors import ModelError
 from phonemeengine.mouth.style import save_style
+from phonemeengine.performance.components import USUAL_SHARE, principal_components, reduce_table, rms_between
 from phonemeengine.performance.corpus import BuiltTable
 from phonemeengine.performance.face_learning import LearnedFace, learn_face
 from phonemeengine.performance.face_network import owns, save_face_network
@@ -54,6 +55,11 @@ EXAMPLES_OF = {
         "phonemeanalyser performance info face.sqlite",
         "phonemeanalyser performance info other.sqlite",
         "phonemeanalyser performance info face.sqlite --log log.txt",
+    ),
+    "pca": (
+        "phonemeanalyser performance pca face.sqlite -o small.sqlite",
+        "phonemeanalyser performance pca face.sqlite -o smaller.sqlite --explained 95",
+        "phonemeanalyser performance pca other.sqlite -o small.sqlite --overwrite",
     ),
     "show": (
         "phonemeanalyser performance show face.sqlite synthetic0001 -o whole.gif --size 64x64 --fps 5",
@@ -97,6 +103,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     info = kinds.add_parser("info", help="list a table", description="List what a table holds.")
     info.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
     info.set_defaults(act=_info)
+    pca = kinds.add_parser(
+        "pca",
+        help="store principal components",
+        description="Store principal components in place of blend shapes: the same faces, in a smaller table.",
+    )
+    pca.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
+    pca.add_argument("-o", "--out", type=file_place, required=True, metavar="SMALL.sqlite", help="the smaller table")
+    pca.add_argument(
+        "--explained",
+        type=number_in(1, 100, "percent"),
+        default=100 * USUAL_SHARE,
+        metavar="P",
+        help=f"percent of the variance that the components explain (default: {100 * USUAL_SHARE:g})",
+    )
+    add_options(pca, "overwrite")
+    pca.set_defaults(act=_pca)
     show = kinds.add_parser("show", help="render a recording", description="Render a recorded face with its sound.")
     show.add_argument("table", type=Path, metavar="T.sqlite", help="the table")
     show.add_argument("recording", metavar="RECORDING", help="name of the recording, as in --units")
@@ -186,6 +208,19 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
         yield f"{len(about.channels)} channels at {about.rate:g} frames a second"
         for kind, n in table.n_units().items():
             yield f"{kind.value:<20}  {n:8} units of {len(table.names(kind))} kinds"
+
+
+def _pca(options: argparse.Namespace) -> Iterator[str]:
+    Guard(nothing_is_own, options.overwrite).check(options.out)
+    with PerformanceTable.open(options.table) as table:
+        basis = principal_components((found for _, found in table.recordings()), options.explained / 100)
+        about = reduce_table(table, options.out, basis)
+        with PerformanceTable.open(options.out) as small:
+            pairs = zip(table.recordings(), small.recordings(), strict=True)
+            error = rms_between((before, after) for (_, before), (_, after) in pairs)
+    yield _summary(options.out, about)
+    n, n_shapes = basis.components.shape
+    yield f"{n} principal components in place of {n_shapes} shapes, which differ by {error:.4f} RMS"
 
 
 def _style(options: argparse.Namespace) -> Iterator[str]:

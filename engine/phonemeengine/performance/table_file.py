@@ -20,17 +20,20 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from phonemeengine.errors import EngineError, PerformanceError
 from phonemeengine.execution import Closing
 from phonemeengine.performance.phrases import PhraseIndex
 from phonemeengine.performance.recording import Performance, PerformedPhone
 from phonemeengine.performance.table_rows import (
+    LARGEST_WEIGHTS,
+    Basis,
     DamageError,
+    basis_of,
     clips_of,
     phone_of,
+    place_beside,
     real_of,
+    stored_weights,
     text_of,
     weights_of,
     whole_of,
@@ -38,12 +41,10 @@ from phonemeengine.performance.table_rows import (
 from phonemeengine.performance.units import STRINGS, UnitKind, duration_of, units_of
 from phonemeengine.storage.files import atomic_write, printable, printable_name, reason_of
 
-VERSION = 1
-"""``PRAGMA user_version`` of the tables that are written."""
+VERSION, PLAIN = 2, 1
+"""``PRAGMA user_version`` of tables with components in place of shapes, and of others."""
 APPLICATION = 0x50684154
 """``PRAGMA application_id``: the letters PhAT, for phonemeanalyser's table."""
-LARGEST_WEIGHTS = 32 << 20
-"""Bytes of a recording's weights at most: more than an hour of 61 channels at 60 frames a second."""
 KEPT = 64 << 20
 """Bytes of weights that stay in memory after they were asked for."""
 SCHEMA = (
@@ -148,6 +149,7 @@ class PerformanceTable(Closing):
         weakref.finalize(self, connection.close)  # who shows a face need not know who shows it, too
         with self._asking():
             self.about = _about(connection)
+            self._basis, self._stored = _stored_in(connection)
 
     @classmethod
     def open(cls, path: str | os.PathLike[str]) -> "PerformanceTable":
@@ -188,7 +190,7 @@ class PerformanceTable(Closing):
             (words,) = self._connection.execute("PRAGMA quick_check(1)").fetchone()
             if words != "ok":
                 raise DamageError(text_of(words))
-            wrong = self._connection.execute(_WRONG_SIZES, (2 * len(self.about.channels),)).fetchone()
+            wrong = self._connection.execute(_WRONG_SIZES, (2 * len(self._stored),)).fetchone()
             if wrong is not None:
                 raise DamageError("the weights of a recording do not fit its frames")
 
@@ -305,7 +307,8 @@ class PerformanceTable(Closing):
             if row is None:
                 raise DamageError(f"there is no recording of the number {number}")
             name, rate, n_frames, synthetic, words, content = row
-            weights = weights_of(content, whole_of(n_frames), len(self.about.channels))
+            weights = weights_of(content, whole_of(n_frames), len(self._stored))
+            weights = weights if self._basis is None else self._basis.expanded(weights)
             rows = self._connection.execute(_PHONES + "WHERE recording = ? ORDER BY k", (number,))
             phones = tuple(map(phone_of, rows))
             texts = tuple(text_of(words).split("\n")) if words else ()
@@ -317,7 +320,7 @@ class PerformanceTable(Closing):
 def write_table(
     path: str | os.PathLike[str], performances: Iterable[Performance], *, name: str | None = None,
     folder: str | os.PathLike[str] | None = None, person: str = "", language: str = "",
-    clips: Mapping[str, str] | None = None,
+    clips: Mapping[str, str] | None = None, basis: Basis | None = None,
 ) -> TableAbout:  # fmt: skip
     """Write a table of performances; what is at `path` stays until the table is complete and on the disk.
 
@@ -331,6 +334,7 @@ def write_table(
     folder : where the recordings are, so that their sounds are found again.
     person, language : who speaks, and in which language; empty where that is not known.
     clips : recordings that answer words; see `TableAbout`. Those that are not there are left out.
+    basis : the components that are stored in place of shapes; None stores these.
 
     Raises
     ------
@@ -339,9 +343,10 @@ def write_table(
     path = Path(path)
     try:
         with atomic_write(path, durable=True) as file, closing(_created(file.name)) as connection:
-            place = "" if folder is None else _place_beside(path, folder)
+            place = "" if folder is None else place_beside(path, folder)
             meta = {"name": path.stem if name is None else name, "folder": place}
-            _Writing(connection).write(performances, meta | {"person": person, "language": language}, clips or {})
+            known = meta | {"person": person, "language": language}
+            _Writing(connection, basis).write(performances, known, clips or {})
             return _about(connection)
     except EngineError:
         raise
@@ -359,7 +364,7 @@ def _created(path: str) -> sqlite3.Connection:
         "journal_mode = OFF",
         "synchronous = OFF",
         f"application_id = {APPLICATION}",
-        f"user_version = {VERSION}",
+        f"user_version = {PLAIN}",
     )
     for words in (*(f"PRAGMA {pragma}" for pragma in pragmas), "BEGIN", *SCHEMA):
         connection.execute(words)
@@ -369,8 +374,8 @@ def _created(path: str) -> sqlite3.Connection:
 class _Writing:
     """Puts performances into a new database."""
 
-    def __init__(self, connection: sqlite3.Connection) -> None:
-        self._connection = connection
+    def __init__(self, connection: sqlite3.Connection, basis: Basis | None) -> None:
+        self._connection, self._basis = connection, basis
         self._items: dict[tuple[UnitKind, tuple[str, ...]], int] = {}
 
     def write(self, performances: Iterable[Performance], meta: Mapping[str, str], clips: Mapping[str, str]) -> None:
@@ -384,7 +389,11 @@ class _Writing:
             names.add(performance.name)
         if first is None:
             raise PerformanceError("a table needs at least one recording, found none; name another folder")
-        self._connection.executemany("INSERT INTO channel VALUES (?, ?)", enumerate(first.channels))
+        channels = first.channels
+        if self._basis is not None:
+            channels, meta = self._basis.stored(channels), {**meta, "basis": self._basis.text()}
+            self._connection.execute(f"PRAGMA user_version = {VERSION}")
+        self._connection.executemany("INSERT INTO channel VALUES (?, ?)", enumerate(channels))
         there = {"clips": json.dumps({words: name for words, name in clips.items() if name in names})}
         self._connection.executemany("INSERT INTO meta VALUES (?, ?)", {**meta, **there}.items())
         rows = ((k, kind.value, " ".join(names)) for (kind, names), k in self._items.items())
@@ -392,17 +401,13 @@ class _Writing:
         self._connection.execute("COMMIT")
 
     def _add(self, number: int, performance: Performance) -> None:
-        weights = np.clip(performance.weights, -_MOST, _MOST).astype("<f2")
-        if weights.nbytes > LARGEST_WEIGHTS:
-            raise PerformanceError(
-                f"{performance.name}: the weights of a recording may have {LARGEST_WEIGHTS >> 20} MB, these have "
-                f"{weights.nbytes / (1 << 20):.1f} MB; cut it into sentences"
-            )
+        weights = stored_weights(performance, self._basis)
         self._connection.execute(
             "INSERT INTO recording VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
             (
-                number, performance.name, performance.rate, len(weights), performance.duration, performance.synthetic,
-                "\n".join(" ".join(word.split()) for word in performance.words), weights.tobytes(),
+                number, performance.name, performance.rate, len(performance.weights), performance.duration,
+                performance.synthetic,
+                "\n".join(" ".join(word.split()) for word in performance.words), weights,
             ),
         )  # fmt: skip
         phones = performance.phones
@@ -426,17 +431,6 @@ class _Writing:
 
     def _item(self, kind: UnitKind, names: tuple[str, ...]) -> int:
         return self._items.setdefault((kind, names), len(self._items) + 1)
-
-
-def _place_beside(path: Path, folder: str | os.PathLike[str]) -> str:
-    """Return where a folder lies, from the folder of a file if there is such a way: both may move together."""
-    try:
-        return Path(os.path.relpath(folder, path.absolute().parent)).as_posix()
-    except ValueError:  # on another drive
-        return Path(folder).absolute().as_posix()
-
-
-_MOST = float(np.finfo(np.float16).max)
 
 
 @contextmanager
@@ -482,13 +476,20 @@ def _about(connection: sqlite3.Connection) -> TableAbout:
     meta = dict(connection.execute("SELECT name, value FROM meta LIMIT 10"))
     query = "SELECT count(*), sum(duration), max(rate), max(synthetic) FROM recording"
     n, duration, rate, synthetic = connection.execute(query).fetchone()
-    channels = connection.execute("SELECT name FROM channel ORDER BY place")
+    basis, stored = _stored_in(connection)
+    channels = stored if basis is None else basis.read(stored)
     folder, person, language = (text_of(meta.get(key, "")) for key in ("folder", "person", "language"))
     return TableAbout(
-        text_of(meta["name"]), bool(whole_of(synthetic)), whole_of(n), real_of(duration),
-        tuple(text_of(row[0]) for row in channels), real_of(rate),
+        text_of(meta["name"]), bool(whole_of(synthetic)), whole_of(n), real_of(duration), channels, real_of(rate),
         folder, person, language, clips_of(meta.get("clips", "{}")),
     )  # fmt: skip
+
+
+def _stored_in(connection: sqlite3.Connection) -> tuple[Basis | None, tuple[str, ...]]:
+    """Return the components of a table, if there are some, and the names of the columns that it stores."""
+    found = connection.execute("SELECT value FROM meta WHERE name = 'basis'").fetchone()
+    names = tuple(text_of(row[0]) for row in connection.execute("SELECT name FROM channel ORDER BY place"))
+    return basis_of("" if found is None else text_of(found[0])), names
 
 
 def _example(row: tuple[Any, ...]) -> Example:

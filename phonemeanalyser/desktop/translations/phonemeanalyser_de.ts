@@ -2334,6 +2334,16 @@
             <translation>Bestandteil</translation>
         </message>
         <message>
+            <location filename="../../../engine/phonemeengine/performance/components.py" />
+            <source>components are of blend shapes, and no channel of the recordings is one; name others</source>
+            <translation>Komponenten sind die von Blendshapes, und kein Kanal der Aufnahmen ist einer; andere nennen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/components.py" />
+            <source>components explain a share in 0..1 of what moves, got {share}; choose another</source>
+            <translation>Komponenten erklären einen Anteil von 0..1 der Bewegung, gegeben ist {share}; einen anderen wählen</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/rule_dialogs.py" />
             <source>Condition</source>
             <translation>Bedingung</translation>
@@ -4513,6 +4523,16 @@
             <location filename="../../../engine/phonemeengine/mouth/files/gltf.py" />
             <source>its COLOR_0 is of shape {shape}, with {n} vertices; export it again</source>
             <translation>COLOR_0 hat die Form {shape} bei {n} Eckpunkten; neu exportieren</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <source>its components are no list of numbers</source>
+            <translation>Ihre Komponenten sind keine Liste von Zahlen</translation>
+        </message>
+        <message>
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
+            <source>its components do not fit its shapes</source>
+            <translation>Ihre Komponenten passen nicht zu ihren Formen</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/recognition/model.py" />
@@ -12770,7 +12790,7 @@
             <translation>{name}: Für den Sprach-Encoder fehlt onnxruntime; phonemeanalyser[encoder] installieren</translation>
         </message>
         <message>
-            <location filename="../../../engine/phonemeengine/performance/table_file.py" />
+            <location filename="../../../engine/phonemeengine/performance/table_rows.py" />
             <source>{name}: the weights of a recording may have {largest_weights} MB, these have {nbytes} MB; cut it into sentences</source>
             <translation>{name}: Die Gewichte einer Aufnahme dürfen {largest_weights} MB belegen, diese {nbytes} MB; in Sätze schneiden</translation>
         </message>

@@ -86,7 +86,7 @@ def test_a_table_is_known_as_our_own(table: Path, tmp_path: Path) -> None:
     ("words", "reason"),
     [
         ("PRAGMA application_id = 0", "another program wrote it"),
-        ("PRAGMA user_version = 9", "has version 9, and this program knows those up to 1"),
+        ("PRAGMA user_version = 9", "has version 9, and this program knows those up to 2"),
         ("CREATE VIEW more AS SELECT 1", "its tables are not those of this program"),
         ("DROP TABLE unit", "its tables are not those of this program"),
         ("DELETE FROM recording", "no table of performances, or a damaged one"),
