@@ -35,17 +35,7 @@ from tests.desktop.conftest import begin, settings_in
 from tests.desktop.hands import LEFT, FileAnswers, answer, edits, press, settle, shown, type_number, wav
 from tests.desktop.lent_window import WindowLender
 from tests.desktop.stage import AN_A
-from tests.desktop.talk.text_page import (
-    CONTROL,
-    aligned,
-    choose,
-    lane_named,
-    middle_of,
-    panel,
-    place,
-    spoken,
-    write,
-)
+from tests.desktop.talk.text_page import CONTROL, aligned, choose, lane_named, middle_of, panel, place, spoken, write
 from tests.desktop.talk.voices import INSTALLED, LANGUAGES, FakeAligner, FakeVoice, word
 from tests.desktop.test_window_sizes import SMALLEST, fits
 from tests.engine.performance.test_track import recorded
@@ -399,7 +389,6 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
     below.choice.setFocus()
     QTest.keyClicks(below.choice, "random w")
     assert desktop.talking.text.drivers.performance.choice is ExampleChoice.BAND
-    below.name.setFocus()
     QTest.keyClicks(below.name, "own")
     desktop.talking.text.say()
     qtbot.waitUntil(lambda: bool(voice.choices))
@@ -410,35 +399,29 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
     assert not window.talk.heads.main.caption.isVisible()
 
 
-def test_units_tell_where_they_are_from_and_are_played_by_a_click(window, desktop, qtbot, table):
-    performed(window, desktop, table, qtbot)
-    timeline, lane = window.talk.lanes.line, lane_named(window, "Units")
-    units = timeline.lanes[lane]
-    assert (np.diff(units.starts) > 0).all()
-    words = next(k for k, tip in enumerate(units.tips) if tip.startswith("words"))
-    assert "[s o s o] from so so.so, " in units.tips[words]
+@pytest.mark.parametrize(
+    ("language", "lane", "tip", "caption"),
+    [
+        ("en", "Units", "[s o s o] from so so.so, ", "so so.so, original recording"),
+        ("de", "Einheiten", "[s o s o] aus so so.so, ", ", Originalaufnahme aus ann"),
+    ],
+)
+def test_units_are_named_and_played(window, desktop, qtbot, qapp, table, language, lane, tip, caption):
     original, told = desktop.talking.text.original, list[str]()
     original.changed.connect(lambda: told.append(original.caption))  # it may be over before a slow machine looks
-    QTest.mouseClick(timeline, LEFT, Qt.KeyboardModifier.NoModifier, middle_of(window, lane, words))
-    qtbot.waitUntil(lambda: bool(told))
-    assert told[0].startswith("so so.so, original recording")
-    press(window, Qt.Key.Key_Space)
-    assert original.face is None
-
-
-def test_units_are_played_by_a_click_in_german_too(window, desktop, qtbot, qapp, table):
-    original, told = desktop.talking.text.original, list[str]()
-    original.changed.connect(lambda: told.append(original.caption))
-    use_language(qapp, "de")
+    use_language(qapp, language)
     try:
         performed(window, desktop, table, qtbot)
-        lane = lane_named(window, "Einheiten")
-        QTest.mouseClick(window.talk.lanes.line, LEFT, pos=middle_of(window, lane, 0))
+        words = next(
+            k for k, of in enumerate(window.talk.lanes.line.lanes[lane_named(window, lane)].tips) if tip in of
+        )
+        QTest.mouseClick(window.talk.lanes.line, LEFT, pos=middle_of(window, lane_named(window, lane), words))
         qtbot.waitUntil(lambda: bool(told))
     finally:
         use_language(qapp, "en")
-    original.stop()
-    assert ", Originalaufnahme aus ann" in told[0]
+    assert caption in told[0]
+    press(window, Qt.Key.Key_Space)
+    assert original.face is None
 
 
 @pytest.mark.usefixtures("graphics")
