@@ -165,7 +165,7 @@ class StatusLine:
         microphone = session.microphone
         self.chips.show_lost(microphone.listener.lost_seconds if listens and microphone.active else 0.0)
         self._show_latency(microphone.latency if listens else None)
-        if microphone.active and listens and self.latency_ms is None:
+        if listens and self.latency_ms is None:
             self.chips.show_late(
                 "…", self._theme.faint, tr("Latency from a sound to its phoneme on the screen: being measured")
             )

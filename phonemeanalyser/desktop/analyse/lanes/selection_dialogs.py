@@ -22,7 +22,7 @@ from phonemeengine.features.variables import readable_name
 from phonemeengine.inspection.measurement import MEASUREMENT_COLUMNS, StretchMeasurement, format_measurement
 from phonemeengine.presets.preset import Preset
 
-SIZE = 460, 520
+SIZE = 560, 520
 """Of the dialog at first, pixels."""
 
 
@@ -51,8 +51,8 @@ class MeasurementDialog(QDialog):
         self.table.verticalHeader().hide()
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.ResizeToContents)
+        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        self.table.horizontalHeader().setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         for k, row in enumerate(rows):
             for place, words in enumerate(row):
                 item = QTableWidgetItem(

@@ -125,7 +125,7 @@ class ScoreStrip(QWidget):
             figures.addWidget(self._headings[letter], at, 0)
         for k, (text, name, _, tip) in enumerate(SHOWN, 1):
             of_heading = tr(PARENTHESES if name == "changes_per_s" else tip)
-            heading = named(label(tr(text), self._theme.faint), tip=of_heading)
+            heading = named(ElidedLabel(tr(text), asks=True), tip=f"{tr(text)}: {of_heading}")
             heading.setStyleSheet(f"color: {self._theme.faint}; font-size: {HEADING_SIZE}px")
             figures.addWidget(heading, 0, k)
             for at, letter in enumerate((A, B, "-"), 1):
