@@ -1165,7 +1165,7 @@ const char *ear_model_viseme(const ear_model *model, int viseme)
 
 enum {
     CROSSINGS = 64, /* of the sinc on each side */
-    MOST_EXACT = 44 << 10, /* bytes of an exact table */
+    MOST_EXACT = 112 << 10, /* bytes of an exact table */
     USUAL_PHASES = 64,
     LEAST_PHASES = 4,
     AROUND = 1, /* phases before the first one, for the cubics; 2 follow the last one */

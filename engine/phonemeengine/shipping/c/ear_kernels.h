@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
  * The sums in which nearly all time is spent: plain C99, which is the reference, and the same by hand for NEON, SSE2,
- * WebAssembly and AVX2. ear.c includes this file; programs need only ear.h. EAR_PLAIN, if defined, leaves vectors out.
+ * WebAssembly and AVX2. ear.c includes this file; programs need only ear.h. EAR_PLAIN, if defined, leaves vectors out,
+ * and EAR_NO_AVX2 those of eight.
  *
  * Four at a time, SSE2 and WebAssembly add in the order of the reference, to the last bit. NEON and AVX2 multiply and
  * add in one rounding, so their results differ by roundings.
@@ -127,6 +128,32 @@ DEFINE_PLAIN_CONVOLUTION(convolve_1_plain, EACH_OF_1)
 DEFINE_PLAIN_CONVOLUTION(convolve_2_plain, EACH_OF_2)
 DEFINE_PLAIN_CONVOLUTION(convolve_3_plain, EACH_OF_3)
 
+/* In place: the transform of the four values a, b, c, d, turned by exp(-2 pi i p / 4m) and its powers. */
+#define TURN(V, ADD, SUB, MUL, of_r, of_i, c, s)                                                                        \
+    {                                                                                                                   \
+        const V turned = ADD(MUL(of_r, c), MUL(of_i, s));                                                               \
+        of_i = SUB(MUL(of_i, c), MUL(of_r, s));                                                                         \
+        of_r = turned;                                                                                                  \
+    }
+
+#define TRANSFORM_FOUR(V, ADD, SUB, MUL)                                                                                \
+    {                                                                                                                   \
+        const V sum_r = ADD(a_r, c_r), sum_i = ADD(a_i, c_i), odd_r = ADD(b_r, d_r), odd_i = ADD(b_i, d_i);             \
+        const V difference_r = SUB(a_r, c_r), difference_i = SUB(a_i, c_i);                                             \
+        const V turned_r = SUB(d_i, b_i), turned_i = SUB(b_r, d_r); /* i times the difference of b and d */             \
+        a_r = ADD(sum_r, odd_r), a_i = ADD(sum_i, odd_i);                                                               \
+        b_r = SUB(difference_r, turned_r), b_i = SUB(difference_i, turned_i);                                           \
+        c_r = SUB(sum_r, odd_r), c_i = SUB(sum_i, odd_i);                                                               \
+        d_r = ADD(difference_r, turned_r), d_i = ADD(difference_i, turned_i);                                           \
+        TURN(V, ADD, SUB, MUL, b_r, b_i, c1, s1)                                                                        \
+        TURN(V, ADD, SUB, MUL, c_r, c_i, c2, s2)                                                                        \
+        TURN(V, ADD, SUB, MUL, d_r, d_i, c3, s3)                                                                        \
+    }
+
+#define LOAD_FOUR(V, LOAD, apart)                                                                                       \
+    V a_r = LOAD(from_r), b_r = LOAD(from_r + (apart)), c_r = LOAD(from_r + 2 * (apart)), d_r = LOAD(from_r + 3 * (apart));\
+    V a_i = LOAD(from_i), b_i = LOAD(from_i + (apart)), c_i = LOAD(from_i + 2 * (apart)), d_i = LOAD(from_i + 3 * (apart));
+
 /*
  * One pass of Stockham's Fourier transform: `stride` transforms of length 4 m each lie interleaved, and twiddles are
  * `turn` values apart. It reads one array and writes another, so nothing is reordered by reversed bits; the inner loop
@@ -146,28 +173,13 @@ DEFINE_PLAIN_CONVOLUTION(convolve_3_plain, EACH_OF_3)
             const V c1 = SPLAT(cosines[p * turn]), s1 = SPLAT(sines[p * turn]);                                         \
             const V c2 = SPLAT(cosines[2 * p * turn]), s2 = SPLAT(sines[2 * p * turn]);                                 \
             const V c3 = SPLAT(cosines[3 * p * turn]), s3 = SPLAT(sines[3 * p * turn]);                                 \
-            const float *ar = xr + stride * p, *ai = xi + stride * p;                                                   \
-            const float *br = ar + stride * m, *bi = ai + stride * m, *cr = br + stride * m, *ci = bi + stride * m;     \
-            const float *dr = cr + stride * m, *di = ci + stride * m;                                                   \
-            float *to_r = yr + 4 * stride * p, *to_i = yi + 4 * stride * p;                                             \
             for (q = 0; q < stride; q += WIDTH) {                                                                       \
-                /* the transform of four values that lie m apart, turned by exp(-2 pi i p / 4m) and its powers */       \
-                const V a_r = LOAD(ar + q), a_i = LOAD(ai + q), b_r = LOAD(br + q), b_i = LOAD(bi + q);                 \
-                const V c_r = LOAD(cr + q), c_i = LOAD(ci + q), d_r = LOAD(dr + q), d_i = LOAD(di + q);                 \
-                const V sum_r = ADD(a_r, c_r), sum_i = ADD(a_i, c_i), odd_r = ADD(b_r, d_r), odd_i = ADD(b_i, d_i);     \
-                const V difference_r = SUB(a_r, c_r), difference_i = SUB(a_i, c_i);                                     \
-                const V turned_r = SUB(d_i, b_i), turned_i = SUB(b_r, d_r); /* i times the difference of b and d */     \
-                const V r1 = SUB(difference_r, turned_r), i1 = SUB(difference_i, turned_i);                             \
-                const V r2 = SUB(sum_r, odd_r), i2 = SUB(sum_i, odd_i);                                                 \
-                const V r3 = ADD(difference_r, turned_r), i3 = ADD(difference_i, turned_i);                             \
-                STORE(to_r + q, ADD(sum_r, odd_r));                                                                     \
-                STORE(to_i + q, ADD(sum_i, odd_i));                                                                     \
-                STORE(to_r + stride + q, ADD(MUL(r1, c1), MUL(i1, s1)));                                                \
-                STORE(to_i + stride + q, SUB(MUL(i1, c1), MUL(r1, s1)));                                                \
-                STORE(to_r + 2 * stride + q, ADD(MUL(r2, c2), MUL(i2, s2)));                                            \
-                STORE(to_i + 2 * stride + q, SUB(MUL(i2, c2), MUL(r2, s2)));                                            \
-                STORE(to_r + 3 * stride + q, ADD(MUL(r3, c3), MUL(i3, s3)));                                            \
-                STORE(to_i + 3 * stride + q, SUB(MUL(i3, c3), MUL(r3, s3)));                                            \
+                const float *from_r = xr + stride * p + q, *from_i = xi + stride * p + q;                               \
+                float *to_r = yr + 4 * stride * p + q, *to_i = yi + 4 * stride * p + q;                                 \
+                LOAD_FOUR(V, LOAD, stride * m)                                                                          \
+                TRANSFORM_FOUR(V, ADD, SUB, MUL)                                                                        \
+                STORE(to_r, a_r), STORE(to_r + stride, b_r), STORE(to_r + 2 * stride, c_r), STORE(to_r + 3 * stride, d_r);\
+                STORE(to_i, a_i), STORE(to_i + stride, b_i), STORE(to_i + 2 * stride, c_i), STORE(to_i + 3 * stride, d_i);\
             }                                                                                                           \
         }                                                                                                               \
     }
@@ -193,7 +205,7 @@ static const kernels PLAIN_KERNELS = {
     rectify_plain,
 };
 
-/* -- Vectors. A convolution keeps the sums of four vectors for each lane in registers from the first input to the
+/* -- Vectors. A convolution keeps the sums of some vectors for each lane in registers from the first input to the
  * last, and a weight that was loaded serves all lanes, so three vocal tracts cost less than three times one. -- */
 
 #define DEFINE_CONVOLUTION(NAME, TARGET, EACH, BEGIN, VALUE, ADD, END, DONE, WIDTH)                                     \
@@ -234,6 +246,9 @@ static const kernels PLAIN_KERNELS = {
 #define V4_SUB(a, b) vsubq_f32(a, b)
 #define V4_MUL(a, b) vmulq_f32(a, b)
 #define V4_MULTIPLY_ADD(sum, a, b) vfmaq_f32(sum, a, b)
+#define V4_SET(a, b, c, d) (float32x4_t){a, b, c, d}
+#define V4_LOW(a, b) vzip1q_f32(a, b)
+#define V4_HIGH(a, b) vzip2q_f32(a, b)
 #define V4_RECTIFY(value) vmaxnmq_f32(value, vdupq_n_f32(0))
 #elif defined(__SSE2__) || defined(_M_X64)
 #include <immintrin.h>
@@ -247,6 +262,9 @@ static const kernels PLAIN_KERNELS = {
 #define V4_SUB(a, b) _mm_sub_ps(a, b)
 #define V4_MUL(a, b) _mm_mul_ps(a, b)
 #define V4_MULTIPLY_ADD(sum, a, b) _mm_add_ps(sum, _mm_mul_ps(a, b))
+#define V4_SET(a, b, c, d) _mm_setr_ps(a, b, c, d)
+#define V4_LOW(a, b) _mm_unpacklo_ps(a, b)
+#define V4_HIGH(a, b) _mm_unpackhi_ps(a, b)
 #define V4_RECTIFY(value) _mm_max_ps(value, _mm_setzero_ps())
 #elif defined(__wasm_simd128__)
 #include <wasm_simd128.h>
@@ -260,14 +278,24 @@ static const kernels PLAIN_KERNELS = {
 #define V4_SUB(a, b) wasm_f32x4_sub(a, b)
 #define V4_MUL(a, b) wasm_f32x4_mul(a, b)
 #define V4_MULTIPLY_ADD(sum, a, b) wasm_f32x4_add(sum, wasm_f32x4_mul(a, b))
+#define V4_SET(a, b, c, d) wasm_f32x4_make(a, b, c, d)
+#define V4_LOW(a, b) wasm_i32x4_shuffle(a, b, 0, 4, 1, 5)
+#define V4_HIGH(a, b) wasm_i32x4_shuffle(a, b, 2, 6, 3, 7)
 #define V4_RECTIFY(value) wasm_f32x4_pmax(wasm_f32x4_splat(0), value)
 #endif
 
 #ifdef V4
+static float sum_of_4(V4 low, V4 high)
+{
+    float sums[4];
+    V4_STORE(sums, V4_ADD(low, high));
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 static float dot_4(const float *a, const float *b, size_t n)
 {
     V4 low = V4_SPLAT(0), high = low;
-    float sums[4], rest = 0;
+    float rest = 0;
     size_t k;
     for (k = 0; k + PARTS <= n; k += PARTS) {
         low = V4_MULTIPLY_ADD(low, V4_LOAD(a + k), V4_LOAD(b + k));
@@ -275,34 +303,94 @@ static float dot_4(const float *a, const float *b, size_t n)
     }
     for (; k < n; k++)
         rest += a[k] * b[k];
-    V4_STORE(sums, V4_ADD(low, high));
-    return ((sums[0] + sums[1]) + (sums[2] + sums[3])) + rest;
+    return sum_of_4(low, high) + rest;
 }
+
+#define V4_EACH_ROW(what) what(0) what(1) what(2) what(3)
+#define V4_ROW_BEGIN(j) V4 low##j = V4_SPLAT(0), high##j = low##j;                                                      \
+    float rest##j = 0;
+#define V4_ROW_ADD(j)                                                                                                   \
+    low##j = V4_MULTIPLY_ADD(low##j, x, V4_LOAD(rows + j * n + k));                                                     \
+    high##j = V4_MULTIPLY_ADD(high##j, y, V4_LOAD(rows + j * n + k + 4));
+#define V4_ROW_REST(j) rest##j += values[k] * rows[j * n + k];
+#define V4_ROW_END(j) sum += shares[j] * (sum_of_4(low##j, high##j) + rest##j);
 
 static float blend_4(const float *values, const float *rows, size_t n, const float *shares)
 {
     float sum = 0;
-    size_t row;
-    for (row = 0; row < ROWS; row++)
-        sum += shares[row] * dot_4(values, rows + row * n, n);
+    size_t k;
+    V4_EACH_ROW(V4_ROW_BEGIN)
+    for (k = 0; k + PARTS <= n; k += PARTS) {
+        const V4 x = V4_LOAD(values + k), y = V4_LOAD(values + k + 4);
+        V4_EACH_ROW(V4_ROW_ADD)
+    }
+    for (; k < n; k++) {
+        V4_EACH_ROW(V4_ROW_REST)
+    }
+    V4_EACH_ROW(V4_ROW_END)
     return sum;
 }
 
 DEFINE_PASS(pass_of_4_wide, V4, 4, V4_LOAD, V4_STORE, V4_SPLAT, V4_ADD, V4_SUB, V4_MUL)
+
+#define V4_EVERY(at, step) V4_SET((at)[0], (at)[step], (at)[2 * (step)], (at)[3 * (step)])
+#define V4_STORE_MIXED(to, a, b, c, d)                                                                                  \
+    {                                                                                                                   \
+        const V4 ac = V4_LOW(a, c), bd = V4_LOW(b, d), ac_high = V4_HIGH(a, c), bd_high = V4_HIGH(b, d);                \
+        V4_STORE(to, V4_LOW(ac, bd));                                                                                   \
+        V4_STORE(to + 4, V4_HIGH(ac, bd));                                                                              \
+        V4_STORE(to + 8, V4_LOW(ac_high, bd_high));                                                                     \
+        V4_STORE(to + 12, V4_HIGH(ac_high, bd_high));                                                                   \
+    }
+
+/* The first pass, whose stride is 1: four values of p at once; m is a multiple of 4. */
+static void first_pass_of_4(
+    const float *xr, const float *xi, float *yr, float *yi, size_t m, const float *cosines, const float *sines,
+    size_t turn
+)
+{
+    size_t p;
+    for (p = 0; p < m; p += 4) {
+        const float *c = cosines + p * turn, *s = sines + p * turn, *from_r = xr + p, *from_i = xi + p;
+        const V4 c1 = V4_EVERY(c, turn), s1 = V4_EVERY(s, turn);
+        const V4 c2 = V4_EVERY(c + p * turn, 2 * turn), s2 = V4_EVERY(s + p * turn, 2 * turn);
+        const V4 c3 = V4_EVERY(c + 2 * p * turn, 3 * turn), s3 = V4_EVERY(s + 2 * p * turn, 3 * turn);
+        LOAD_FOUR(V4, V4_LOAD, m)
+        TRANSFORM_FOUR(V4, V4_ADD, V4_SUB, V4_MUL)
+        V4_STORE_MIXED(yr + 4 * p, a_r, b_r, c_r, d_r)
+        V4_STORE_MIXED(yi + 4 * p, a_i, b_i, c_i, d_i)
+    }
+}
 
 static void pass_of_4_4(
     const float *xr, const float *xi, float *yr, float *yi, size_t m, size_t stride, const float *cosines,
     const float *sines, size_t turn
 )
 {
-    (stride % 4 ? pass_of_4_plain : pass_of_4_wide)(xr, xi, yr, yi, m, stride, cosines, sines, turn);
+    if (stride == 1)
+        first_pass_of_4(xr, xi, yr, yi, m, cosines, sines, turn);
+    else
+        pass_of_4_wide(xr, xi, yr, yi, m, stride, cosines, sines, turn);
 }
 
-#define V4_BEGIN(l)                                                                                                     \
-    V4 s##l##0 = V4_LOAD(bias), s##l##1 = V4_LOAD(bias + 4), s##l##2 = V4_LOAD(bias + 8), s##l##3 = V4_LOAD(bias + 12);
 #define V4_VALUE(l) const V4 x##l = V4_SPLAT(values[l * width_in + k]);
 #define V4_ADD_0(l) s##l##0 = V4_MULTIPLY_ADD(s##l##0, w0, x##l);
 #define V4_ADD_1(l) s##l##1 = V4_MULTIPLY_ADD(s##l##1, w1, x##l);
+/* Sums of four vectors for each of three lanes; of two where browsers would keep the others in memory. */
+#ifdef __wasm_simd128__
+#define V4_AT_ONCE 2
+#define V4_BEGIN(l)                                                                                                     \
+    V4 s##l##0 = V4_LOAD(bias), s##l##1 = V4_LOAD(bias + 4);
+#define V4_ADD_ALL(EACH)                                                                                                \
+    const V4 w0 = V4_LOAD(weights), w1 = V4_LOAD(weights + 4);                                                          \
+    EACH(V4_ADD_0) EACH(V4_ADD_1)
+#define V4_END(l)                                                                                                       \
+    V4_STORE(to + l * width_out, s##l##0);                                                                              \
+    V4_STORE(to + l * width_out + 4, s##l##1);
+#else
+#define V4_AT_ONCE 4
+#define V4_BEGIN(l)                                                                                                     \
+    V4 s##l##0 = V4_LOAD(bias), s##l##1 = V4_LOAD(bias + 4), s##l##2 = V4_LOAD(bias + 8), s##l##3 = V4_LOAD(bias + 12);
 #define V4_ADD_2(l) s##l##2 = V4_MULTIPLY_ADD(s##l##2, w2, x##l);
 #define V4_ADD_3(l) s##l##3 = V4_MULTIPLY_ADD(s##l##3, w3, x##l);
 #define V4_ADD_ALL(EACH)                                                                                                \
@@ -313,10 +401,11 @@ static void pass_of_4_4(
     V4_STORE(to + l * width_out + 4, s##l##1);                                                                          \
     V4_STORE(to + l * width_out + 8, s##l##2);                                                                          \
     V4_STORE(to + l * width_out + 12, s##l##3);
+#endif
 
-DEFINE_CONVOLUTION(convolve_1_4, , EACH_OF_1, V4_BEGIN, V4_VALUE, V4_ADD_ALL, V4_END, , 4)
-DEFINE_CONVOLUTION(convolve_2_4, , EACH_OF_2, V4_BEGIN, V4_VALUE, V4_ADD_ALL, V4_END, , 4)
-DEFINE_CONVOLUTION(convolve_3_4, , EACH_OF_3, V4_BEGIN, V4_VALUE, V4_ADD_ALL, V4_END, , 4)
+DEFINE_CONVOLUTION(convolve_1_4, , EACH_OF_1, V4_BEGIN, V4_VALUE, V4_ADD_ALL, V4_END, , V4_AT_ONCE)
+DEFINE_CONVOLUTION(convolve_2_4, , EACH_OF_2, V4_BEGIN, V4_VALUE, V4_ADD_ALL, V4_END, , V4_AT_ONCE)
+DEFINE_CONVOLUTION(convolve_3_4, , EACH_OF_3, V4_BEGIN, V4_VALUE, V4_ADD_ALL, V4_END, , V4_AT_ONCE)
 
 static void rectify_4(float *values, const float *added, size_t n)
 {
@@ -332,7 +421,7 @@ static const kernels KERNELS_OF_4 = {
 };
 #endif
 
-#if !defined(EAR_PLAIN) && (defined(__x86_64__) || defined(_M_X64))
+#if !defined(EAR_PLAIN) && !defined(EAR_NO_AVX2) && (defined(__x86_64__) || defined(_M_X64))
 #define HAS_AVX2_CODE 1
 #ifdef _MSC_VER
 #include <intrin.h>
