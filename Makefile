@@ -23,7 +23,8 @@ test: setup
 	$(BIN)/ruff format --check .
 	{ $(BIN)/lint-imports && $(BIN)/mypy; } & $(BIN)/python -m pytest -q -n auto --maxprocesses 8 --dist worksteal; tests=$$?; wait $$! && exit $$tests
 
-# The demo page in Chromium, which hears a recording as its microphone, and bundles and examples there. Needs chromium and npm, and the network once.
+# The demo page in Chromium, which hears a recording as its microphone, bundles there and in Firefox, and examples.
+# Needs chromium, firefox-esr and npm, and the network once.
 test-web: setup
 	@$(BIN)/python -c 'import playwright' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[test-web]'
 	$(BIN)/python -m pytest -q -m browser

@@ -21,7 +21,6 @@ MORE_PACKAGES = (
 )
 """Of tests in a browser."""
 ESBUILD = ("main.js", "--bundle", "--minify", "--format=esm", "--outdir=dist/assets")
-WEBPACK = ("--mode=production", "--entry=./main.js", "--output-path=dist/assets", "--no-performance")
 WORDS = {
     "vite": ("vite", "build"),
     "esbuild": ("esbuild", *ESBUILD),
@@ -44,7 +43,7 @@ def project(place: Path, package: Path, tools: tuple[str, ...] = PACKAGES) -> Pa
     (place / "package.json").write_text(json.dumps({"private": True, "type": "module"}), encoding="utf-8")
     modules = place / "node_modules"
     modules.mkdir()
-    for found in _installed(tools).iterdir():
+    for found in installed(tools).iterdir():
         (modules / found.name).symlink_to(found)
     shutil.copytree(package, modules / "phoneme-ear")
     return place
@@ -70,7 +69,7 @@ def tool(place: Path, name: str, *words: str) -> None:
     assert [line for line in lines if "warn" in line and "size" not in line] == []
 
 
-def _installed(packages: tuple[str, ...]) -> Path:
+def installed(packages: tuple[str, ...]) -> Path:
     """Install packages, unless that has been done; one process at a time, all others wait for it."""
     node()
     npm = shutil.which("npm")

@@ -25,7 +25,8 @@ export async function recognise(): Promise<number | undefined> {
   const source = new OscillatorNode(new AudioContext());
   const onEnd = (error: EarError): void => console.log(error.message);
   const other = await createRecogniser({ source, table: "rhubarb", model: own.model, onFrame: ({ time }) => time, onEnd });
-  console.log(other.shape(), other.frame?.phoneme, other.node.context, own.movestates.length);
+  const made = await createRecogniser({ source: (context) => new OscillatorNode(context) });
+  console.log(made.source.context, other.shape(), other.frame?.phoneme, other.node.context, own.movestates.length);
   own.close();
   return other.weights().jawOpen;
 }

@@ -31,54 +31,75 @@ from phonemeengine.shipping.sections import (
 from phonemeengine.shipping.unity_package import PLACES, metas, package_files
 from phonemeengine.storage.files import atomic_write, reason_of
 
-# The way to npm, which fetches the library that draws the demo page's head.
+# The way to npm, which fetches the libraries that draw the demo page's head.
 
-THREE = "three@0.187.0"
-DIGEST = (
-    "422bbb47e0a687c0acb59b18d6e24e4969d595fa3b66d34b57b985f0996d9372"
-    "c1dc0b43bbd71166572744a90093c638cfa28ac37e73ed8ed4addee3598f1eb4"
-)
-"""SHA-512 of its package."""
-FILES = (
-    "LICENSE",
-    "build/three.core.js",
-    "build/three.module.js",
-    "examples/jsm/loaders/GLTFLoader.js",
-    "examples/jsm/utils/BufferGeometryUtils.js",
-    "examples/jsm/utils/SkeletonUtils.js",
-)
+
+@dataclass(frozen=True)
+class NpmPackage:
+    """A package of npm, its digest (SHA-512), and which of its files the page has, in which folder of its own."""
+
+    digest: str
+    folder: str
+    files: tuple[str, ...]
+
+
+NPM_PACKAGES: Mapping[str, NpmPackage] = {
+    "three@0.187.0": NpmPackage(
+        "422bbb47e0a687c0acb59b18d6e24e4969d595fa3b66d34b57b985f0996d9372"
+        "c1dc0b43bbd71166572744a90093c638cfa28ac37e73ed8ed4addee3598f1eb4",
+        "three",
+        (
+            "LICENSE",
+            "build/three.core.js",
+            "build/three.module.js",
+            "examples/jsm/loaders/GLTFLoader.js",
+            "examples/jsm/utils/BufferGeometryUtils.js",
+            "examples/jsm/utils/SkeletonUtils.js",
+        ),
+    ),
+    "@pixiv/three-vrm@3.5.5": NpmPackage(
+        "44f5f2ee36005ecef4e0d229665a2c07453610dbb6d46f43aea1967508117bc7"
+        "5285a0a8d6e8298fee8154f442cbdd67b7e30f300f7a8f9adbb12cc49741e540",
+        "three-vrm",
+        ("LICENSE", "lib/three-vrm.module.min.js"),
+    ),
+}
 FETCH_TIMEOUT = 120.0
 OTHERWISE = "or ship the target web-module, which has no page"
 
 
-def three_files() -> dict[str, bytes]:
-    """Return the files of three.js that the demo page needs, by their path in its package.
+def npm_files() -> dict[str, bytes]:
+    """Return the files of npm's packages that the demo page needs, by their path beside the page.
 
     Raises
     ------
-    ExportError : there is no npm, or it cannot fetch the package.
+    ExportError : there is no npm, or it cannot fetch the packages.
     """
-    npm = shutil.which("npm")
+    npm, words = shutil.which("npm"), " and ".join(NPM_PACKAGES)
     if npm is None:
         raise ExportError(
-            f"the demo page needs {THREE}, which npm fetches, and there is no npm; install Node.js, {OTHERWISE}"
+            f"the demo page needs {words}, which npm fetches, and there is no npm; install Node.js, {OTHERWISE}"
         )
     with tempfile.TemporaryDirectory() as folder:
-        command = [npm, "pack", THREE, "--prefer-offline", "--pack-destination", folder]
+        command = [npm, "pack", "--prefer-offline", "--pack-destination", folder, *NPM_PACKAGES]
         try:
             subprocess.run(command, capture_output=True, timeout=FETCH_TIMEOUT, check=True)  # noqa: S603 - our own words
-            (package,) = (path.read_bytes() for path in Path(folder).iterdir())
-        except (OSError, ValueError, subprocess.SubprocessError) as error:
-            raise ExportError(f"npm cannot fetch {THREE}; connect to the network, {OTHERWISE}") from error
-    if hashlib.sha512(package).hexdigest() != DIGEST:
-        raise ExportError(f"npm fetched another {THREE} than the page was made for; clear its cache, {OTHERWISE}")
-    return _contents(package)
+            fetched = [path.read_bytes() for path in Path(folder).iterdir()]
+        except (OSError, subprocess.SubprocessError) as error:
+            raise ExportError(f"npm cannot fetch {words}; connect to the network, {OTHERWISE}") from error
+    by_digest = {hashlib.sha512(content).hexdigest(): content for content in fetched}
+    files: dict[str, bytes] = {}
+    for name, package in NPM_PACKAGES.items():
+        if package.digest not in by_digest:
+            raise ExportError(f"npm fetched another {name} than the page was made for; clear its cache, {OTHERWISE}")
+        files |= _contents(by_digest[package.digest], package)
+    return files
 
 
-def _contents(package: bytes) -> dict[str, bytes]:
-    with tarfile.open(fileobj=io.BytesIO(package)) as archive:
-        found = {name: archive.extractfile(f"package/{name}") for name in FILES}
-        return {name: file.read() for name, file in found.items() if file is not None}
+def _contents(content: bytes, package: NpmPackage) -> dict[str, bytes]:
+    with tarfile.open(fileobj=io.BytesIO(content)) as archive:
+        found = {name: archive.extractfile(f"package/{name}") for name in package.files}
+        return {f"{package.folder}/{name}": file.read() for name, file in found.items() if file is not None}
 
 
 _HERE = Path(__file__).resolve().parent
@@ -176,9 +197,9 @@ def _with_worklet() -> bytes:
 
 
 def _demo_page() -> Files:
-    """Return what the page draws: a head, and the library that draws it."""
-    three = {f"demo/three/{name}": content for name, content in three_files().items()}
-    return {"demo/head.glb": shipped_glb().content(), **three}
+    """Return what the page draws: a head, and the libraries that draw it."""
+    libraries = {f"demo/{name}": content for name, content in npm_files().items()}
+    return {"demo/head.glb": shipped_glb().content(), **libraries}
 
 
 def _unity_libraries() -> Files:

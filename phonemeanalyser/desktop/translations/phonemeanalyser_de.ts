@@ -6581,13 +6581,13 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
-            <source>npm cannot fetch {three}; connect to the network, {otherwise}</source>
-            <translation>npm kann {three} nicht laden; mit dem Netzwerk verbinden, {otherwise}</translation>
+            <source>npm cannot fetch {words}; connect to the network, {otherwise}</source>
+            <translation>npm kann {words} nicht laden; mit dem Netzwerk verbinden, {otherwise}</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
-            <source>npm fetched another {three} than the page was made for; clear its cache, {otherwise}</source>
-            <translation>npm hat ein anderes {three} geladen, als die Seite braucht; seinen Cache leeren, {otherwise}</translation>
+            <source>npm fetched another {name} than the page was made for; clear its cache, {otherwise}</source>
+            <translation>npm hat ein anderes {name} geladen, als die Seite braucht; seinen Cache leeren, {otherwise}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/workbench/phoneme_data_panel.py" />
@@ -9691,8 +9691,8 @@
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />
-            <source>the demo page needs {three}, which npm fetches, and there is no npm; install Node.js, {otherwise}</source>
-            <translation>Die Demoseite braucht {three}, das npm lädt, und npm fehlt; Node.js installieren, {otherwise}</translation>
+            <source>the demo page needs {words}, which npm fetches, and there is no npm; install Node.js, {otherwise}</source>
+            <translation>Die Demoseite braucht {words}, die npm lädt, und npm fehlt; Node.js installieren, {otherwise}</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_errors.py" />

@@ -184,11 +184,12 @@ class TestGlbOfOurs:
     def test_reading_it_gives_the_same_figure(self):
         colours = np.random.default_rng(0).random((8, 3)).astype(np.float32)
         mesh = mesh_of(CORNERS, TRIANGLES, name="cube", colours=colours)
-        read = parse_gltf(format_glb(MorphMesh(mesh, morph_mesh_of_cube().states)))
-        assert read.mesh.name == "cube"
-        np.testing.assert_array_equal(read.mesh.triangles, TRIANGLES)
-        np.testing.assert_allclose(read.mesh.colours, colours, atol=1e-6)
-        assert [s.numbers.tolist() for s in read.states] == [[0, 1, 4, 5], [1, 3], []]
+        for sparse in (False, True):
+            read = parse_gltf(format_glb(MorphMesh(mesh, morph_mesh_of_cube().states), sparse=sparse))
+            assert read.mesh.name == "cube"
+            np.testing.assert_array_equal(read.mesh.triangles, TRIANGLES)
+            np.testing.assert_allclose(read.mesh.colours, colours, atol=1e-6)
+            assert [s.numbers.tolist() for s in read.states] == [[0, 1, 4, 5], [1, 3], []]
 
     def test_points_keep_their_numbers_where_the_mesh_is_not_known(self):
         mesh = mesh_of(np.arange(300).reshape(100, 3))

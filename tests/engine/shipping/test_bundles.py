@@ -17,6 +17,7 @@ from phonemeengine import Preset, load_preset, ship
 from tests.bundlers import APP, ESBUILD, MORE_PACKAGES, PACKAGES, WORDS, bundled, project, tool
 from tests.engine.shipping.test_demo_page import Quiet, chromium, microphone
 from tests.engine.shipping.test_same_results import recognised_by_engine, speech
+from tests.firefox import in_firefox
 from tests.web_ears import node
 
 RATE, SOUND = 44_100, speech()[: 2 * 44_100]
@@ -61,15 +62,28 @@ def in_node(folder: Path, script: str) -> dict[str, Any]:
     return told
 
 
+HEAR = """(async () => {
+  while (!globalThis.hear) await new Promise(requestAnimationFrame);
+  const samples = new Float32Array(await (await fetch("/samples.f32")).arrayBuffer());
+  return JSON.stringify(await hear(samples, 44100));
+})()"""
+
+
 @pytest.mark.browser
+@pytest.mark.parametrize("browser", ["chromium", "firefox"])
 @pytest.mark.parametrize("by", [*WORDS, "plain"])
-def test_a_page_listens_in_chromium(by: str, package: Path, preset: Preset, tmp_path: Path) -> None:
+def test_a_page_listens_in_a_browser(by: str, browser: str, package: Path, preset: Preset, tmp_path: Path) -> None:
     place = project(tmp_path / "page", package, PACKAGES if by in ("vite", "plain") else MORE_PACKAGES)
     made = served_as_it_is(place) if by == "plain" else bundled(by, place)[0]
-    with served(made) as address, chromium() as page:
-        page.goto(address)
-        page.wait_for_function("() => globalThis.hear")
-        check_heard(page.evaluate("([samples, rate]) => hear(samples, rate)", [SOUND.tolist(), RATE]), preset)
+    (made / "samples.f32").write_bytes(SOUND.tobytes())
+    with served(made) as address:
+        if browser == "firefox":
+            told = in_firefox(address, HEAR, tmp_path / "profile")
+        else:
+            with chromium() as page:
+                page.goto(address)
+                told = page.evaluate(HEAR)
+    check_heard(json.loads(told), preset)
 
 
 def served_as_it_is(place: Path) -> Path:

@@ -222,8 +222,9 @@ def test_the_page_keeps_all_of_its_scripts_for_when_there_is_no_network() -> Non
     place = Path(targets.__file__).parent / "web_demo"
     kept = set(re.findall(r'^  "(.+)",$', (place / "sw.js").read_text("utf-8"), re.MULTILINE))
     own = {path.name for path in place.iterdir() if path.suffix in (".js", ".css")} - {"sw.js"}
-    three = {f"three/{name}" for name in targets.FILES if name.endswith(".js")}
-    assert kept == own | three | {"./", "head.glb", "../ear.js", "../ear.wasm", "../preset.ear"}
+    packages = targets.NPM_PACKAGES.values()
+    fetched = {f"{of.folder}/{name}" for of in packages for name in of.files if name.endswith(".js")}
+    assert kept == own | fetched | {"./", "head.glb", "../ear.js", "../ear.wasm", "../preset.ear"}
 
 
 def test_a_shipped_folder_holds_the_licence_whole(built: Path) -> None:

@@ -147,13 +147,13 @@ def test_a_compiler_that_fails_is_a_sentence(tmp_path: Path, monkeypatch: pytest
 def test_a_page_without_npm_or_network_is_a_sentence(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     with pytest.raises(ExportError, match=r"there is no npm; install Node.js, or ship the target web-module"):
-        targets.three_files()
+        targets.npm_files()
     script(tmp_path / "npm", "exit 1")
-    with pytest.raises(ExportError, match=r"npm cannot fetch three@\S+; connect to the network, or ship"):
-        targets.three_files()
-    script(tmp_path / "npm", 'printf x > "$5/three.tgz"')
+    with pytest.raises(ExportError, match=r"npm cannot fetch three@\S+ and @pixiv/\S+; connect to the network"):
+        targets.npm_files()
+    script(tmp_path / "npm", 'printf x > "$4/three.tgz"')
     with pytest.raises(ExportError, match="npm fetched another three@"):
-        targets.three_files()
+        targets.npm_files()
 
 
 def script(path: Path, line: str) -> None:

@@ -91,7 +91,7 @@ class Glb:
 
 def shipped_glb(head: Head = USUAL_HEAD) -> Glb:
     """Return a head that ships with the program, with its movestates as morph targets."""
-    return Glb(format_glb(load_head(head)), head.path.name)
+    return Glb(format_glb(load_head(head), sparse=True), head.path.name)
 
 
 def read_face(path: Path) -> Glb:

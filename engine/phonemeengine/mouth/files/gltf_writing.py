@@ -18,8 +18,12 @@ VERTICES, CORNERS = 34962, 34963
 GENERATOR = "PhonemeAnalyser"
 
 
-def format_glb(morph_mesh: MorphMesh) -> bytes:
+def format_glb(morph_mesh: MorphMesh, *, sparse: bool = False) -> bytes:
     """Write a mesh and its movestates as a .glb file; each movestate is a morph target of its name.
+
+    Parameters
+    ----------
+    sparse : whether targets hold the vertices alone that move, which makes a quarter of the head that ships.
 
     Raises
     ------
@@ -36,7 +40,7 @@ def format_glb(morph_mesh: MorphMesh) -> bytes:
         primitive["indices"] = buffer.append(mesh.triangles.reshape(-1, 1))
     else:
         primitive["mode"] = POINTS
-    _push_targets(primitive, morph_mesh.states, len(mesh), buffer)
+    _push_targets(primitive, morph_mesh.states, len(mesh), buffer, sparse=sparse)
     return _glb(primitive, morph_mesh.states, mesh, buffer)
 
 
@@ -77,16 +81,31 @@ class _Buffer:
     def append(self, array: NDArray[np.generic], *, bounded: bool = False) -> int:
         """Append an array of float32 or uint32, shape (n, width); gives its accessor's number."""
         whole = array.dtype.kind == "u"
-        content = array.astype("<u4" if whole else "<f4").tobytes()
+        view = {"bufferView": self._view(array, target=CORNERS if whole else VERTICES)}
+        return self._accessor(array, view, bounded=bounded)
+
+    def append_sparse(self, offsets: Float32Array) -> int:
+        """Append vectors of which most are 0, shape (n, 3): the others, and their numbers."""
+        moved = np.flatnonzero(offsets.any(axis=1))
+        if not len(moved):
+            return self._accessor(offsets, {}, bounded=True)
+        indices = {"bufferView": self._view(moved.astype(np.uint32)), "componentType": WHOLE}
+        sparse = {"count": len(moved), "indices": indices, "values": {"bufferView": self._view(offsets[moved])}}
+        return self._accessor(offsets, {"sparse": sparse}, bounded=True)
+
+    def _view(self, array: NDArray[np.generic], **more: int) -> int:
+        content = array.astype("<u4" if array.dtype.kind == "u" else "<f4").tobytes()
         if self.size + len(content) > LARGEST_BUFFER:
             raise MeshError(f"the .glb would be larger than {LARGEST_BUFFER >> 20} MB; leave out some movestates")
-        target = CORNERS if whole else VERTICES
-        self.views.append({"buffer": 0, "byteOffset": self.size, "byteLength": len(content), "target": target})
+        self.views.append({"buffer": 0, "byteOffset": self.size, "byteLength": len(content), **more})
         self.parts.append(content)
         self.size += len(content)
+        return len(self.views) - 1
+
+    def _accessor(self, array: NDArray[np.generic], source: Table, *, bounded: bool) -> int:
         accessor: Table = {
-            "bufferView": len(self.views) - 1,
-            "componentType": WHOLE if whole else FLOAT,
+            **source,
+            "componentType": WHOLE if array.dtype.kind == "u" else FLOAT,
             "count": len(array),
             "type": "VEC3" if array.shape[1] == 3 else "SCALAR",
         }
@@ -96,9 +115,18 @@ class _Buffer:
         return len(self.accessors) - 1
 
 
-def _push_targets(primitive: Table, states: tuple[Movestate, ...] | list[Movestate], n: int, buffer: _Buffer) -> None:
+def _push_targets(
+    primitive: Table,
+    states: tuple[Movestate, ...] | list[Movestate],
+    n: int,
+    buffer: _Buffer,
+    *,
+    sparse: bool = False,
+) -> None:
     if states:
-        primitive["targets"] = [{"POSITION": buffer.append(_dense(state, n), bounded=True)} for state in states]
+        dense = (_dense(state, n) for state in states)
+        places = (buffer.append_sparse(of) if sparse else buffer.append(of, bounded=True) for of in dense)
+        primitive["targets"] = [{"POSITION": place} for place in places]
 
 
 def _dense(state: Movestate, n: int) -> Float32Array:

@@ -365,10 +365,9 @@ const LONGEST_START = 5000; // milliseconds
  */
 export async function createRecogniser(options = {}) {
   const { source, onFrame, onEnd, table = "arkit", wasm, preset, worklet } = options;
-  const isNode = source && "context" in source;
-  const context = options.context ?? (isNode ? source.context : new AudioContext()); // in the click itself, for Safari
-  const isOurs = !options.context && !isNode;
-  const undo = [() => isOurs && context.close()];
+  const known = options.context ?? source?.context;
+  const context = known ?? new AudioContext(); // in the click itself, for Safari
+  const undo = [() => known || context.close()];
   const close = () => undo.splice(0).reverse().forEach((step) => step()); // a second call finds nothing to undo
   try {
     const model = options.model ?? (await loadModel(wasm, preset));
@@ -381,8 +380,9 @@ export async function createRecogniser(options = {}) {
     };
     const node = (recogniser.node = await earNode(context, model, take, worklet));
     undo.push(() => node.close());
-    const stream = isNode ? null : (source ?? (await openMicrophone()));
-    if (stream && !source) undo.push(() => stream.getTracks().forEach((track) => track.stop()));
+    const given = typeof source === "function" ? await source(context) : source;
+    const stream = given?.context ? null : (given ?? (await openMicrophone()));
+    if (stream && !given) undo.push(() => stream.getTracks().forEach((track) => track.stop()));
     const end = (words) => {
       recogniser.close();
       onEnd?.(new EarError(words));
@@ -392,10 +392,10 @@ export async function createRecogniser(options = {}) {
       undo.push(() => (track.onended = null));
     });
     node.onprocessorerror = () => end("the recogniser stopped in the audio thread; start it again");
-    const opened = isNode ? source : context.createMediaStreamSource(stream);
+    const opened = (recogniser.source = stream ? context.createMediaStreamSource(stream) : given);
     opened.connect(node);
     undo.push(() => disconnect(opened, node));
-    if (isOurs) await started(context);
+    if (!known) await started(context);
     return recogniser;
   } catch (error) {
     close();

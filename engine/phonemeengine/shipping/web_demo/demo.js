@@ -1,109 +1,77 @@
 // SPDX-License-Identifier: MIT
 /* Joins the page: a microphone or a file is recognised, and shown as phonemes, as a spectrum, and by the head. */
-import { NO_VISEME, earNode, loadModel, openMicrophone } from "../ear.js";
+import { NO_VISEME, createRecogniser, loadModel } from "../ear.js";
+import { Clip, canRecord } from "./clip.js";
 import { Head } from "./head.js";
 import { Spectrum } from "./spectrum.js";
 
 const MOST_ROWS = 1000;
-const TABLE = "arkit";
-const LONGEST_START = 5000; // milliseconds
-const MOUTH_TAKES = 0.12; // seconds until a mouth has moved: a file is played by as much later than it is recognised
+const MOUTH_TAKES = 0.12; // seconds until a mouth has moved: sound is played and recorded as much later as it is recognised
+const REST = { phoneme: 0, viseme: NO_VISEME, intensity: 0 };
 
 const element = (id) => document.getElementById(id);
 const seconds = (frames) => (frames / 100).toFixed(2);
 
 let model;
 let head = null; // where there is no WebGL
+let mouth = null; // that the head moves by
 let listening = null; // the current source
+let latest; // the last attempt to listen
+let clip = null; // that is being recorded
 let fresh = []; // frames that are not drawn yet
 
 class Listening {
-  /** Begins to listen to what `open` makes of an audio context: a source, and whether it is played as well. */
-  static async begin(open) {
-    const context = new AudioContext();
-    let stop = () => {};
-    try {
-      const node = await earNode(context, model, (frame) => fresh.push(frame));
-      const opened = await open(context); // now, since earlier sound is lost
-      const { source, audible } = opened;
-      stop = opened.stop;
-      const analyser = new AnalyserNode(context, { fftSize: 2048, smoothingTimeConstant: 0 });
-      source.connect(analyser).connect(node);
-      if (audible) source.connect(new DelayNode(context, { delayTime: MOUTH_TAKES })).connect(context.destination);
-      await started(context);
-      return new Listening(context, new Spectrum(element("spectrum"), analyser), stop);
-    } catch (error) {
-      stop();
-      context.close();
-      throw error;
-    }
-  }
-
-  constructor(context, spectrum, stop) {
-    this.context = context;
-    this.spectrum = spectrum;
-    this.stop = stop;
-    this.mouth = model.tables.includes(TABLE) ? model.mouth(TABLE) : null;
+  constructor(recogniser, audible) {
+    const { context, source } = recogniser;
+    const analyser = source.connect(new AnalyserNode(context, { fftSize: 2048, smoothingTimeConstant: 0 }));
+    this.spectrum = new Spectrum(element("spectrum"), analyser);
+    this.sound = source.connect(new DelayNode(context, { delayTime: MOUTH_TAKES }));
+    if (audible) this.sound.connect(context.destination);
+    this.recogniser = recogniser;
     const ear = model.ear(context.sampleRate);
     element("latency").textContent = `latency ${Math.round(1000 * ear.latency)} ms`;
     ear.close();
   }
-
-  end() {
-    this.stop();
-    this.mouth?.close();
-    this.context.close();
-  }
 }
 
-/* Wait until sound flows, which it does at once, or never where the system has no output. */
-async function started(context) {
-  const late = new Promise((resolve) => setTimeout(resolve, LONGEST_START));
-  await Promise.race([context.resume(), late]);
-  if (context.state !== "running") {
-    throw new Error("the browser opens no sound output; connect a loudspeaker or headphones, and try again");
-  }
-}
-
-async function microphone(context) {
-  const stream = await openMicrophone();
-  const stop = () => stream.getTracks().forEach((track) => track.stop());
-  return { source: context.createMediaStreamSource(stream), audible: false, stop };
-}
-
-async function soundFile(file, context) {
-  let sound;
-  try {
-    sound = await context.decodeAudioData(await file.arrayBuffer());
-  } catch {
-    throw new Error(`${file.name}: this is no sound that the browser knows; choose a WAV, MP3, OGG or FLAC file`);
-  }
-  const source = new AudioBufferSourceNode(context, { buffer: sound });
-  source.onended = () => end();
-  source.start();
-  return { source, audible: true, stop: () => (source.onended = null) };
-}
-
-async function begin(words, open) {
+async function begin(words, source) {
   end();
   complain("");
   element("phonemes").replaceChildren();
+  const attempt = (latest = {});
   try {
-    listening = await Listening.begin(open);
-    element("state").textContent = words;
-    element("stop").disabled = false;
+    const onEnd = (error) => {
+      end();
+      complain(error.message);
+    };
+    const recogniser = await createRecogniser({ model, source, onFrame: (frame) => fresh.push(frame), onEnd });
+    if (attempt !== latest) return recogniser.close(); // something else was chosen meanwhile
+    listening = new Listening(recogniser, Boolean(source));
+    if (source) recogniser.source.start();
+    tellState(words);
   } catch (error) {
-    complain(error.message);
+    if (attempt === latest) complain(error.message);
   }
 }
 
 function end() {
-  listening?.end();
+  latest = null;
+  if (clip) saveClip();
+  listening?.recogniser.close();
   listening = null;
   fresh = [];
-  element("stop").disabled = true;
   element("latency").textContent = "";
-  if (model) element("state").textContent = `Preset ${model.name}`;
+  if (model) tellState(`Preset ${model.name}`);
+}
+
+function tellState(words) {
+  element("state").textContent = words;
+  element("stop").disabled = !listening;
+  const canvas = element("head");
+  const why = !canRecord(canvas) ? "This browser records no clips." : !head ? "Without a head there is nothing to record." : "";
+  element("why").textContent = why || (listening ? "" : "Clips can be recorded while the microphone or a file is on.");
+  element("record").disabled = Boolean(element("why").textContent);
+  element("record").textContent = clip ? "End clip" : "Record clip";
 }
 
 function complain(words) {
@@ -111,23 +79,58 @@ function complain(words) {
   element("trouble").hidden = !words;
 }
 
+function play(file) {
+  return begin(`Playing ${file.name}`, async (context) => {
+    let sound;
+    try {
+      sound = await context.decodeAudioData(await file.arrayBuffer());
+    } catch {
+      throw new Error(
+        `${file.name}: this is no sound that the browser knows; choose a WAV, MP3, OGG or FLAC file (a head is a GLB or VRM file)`,
+      );
+    }
+    const source = new AudioBufferSourceNode(context, { buffer: sound });
+    const over = () => listening?.recogniser.source === source && end();
+    source.onended = () => setTimeout(over, 1000 * MOUTH_TAKES);
+    return source;
+  });
+}
+
+function record() {
+  if (clip) return saveClip();
+  try {
+    clip = new Clip(element("head"), listening.sound);
+    tellState(element("state").textContent);
+  } catch (error) {
+    complain(`the clip cannot be recorded (${error.message}); try another browser`);
+  }
+}
+
+async function saveClip() {
+  const ended = clip;
+  clip = null;
+  if (listening) tellState(element("state").textContent);
+  const file = await ended.end();
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(file);
+  link.download = file.name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000); // when the browser has saved it
+}
+
 function draw(milliseconds) {
   requestAnimationFrame(draw);
   const frames = fresh;
+  const now = milliseconds / 1000; // the mouth moves on between frames, too
   fresh = [];
-  let weights = new Map();
   if (listening && frames.length) {
     frames.forEach(list);
     listening.spectrum.draw(frames, model.phonemes);
     tell(frames.at(-1));
   }
-  if (listening?.mouth) {
-    const now = milliseconds / 1000; // the mouth moves on between frames, too
-    frames.forEach((frame) => listening.mouth.add(now, frame));
-    const values = listening.mouth.weights(now);
-    weights = new Map(listening.mouth.movestates.map((name, k) => [name, values[k]]));
-  }
-  head?.draw(weights, milliseconds / 1000);
+  (listening ? frames : [REST]).forEach((frame) => mouth?.add(now, frame));
+  const values = mouth?.weights(now);
+  head?.draw(new Map(mouth?.movestates.map((name, k) => [name, values[k]])), now);
 }
 
 function tell({ phoneme, viseme, confidence }) {
@@ -156,12 +159,26 @@ async function showHead(bytes, name) {
   try {
     await head.show(bytes);
   } catch {
-    complain(`${name}: this head cannot be read; choose a GLB file with everything in it`);
+    complain(`${name}: this head cannot be read; choose a GLB or VRM file with everything in it`);
     return;
   }
-  if (model && !head.movestates.some((target) => model.movestates(TABLE).includes(target))) {
-    complain(`${name}: it has no morph target of the table ${TABLE}, such as jawOpen; it will not move`);
+  element("head").ariaLabel = `${name}, which says what is recognised`;
+  const { table, movestates } = head;
+  mouth?.close();
+  mouth = model.tables.includes(table) ? model.mouth(table) : null;
+  if (!mouth) complain(`${name}: the preset was shipped without the table ${table}, so this head does not move; ship it, too`);
+  else if (!mouth.movestates.some((target) => movestates.includes(target))) {
+    complain(`${name}: it has no morph target of the table ${table}, such as ${mouth.movestates[0]}; it will not move`);
   }
+}
+
+async function take(file, isHead = /\.(glb|vrm)$/i.test(file?.name)) {
+  if (!file) return;
+  complain("");
+  if (!model) complain("the recogniser is not there yet; choose the file again when it is");
+  else if (!isHead) await play(file);
+  else if (head) await showHead(await file.arrayBuffer(), file.name);
+  else complain(`${file.name}: this browser draws no 3D (WebGL), so it shows no head`);
 }
 
 async function load() {
@@ -173,29 +190,29 @@ async function load() {
     return;
   }
   element("microphone").disabled = element("file").disabled = false;
-  end();
   try {
     head = new Head(element("head"));
   } catch {
     complain("this browser draws no 3D (WebGL), so there is no head; everything else works");
-    return;
   }
-  const answer = await fetch("head.glb");
-  await showHead(await answer.arrayBuffer(), "head.glb");
+  end();
+  const answer = head && (await fetch("head.glb"));
+  if (head) await showHead(await answer.arrayBuffer(), "head.glb");
 }
 
-element("microphone").onclick = () => begin("Listening to the microphone", microphone);
+element("microphone").onclick = () => begin("Listening to the microphone");
 element("stop").onclick = end;
-element("file").onchange = ({ target }) => {
-  const [file] = target.files;
-  if (file) begin(`Playing ${file.name}`, (context) => soundFile(file, context));
-  target.value = "";
-};
-element("glb").onchange = async ({ target }) => {
-  const [file] = target.files;
-  complain("");
-  if (file && head) await showHead(await file.arrayBuffer(), file.name);
-  target.value = "";
+element("record").onclick = record;
+for (const id of ["file", "glb"]) {
+  element(id).onchange = ({ target }) => {
+    take(target.files[0], id === "glb");
+    target.value = "";
+  };
+}
+document.ondragover = (event) => event.preventDefault();
+document.ondrop = (event) => {
+  event.preventDefault();
+  take(event.dataTransfer.files[0]);
 };
 navigator.serviceWorker?.register("sw.js").catch(() => {}); // without one the page needs the network, no more
 requestAnimationFrame(draw);

@@ -3,11 +3,13 @@
 const KEPT = "phonemes";
 const FILES = [
   "./",
+  "clip.js",
   "demo.css",
   "demo.js",
   "head.glb",
   "head.js",
   "spectrum.js",
+  "three-vrm/lib/three-vrm.module.min.js",
   "three/build/three.core.js",
   "three/build/three.module.js",
   "three/examples/jsm/loaders/GLTFLoader.js",
