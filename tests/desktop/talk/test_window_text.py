@@ -266,17 +266,8 @@ def opened(window: MainWindow, qtbot: QtBot) -> VoicePanel:
 def test_voice_rate_mouth_and_a_program_of_ones_own_are_chosen_by_the_keyboard(window, desktop, qtbot):
     below = opened(window, qtbot)
     names = [below.name.itemText(k) for k in range(below.name.count())]  # women go before men, a program is the last
-    assert names == [
-        OWN_VOICE,
-        OWN_SOUND,
-        "f1 (female)",
-        "f2 (female)",
-        "m1 (male)",
-        "croak",
-        "klatt",
-        "Reed",
-        OWN_PROGRAM,
-    ]
+    assert names[2:-1] == ["f1 (female)", "f2 (female)", "m1 (male)", "croak", "klatt", "Reed"]
+    assert (*names[:2], names[-1]) == (OWN_VOICE, OWN_SOUND, OWN_PROGRAM)
     QTest.keyClicks(below.name, "f2")
     QTest.keyClick(below.name, Qt.Key.Key_Return)
     type_number(below.rate, "5.5")
