@@ -203,36 +203,31 @@ def test_under_a_still_mouse_the_read_out_follows_the_picture(window, qtbot):
 # -- the menu of the plots ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["spectrum", "averaged", "waveform", "scroll_view"])
-def test_a_right_click_opens_the_menu(window, name):
-    view = getattr(window.analysis, name)
-    viewport = view.menu.parent().viewport()
-    at = viewport.rect().center()
-    event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
-    QApplication.sendEvent(viewport, event)
-    assert view.menu.isVisible()
-    assert [a.text() for a in view.menu.actions()] == [
-        "Reset Zoom",
-        "",
-        "Copy Values",
-        "Copy Picture",
-        "Save Picture…",
-    ]
-    view.menu.close()
+def test_a_right_click_opens_the_menu(window):
+    page = window.analysis
+    for view in (page.spectrum, page.averaged, page.waveform, page.scroll_view):
+        viewport = view.menu.parent().viewport()
+        at = viewport.rect().center()
+        event = QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, viewport.mapToGlobal(at))
+        QApplication.sendEvent(viewport, event)
+        assert view.menu.isVisible()
+        entries = [a.text() for a in view.menu.actions()]
+        assert entries == ["Reset Zoom", "", "Copy Values", "Copy Picture", "Save Picture…"]
+        view.menu.close()
 
 
-@pytest.mark.parametrize("name", ["spectrum", "averaged", "waveform"])
-@pytest.mark.parametrize("by_mouse", [True, False])
-def test_a_zoom_is_taken_back(window, name, by_mouse):
-    view = getattr(window.analysis, name)
-    whole = np.array(view.item.viewRange())
-    view.item.vb.scaleBy((0.3, 0.3))
-    assert not np.allclose(view.item.viewRange(), whole)
-    if by_mouse:
-        QTest.mouseDClick(view.graphics.viewport(), LEFT)
-    else:
-        choose(view.menu, "Reset Zoom")
-    assert np.allclose(view.item.viewRange(), whole)
+def test_a_zoom_is_taken_back(window):
+    page = window.analysis
+    for view in (page.spectrum, page.averaged, page.waveform):
+        for by_mouse in (True, False):
+            whole = np.array(view.item.viewRange())
+            view.item.vb.scaleBy((0.3, 0.3))
+            assert not np.allclose(view.item.viewRange(), whole)
+            if by_mouse:
+                QTest.mouseDClick(view.graphics.viewport(), LEFT)
+            else:
+                choose(view.menu, "Reset Zoom")
+            assert np.allclose(view.item.viewRange(), whole)
 
 
 def test_a_spectrum_s_values_are_a_table_with_units(view):
