@@ -317,24 +317,23 @@ def test_a_card_opens_a_recording_beside_the_head(window, desktop, tmp_path):
     assert window.talk.isVisible()
 
 
-@pytest.mark.parametrize("rate", PICTURE_RATES)
-def test_left_and_right_go_one_picture_at_every_rate(window, desktop, rate):
-    box = window.talk.pictures.rate
-    box.setCurrentIndex(box.findData(rate))
-    box.activated.emit(box.currentIndex())
-    window.talk.lanes.line.setFocus()
-    session = desktop.session
-    for picture in range(1, 8):
-        press(window, Qt.Key.Key_Right)
-        assert desktop.talking.pictures.number == picture
-        assert picture / rate <= session.source.position + 1e-6 < (picture + 1) / rate
-    window.talk.pictures.refresh()
-    assert window.talk.pictures.place.text().endswith("picture 7")
-    press(window, Qt.Key.Key_Left)
-    assert desktop.talking.pictures.number == 6
-    session.seek(0.0)
-    press(window, Qt.Key.Key_Left)
-    assert desktop.talking.pictures.number == 0
+def test_left_and_right_go_one_picture_at_every_rate(window, desktop):
+    box, session = window.talk.pictures.rate, desktop.session
+    for rate in PICTURE_RATES:
+        box.setCurrentIndex(box.findData(rate))
+        box.activated.emit(box.currentIndex())
+        window.talk.lanes.line.setFocus()
+        for picture in range(1, 8):
+            press(window, Qt.Key.Key_Right)
+            assert desktop.talking.pictures.number == picture
+            assert picture / rate <= session.source.position + 1e-6 < (picture + 1) / rate
+        window.talk.pictures.refresh()
+        assert window.talk.pictures.place.text().endswith("picture 7")
+        press(window, Qt.Key.Key_Left)
+        assert desktop.talking.pictures.number == 6
+        session.seek(0.0)
+        press(window, Qt.Key.Key_Left)
+        assert desktop.talking.pictures.number == 0
 
 
 def test_the_page_shows_how_fast_the_mouth_is_for_which_sound(window, desktop, tmp_path, qtbot):
