@@ -186,7 +186,7 @@ class MovementTrack(ABC):
         """Return a mouth that says it, for a performer to play."""
 
     def mouth_at(self, _rate: float) -> MouthTrack:
-        """Return the same for so many pictures a second."""
+        """Return the same for a number of pictures a second."""
         return self.mouth()
 
     def animation(self, speech: Transcript, rate: float, idle: IdleMotion | None = None) -> Animation:

@@ -292,7 +292,7 @@ class TalkModel(QObject):
         if self._tracks or self.expression.in_step:
             position = session.source.position
             self.expression.follow(now - position)
-            start = 0.0 if session.source.live else now - position  # what is heard is followed by the clock
+            start = 0.0 if session.source.live else now - position  # the current sound is followed by the clock
             for performer, track in self._tracks.items():
                 performer.play(track if session.source.playing or position else None, start)
         if original.face is not None:

@@ -28,7 +28,7 @@ NetworkSound = tuple[Path, Channel]
 class NetworkModel(OpenedFiles):
     """Knows the networks that are open, and follows the current sound with the one that is chosen.
 
-    A file is followed as a whole, as for an export; all else while it is heard.
+    A file is followed as a whole, as for an export; all else as it plays.
 
     Signals
     -------
@@ -72,7 +72,7 @@ class NetworkModel(OpenedFiles):
         )
 
     def follow(self, sound: NetworkSound | None, *, wanted: bool) -> None:
-        """Follow a sound file, or what is heard where that is None; nothing where no head is moved by it."""
+        """Follow a sound file, or the current sound where that is None; nothing where no head is moved by it."""
         network = self.network if wanted else None
         if (network, sound) == self._state:
             return
@@ -97,7 +97,7 @@ class NetworkModel(OpenedFiles):
                 self.face.add(weights, end if live else (block.start + len(block)) * FRAME_PERIOD)
 
     def begin_again(self) -> None:
-        """Forget what was heard, since the sound goes on elsewhere."""
+        """Forget the frames so far, since the sound goes on elsewhere."""
         if self.face is not None and self._follower is not None and self.network is not None:
             self._follower = FaceFollower(self.network)
             self.face.clear()
