@@ -78,6 +78,7 @@ WORDS = (
     tr_noop("all variables every 10 ms, JSON"),
     tr_noop("Audacity label track"),
     tr_noop("weights of 15 visemes"),
+    tr_noop("action units (FACS), as OpenFace has them"),
     tr_noop("the default head or a custom face"),
     tr_noop("curves for Unity, Godot and web pages"),
     # what a preset is shipped for

@@ -889,6 +889,11 @@
             <translation>Genauigkeitsbericht nach den Beschriftungen neben der Datei</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>action units (FACS), as OpenFace has them</source>
+            <translation>Action Units (FACS), wie OpenFace sie hat</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/lanes/feeling_lane.py" />
             <source>Activation</source>
             <translation>Aktivierung</translation>
