@@ -2,7 +2,7 @@
 @icon("icons/phoneme_sprite.svg")
 class_name PhonemeSprite
 extends PhonemeListener
-## Shows the drawing of a mouth that goes with what is recognised: the animation of its shape's name.
+## Shows the drawing of a mouth for what is recognised: the animation with the name of its shape.
 
 ## A sprite with an animation for each shape of the table, such as B.
 @export var sprite: AnimatedSprite2D
