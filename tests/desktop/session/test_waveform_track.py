@@ -57,7 +57,7 @@ def test_a_longer_view_is_shown_as_it_is_read_and_of_no_file_nothing_is_read(tra
     path = wav(tmp_path / "long", np.tile(SOUND, 11))
     track.open(lambda: SoundReader(path), 660.0)
     seen = TimeSpan(0.0, 660.0)
-    assert np.isnan(track.outline_in(seen, read(0), 100).high).all()
+    track.outline_in(seen, read(0), 100)  # starts reading
     qtbot.waitUntil(lambda: np.isfinite(track.outline_in(seen, read(0), 100).high[0]))
     qtbot.waitUntil(lambda: not track.busy)
     found = track.outline_in(seen, read(0), 660)

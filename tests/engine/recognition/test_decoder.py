@@ -100,7 +100,7 @@ def test_it_waits_no_longer_than_the_preset_says_and_keeps_the_answers_of_the_ru
         assert whole.phonemes.tolist() != rules.phonemes.tolist()
         assert np.array_equal(whole.features["volume"], rules.features["volume"])
     assert frames_ahead(for_live_use(EXTENDED)) == 2
-    assert model_in_words(EXTENDED) == "rules, look-ahead 50 ms"
+    assert model_in_words(EXTENDED) == "rules with a decoder, look-ahead 50 ms"
     assert model_in_words(EXTENDED.with_decoder(Decoding.OFF)) == "rules"
 
 
