@@ -436,6 +436,14 @@ def tr_engine(text: str) -> str:
     return _in_language(text, language_in_use())
 
 
+def tr_sentence(text: str) -> str:
+    """Return the same where it stands alone: with a capital, where a word begins it rather than a name."""
+    told, found = tr_engine(text), _listed(text)
+    if found is None or not (found[0].split(" ")[0].isalpha() and tr(found[0])[:1].isalpha()):
+        return told
+    return told[:1].upper() + told[1:]
+
+
 @lru_cache(4096)
 def _in_language(text: str, _language: str) -> str:
     if _LIST_OF_SOUNDS.fullmatch(text):
@@ -443,20 +451,26 @@ def _in_language(text: str, _language: str) -> str:
     found = tr(text)
     if found != text:
         return found
-    for sentence in (*SENTENCES, *ERRORS):
-        start, end = sentence.partition("{")[0], sentence.rpartition("}")[2]
-        if not (text.startswith(start) and text.endswith(end)):
-            continue  # before a pattern is compiled: all of them take a quarter of a second at the start
-        filled = _pattern(sentence).fullmatch(text)
-        if filled is not None:
-            put_in = tr_engine if sentence in SENTENCES else _of_errors
-            places = filled.groupdict()
-            put = {k: recogniser_title(v) if k == "recogniser" else put_in(v) for k, v in places.items()}
-            return tr(sentence).format(**put)
+    if listed := _listed(text):
+        sentence, places = listed
+        put_in = tr_engine if sentence in SENTENCES else _of_errors
+        put = {k: recogniser_title(v) if k == "recogniser" else put_in(v) for k, v in places.items()}
+        return tr(sentence).format(**put)
     bare = text[:1].lower() + text[1:].removesuffix(".")  # as it is where it stands alone
     if bare != text and (told := tr_engine(bare)) != bare:
         return f"{told[:1].upper()}{told[1:]}{text[len(bare) :]}"
     return text
+
+
+def _listed(text: str) -> tuple[str, dict[str, str]] | None:
+    """Return which sentence of the engine a text is, and what it has in its places; None for another text."""
+    for sentence in (*SENTENCES, *ERRORS):
+        start, end = sentence.partition("{")[0], sentence.rpartition("}")[2]
+        if not (text.startswith(start) and text.endswith(end)):
+            continue  # before a pattern is compiled: all of them take a quarter of a second at the start
+        if filled := _pattern(sentence).fullmatch(text):
+            return sentence, filled.groupdict()
+    return None
 
 
 def _of_errors(words: str) -> str:

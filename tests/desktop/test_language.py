@@ -18,7 +18,7 @@ from phonemeanalyser.desktop.analyse.recognition.variable_dialog import Variable
 from phonemeanalyser.desktop.app import Desktop
 from phonemeanalyser.desktop.calibrate.dialogs import MappingDialog
 from phonemeanalyser.desktop.engine_errors import ERRORS
-from phonemeanalyser.desktop.engine_words import SENTENCES, SPOKEN, sound_name, tr_engine
+from phonemeanalyser.desktop.engine_words import SENTENCES, SPOKEN, sound_name, tr_engine, tr_sentence
 from phonemeanalyser.desktop.language import LANGUAGES as LANGUAGES_OF_WINDOW
 from phonemeanalyser.desktop.language import TRANSLATIONS, language_of, tr, tr_amid, tr_count, use_language
 from phonemeanalyser.desktop.session.sources import SourceKind
@@ -321,6 +321,8 @@ def test_phonemes_are_called_as_people_write_them_and_files_keep_their_labels(sp
     for needs in ("a fit needs", "rules need"):
         refused = f"{needs} labels of at least two sounds, and the recordings have only {{}}; load some with others"
         assert tr_engine(refused.format("sz")) == refused.format("s")
+        assert tr_sentence(refused.format("sz")) == refused.format("s").capitalize()
+    assert tr_sentence(unnamed := "talk.wav: cannot be read (gone)") == unnamed  # files keep their letters
     assert tr_engine("Limit for m_s1; 2 conditions: < sz, sch…; > a") == "Limit for m_s1; 2 conditions: < s, sh…; > a"
     spoken("de")
     assert [sound_name(p) for p in Phoneme] == ["Stille", "unbekannt", "s", "sch", *vowels]

@@ -80,7 +80,7 @@ def for_live_use(preset: Preset) -> Preset:
         live.model_kind is not ModelKind.REAL_TIME
         or live.live_model is ModelKind.REAL_TIME
         or live.live_encoder is None
-        or not _is_network(live)
+        or not has_network(live)
     ):
         return live
     try:
@@ -179,7 +179,7 @@ def frames_ahead(preset: Preset) -> int:
         return real_time_look_ahead(look_ahead)
     if preset.decoder is not None:
         return lag_of(look_ahead)
-    return model.frames_ahead(look_ahead) if model is not None and _is_network(preset) else 0
+    return model.frames_ahead(look_ahead) if model is not None and has_network(preset) else 0
 
 
 def figures_ahead(preset: Preset, n_frames: int) -> LookAheadFigures | None:
@@ -201,7 +201,7 @@ def model_in_words(preset: Preset) -> str:
     seconds = frames_ahead(preset) * FRAME_PERIOD
     if preset.model_kind is ModelKind.ENCODER:
         return f"encoder, look-ahead {1000 * seconds:g} ms"
-    if preset.decoder is None and (model is None or not _is_network(preset)):
+    if preset.decoder is None and (model is None or not has_network(preset)):
         return preset.recogniser
     if preset.decoder is None and model is not None and model.centred:
         return f"offline, ±{seconds:g} s of context"
@@ -218,7 +218,7 @@ def why_without(preset: Preset, kind: ModelKind) -> str:
     """Return why a preset cannot use a model, and what to do; empty where it has the model."""
     if kind is ModelKind.REAL_TIME:
         return ""
-    if not _is_network(preset):
+    if not has_network(preset):
         return f"the recogniser {preset.recogniser[:60]} has no other model; choose a preset with a network"
     has = {
         ModelKind.OFFLINE: preset.offline_model is not None,
@@ -234,14 +234,14 @@ def why_without(preset: Preset, kind: ModelKind) -> str:
     return ""
 
 
-def _is_network(preset: Preset) -> bool:
+def has_network(preset: Preset) -> bool:
     """Return whether a preset recognises with the small network, which alone has other models beside it."""
     return Tuning.MODEL in spec_of(preset.recogniser).tuned_by
 
 
 def _using(preset: Preset, kind: ModelKind, warnings: list[str]) -> Preset:
     """Return the preset that recognises with a model; ModelError if it cannot be used."""
-    if kind is not ModelKind.REAL_TIME and not _is_network(preset):
+    if kind is not ModelKind.REAL_TIME and not has_network(preset):
         raise ModelError(
             f"the recogniser {preset.recogniser!r:.60} has no other model for files; it recognises them itself"
         )

@@ -194,7 +194,7 @@ class UnspokenText(Source):
     """Stands for a text while there is nothing to play of it; `say` is asked for that."""
 
     kind = title = SourceKind.TEXT
-    words = tr_noop("synthetic voice")
+    words = tr_noop("not spoken yet")
     hint = tr_noop("Enter a text on the Talk page and press Ctrl+Return")
 
     def __init__(self, preset: Preset, say: Callable[[], None]) -> None:
@@ -208,13 +208,15 @@ class UnspokenText(Source):
 
 
 class SpokenSource(Source):
-    """Plays a text that a voice speaks, maybe while it is still speaking."""
+    """Plays a text that a voice or recordings speak, maybe while they are still speaking; `words` says who."""
 
-    kind, title, words, hint = UnspokenText.kind, UnspokenText.title, UnspokenText.words, UnspokenText.hint
+    kind, title, hint = UnspokenText.kind, UnspokenText.title, UnspokenText.hint
 
-    def __init__(self, preset: Preset, playback: Playback, speech: Reader, again: Callable[[], Reader]) -> None:
+    def __init__(
+        self, preset: Preset, playback: Playback, speech: Reader, again: Callable[[], Reader], words: str
+    ) -> None:
         super().__init__(preset, playback, speech)
-        self.reopen = again
+        self.reopen, self.words = again, words
 
 
 class MicrophoneSource(Source):

@@ -6361,8 +6361,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/words/scripts.py" />
-            <source>no table of recorded faces is open that could speak; open one, or choose a voice</source>
-            <translation>keine Tabelle aufgezeichneter Gesichter ist geöffnet, die sprechen könnte; eine öffnen oder eine Stimme wählen</translation>
+            <source>No table of recorded faces is open that could speak; open one, or choose a voice.</source>
+            <translation>Keine Tabelle aufgezeichneter Gesichter ist offen, die sprechen könnte; eine öffnen oder eine Stimme wählen.</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/calibrate/model.py" />
@@ -6518,6 +6518,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/text_model.py" />
             <source>Not spoken in the recording: {words}.</source>
             <translation>In der Aufnahme nicht gesprochen: {words}.</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
+            <source>not spoken yet</source>
+            <translation>noch nicht gesprochen</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/analyse/recognition/filter_column.py" />
@@ -6938,6 +6943,11 @@
             <location filename="../../../phonemeanalyser/desktop/talk/words/voice_panel.py" />
             <source>Own sound of the recorded faces</source>
             <translation>Eigener Ton der aufgezeichneten Gesichter</translation>
+        </message>
+        <message>
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_model.py" />
+            <source>own sound of the recorded faces</source>
+            <translation>eigener Ton der aufgezeichneten Gesichter</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/manual.py" />
@@ -9435,7 +9445,7 @@
             <translation>Silben/s</translation>
         </message>
         <message>
-            <location filename="../../../phonemeanalyser/desktop/session/sources.py" />
+            <location filename="../../../phonemeanalyser/desktop/talk/words/voice_model.py" />
             <source>synthetic voice</source>
             <translation>synthetische Stimme</translation>
         </message>
@@ -9692,7 +9702,7 @@
         <message>
             <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
             <source>the default head or a custom face</source>
-            <translation>der Standardkopf oder ein eigenes Gesicht</translation>
+            <translation>Standardkopf oder eigenes Gesicht</translation>
         </message>
         <message>
             <location filename="../../../engine/phonemeengine/shipping/targets.py" />

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import tr_sentence
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import label, row, tool_button
@@ -59,13 +59,13 @@ class Banner(QWidget):
         """Show what went wrong; an empty sentence takes that away, but not an offer."""
         if sentence:
             _log.warning("%s", sentence)
-            self._show(tr_engine(sentence), self._theme.bad, SHOWN_MS)
+            self._show(tr_sentence(sentence), self._theme.bad, SHOWN_MS)
         else:
             self._go_back()
 
     def show_info(self, sentence: str) -> None:
         """Show what is going on, or went well."""
-        self._show(tr_engine(sentence), self._theme.accent, SHOWN_MS)
+        self._show(tr_sentence(sentence), self._theme.accent, SHOWN_MS)
 
     def offer(self, sentence: str, action: str, act: Callable[[], object]) -> None:
         """Show something that can be acted upon, until the user does so or dismisses it, whatever else is said."""

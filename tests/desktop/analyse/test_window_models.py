@@ -93,7 +93,7 @@ def test_another_model_acts_at_once_and_undo_takes_it_back(window, desktop, qtbo
 def test_a_model_that_is_not_there_is_told_and_changes_nothing(desktop, qtbot, kind):
     window = shown(desktop, qtbot)
     choose(window.recogniser.file_models, kind)
-    assert window.banner.label.text().startswith("the recogniser 'thesis' has no other model for files")
+    assert window.banner.label.text().startswith("The recogniser 'thesis' has no other model for files")
     assert window.recogniser.file_models.currentText() == "Real-time"
     assert not window.isWindowModified()
 
@@ -106,11 +106,13 @@ def offered(window) -> list[bool]:
 def test_only_what_is_there_is_offered(desktop, qtbot, tmp_path, whisper):
     window = shown(desktop, qtbot)
     assert offered(window) == [True, False, False, False]  # rules recognise files themselves
+    assert window.recogniser.live_models.currentText() == "Thesis"
     whisper_item = window.recogniser.file_models.model().item(3)
     assert "The recogniser Thesis has no other model; choose a preset with a network." in whisper_item.toolTip()
     save_preset(PRESET, tmp_path / "both.toml")
     desktop.preset.load(tmp_path / "both.toml")
     assert offered(window) == [True, False, True, False]
+    assert window.recogniser.live_models.currentText() == "Small network"
     desktop.preset.edit(replace(PRESET, encoder_head=encoder_head()), "what is known of Whisper")
     assert offered(window) == [True, False, True, True]
 

@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QStandardItemModel
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from phonemeanalyser.desktop.engine_words import tr_engine
+from phonemeanalyser.desktop.engine_words import recogniser_title, tr_engine
 from phonemeanalyser.desktop.language import tr, tr_noop
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
@@ -20,7 +20,7 @@ from phonemeengine.encoder.model_folder import (
     has_whisper,
     whisper_in_words,
 )
-from phonemeengine.presets.model_choice import has_model, offered_model, why_without
+from phonemeengine.presets.model_choice import has_model, has_network, offered_model, why_without
 from phonemeengine.settings import ModelKind
 
 LIVE_MODELS = {ModelKind.REAL_TIME: tr_noop("Small network"), ModelKind.ENCODER: tr_noop("Encoder")}
@@ -89,6 +89,8 @@ class RecogniserChoice(QWidget):
                 why_not = tr_engine(why_without(preset, kind))
                 model.item(k).setEnabled(not why_not)
                 model.item(k).setToolTip(f"<p>{why_not[:1].upper()}{why_not[1:]}.</p>" if why_not else "")
+        network = LIVE_MODELS[ModelKind.REAL_TIME] if has_network(preset) else recogniser_title(preset.recogniser)
+        self.live_models.setItemText(0, tr(network))
         live = preset.live_model if has_model(preset, preset.live_model) else ModelKind.REAL_TIME
         self.live_models.setCurrentIndex(list(LIVE_MODELS).index(live))
         self.file_models.setCurrentIndex(list(FILE_MODELS).index(offered_model(preset)))

@@ -154,7 +154,7 @@ def spoken(text: str, language: str, voice: VoiceChoice) -> Iterator[SpokenSente
         lexicon, literal = voice.lexicon, voice.literal
         return iter([speak_by_program(voice.program, text, language=language, lexicon=lexicon, literal=literal)])
     if voice.own_sound and voice.recordings is None:
-        raise VoiceError(tr("no table of recorded faces is open that could speak; open one, or choose a voice"))
+        raise VoiceError(tr("No table of recorded faces is open that could speak; open one, or choose a voice."))
     sentences = Voice(language, voice.name, voice.rate, voice.lexicon or Lexicon()).speak(text, literal=voice.literal)
     return sentences if voice.recordings is None else voice.recordings.follow(sentences)
 

@@ -123,8 +123,7 @@ class TextModel(QObject):
         self._timed: tuple[TimedWord, ...] = ()
         self._timed_text = ""  # the text that they are the words of
         self._speech: RunningSpeech | None = None
-        self._work, self._looking = TaskQueue(self.error.emit), TaskQueue(self.error.emit)
-        self._saving = TaskQueue(self.error.emit)
+        self._work, self._looking, self._saving = (TaskQueue(self.error.emit) for _ in range(3))
         for part in (self._work, self._saving):
             part.changed.connect(self.changed)
         drivers = self.drivers
@@ -451,7 +450,8 @@ class TextModel(QObject):
         def speak_again() -> SpooledSpeech:
             return SpooledSpeech(self.tools.speak(text, speech.language, voice))
 
-        session.take(lambda: SpokenSource(session.preset.in_force, session.playback, speech.speech, speak_again))
+        sound = speech.speech, speak_again, voice.words
+        session.take(lambda: SpokenSource(session.preset.in_force, session.playback, *sound))
         session.play()
 
     def _follow_speech(self) -> None:

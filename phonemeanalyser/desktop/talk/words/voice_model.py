@@ -7,6 +7,7 @@ from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
+from phonemeanalyser.desktop.language import tr_noop
 from phonemeanalyser.desktop.tasks import CLOSE_TIMEOUT, TaskQueue
 from phonemeengine.errors import VoiceError
 from phonemeengine.performance.own_sound import OwnSound
@@ -44,6 +45,11 @@ class VoiceChoice:
     recordings: OwnSound | None = None
     lexicon: Lexicon | None = None
     literal: bool = False
+
+    @property
+    def words(self) -> str:
+        """Whose sound is heard, in English."""
+        return tr_noop("synthetic voice") if self.recordings is None else tr_noop("own sound of the recorded faces")
 
 
 @dataclass(frozen=True)
