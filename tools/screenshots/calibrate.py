@@ -28,7 +28,7 @@ def main(out: Path, theme: str, width: int, height: int) -> None:
         desktop.session.open(CARDS)
         calibration = desktop.calibration
         calibration.takes.speaker = "Mara"
-        calibration.takes.open(folder / "My Takes")
+        calibration.takes.open(folder / "Recordings" / "My Takes")
         _record_takes(calibration)
         calibration.recordings.load([CARDS])
         desktop.window.show_page(CALIBRATE)

@@ -30,6 +30,8 @@ def main(out: Path, theme: str, width: int, height: int, at: float, language: st
         while desktop.session.source.position < at:
             live_for(0.01)
         desktop.session.pause()
+        while desktop.talking.comparison.found is None:
+            live_for(0.1)
         live_for(0.5)
         desktop.window.redraw.timer.stop()  # for a picture without jagged edges
         live_for(1.0)

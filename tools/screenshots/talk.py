@@ -8,12 +8,16 @@ from tools.screenshots.desktops import DEMO, TALK, shown_desktop
 
 
 def main(out: Path, theme: str, width: int, height: int, at: float, language: str) -> None:
-    """Have the head say the demo up to a time, and save what the page shows then."""
+    """Align the demo's text, have the head say it up to a time, and save what the page shows then."""
     with shown_desktop((width, height), theme, language) as (desktop, _):
         desktop.session.open(DEMO)
         desktop.window.show_page(TALK)
         desktop.talking.set_blinks(False)
         while desktop.talking.face.states is None:
+            live_for(0.1)
+        text = desktop.talking.text
+        text.align()
+        while text.utterance is None or text.busy:
             live_for(0.1)
         desktop.session.analyse_until(at)
         live_for(0.3)
