@@ -3,7 +3,7 @@
 import logging
 from collections.abc import Callable
 
-from PySide6.QtCore import QEvent, QObject, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer
 from PySide6.QtWidgets import QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_sentence
@@ -13,9 +13,9 @@ from phonemeanalyser.desktop.widgets.builders import label, row, tool_button
 
 SHOWN_MS = 15_000
 WIDEST = 760
-"""Of the line, pixels: eyes need not wander."""
+"""Of the line within a page, pixels: eyes need not wander."""
 HEADINGS = 30
-"""Pixels at the top of a page that stay free: headings and their controls."""
+"""Pixels at the top of that part that stay free: its heading and controls."""
 BESIDE = 12
 """Pixels at least between the line and the page's edges."""
 
@@ -29,7 +29,7 @@ class Banner(QWidget):
     ----------
     window : whose line it is.
     page : what it lies over.
-    below : a part of the page, at whose top it lies while that is seen, rather than at the top of the page.
+    below : a part of the page, at whose top it lies while that is seen; else over the status line, hiding no control.
     """
 
     def __init__(self, theme: Theme, window: QWidget, page: QWidget, below: QWidget) -> None:
@@ -41,7 +41,7 @@ class Banner(QWidget):
         self.dismiss = tool_button("✕", tr("Dismiss"), tr("Dismiss message"), self._dismiss, flat=True)
         self.action = tool_button("", tr("Suggested action"), act=self._act)
         self._offer: tuple[str, str, Callable[[], object]] | None = None
-        self._row = row((self.label, 1), self.action, self.dismiss, on=self, margins=(10, 4, 6, 4))
+        self._row = row((self.label, 1), self.action, self.dismiss, on=self, margins=(10, 2, 6, 2))
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.setObjectName("banner")
         self._theme = theme
@@ -123,11 +123,11 @@ class Banner(QWidget):
         if self.isHidden():
             return
         self._row.activate()
-        width = min(WIDEST, self._page.width() - 2 * BESIDE)
+        is_within = self._below.isVisible()
+        room = self._page.width() - 2 * BESIDE
+        width = min(WIDEST, room) if is_within else room
         height = self.heightForWidth(width)
-        part = self._below if self._below.isVisible() else self._page
-        corner = self._page.mapTo(self._window, self._page.rect().topLeft())
-        top = part.mapTo(self._window, part.rect().topLeft()).y()
-        left = corner.x() + (self._page.width() - width) // 2
-        self.setGeometry(left, top + HEADINGS, width, height)
+        top = self._below.mapTo(self._window, QPoint()).y() + HEADINGS if is_within else self._window.height() - height
+        left = self._page.mapTo(self._window, QPoint()).x() + (self._page.width() - width) // 2
+        self.setGeometry(left, top, width, height)
         self.raise_()

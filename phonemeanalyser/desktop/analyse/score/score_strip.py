@@ -33,8 +33,8 @@ N_CONFUSIONS = 2
 """Confusions that are offered as buttons."""
 MOST_PHONEMES = 3
 """Phonemes that are named of those that gained, and of those that lost."""
-VALUE_WIDTH = 72
-"""Pixels of a figure with its difference."""
+VALUE_WIDTH = 44
+"""Pixels of a figure at least; the longer ones, and those with a difference, ask for more."""
 HEADING_SIZE = 10
 """Pixels of the letters above the figures."""
 LEAST_WIDTH = 240
@@ -114,10 +114,8 @@ class ScoreStrip(QWidget):
         figures = grid(self.figures, across=6, down=0)
         self._fill(figures)
         self.figures.setMinimumWidth(LEAST_WIDTH)
-        above = row(
-            self.scope, (self.of_what, 3), (self.gained, 4), (self.lost, 4), (self.why_not, 1), self.ways, spacing=8
-        )
-        below = row(self.figures, 1, column(*self.confusions, 1, spacing=2), spacing=8)
+        above = row(self.scope, (self.of_what, 3), (self.gained, 4), (self.lost, 4), (self.why_not, 1), spacing=8)
+        below = row(self.figures, self.ways, 1, column(*self.confusions, 1, spacing=2), spacing=8)
         column(above, below, on=self, margins=(6, 3, 6, 3), spacing=2)
 
     def _fill(self, figures: QGridLayout) -> None:

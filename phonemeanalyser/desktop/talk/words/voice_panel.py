@@ -18,7 +18,7 @@ from phonemeengine.performance.choice import ExampleChoice
 from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.speech.program import OUTPUT, TEXT
 
-WIDTH = 420
+WIDTH = 480
 OWN_VOICE, OWN_PROGRAM = tr_noop("Default voice of the language"), tr_noop("External program")
 OWN_SOUND = tr_noop("Own sound of the recorded faces")
 KINDS = {"m": tr_noop("male"), "f": tr_noop("female")}
