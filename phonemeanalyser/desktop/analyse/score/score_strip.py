@@ -139,9 +139,10 @@ class ScoreStrip(QWidget):
         self.of_what.setText(self._of_what())
         self.of_what.setToolTip(self._of_what())
         self.why_not.setToolTip(why_not)
+        if not why_not:
+            self.ways.hide()  # before what takes its place is shown, and shown after that: both widen the window
         for part, is_shown in (
             (self.why_not, bool(why_not)),
-            (self.ways, bool(why_not)),
             (self.of_what, not why_not),
             (self.figures, agreement is not None),
         ):
@@ -161,6 +162,7 @@ class ScoreStrip(QWidget):
             self._show(agreement)
         self._show_changes(agreement)
         self._show_confusions(agreement)
+        self.ways.setVisible(bool(why_not))
 
     def _show(self, agreement: Agreement) -> None:
         score, preset = self._score, self._session.preset
