@@ -127,7 +127,9 @@ class Banner(QWidget):
         room = self._page.width() - 2 * BESIDE
         width = min(WIDEST, room) if is_within else room
         height = self.heightForWidth(width)
-        top = self._below.mapTo(self._window, QPoint()).y() + HEADINGS if is_within else self._window.height() - height
+        top = self._window.height() - height
+        if is_within:
+            top = self._below.mapTo(self._window, QPoint()).y() + HEADINGS
         left = self._page.mapTo(self._window, QPoint()).x() + (self._page.width() - width) // 2
         self.setGeometry(left, top, width, height)
         self.raise_()
