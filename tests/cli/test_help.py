@@ -24,6 +24,8 @@ from tests.sounds import noise, vowel
 
 PARTED = {"movestates": movestates, "performance": performance}
 """Commands that do several things, by name."""
+SLOW = {"preview", "rules", "screenshot"}
+"""Commands whose tests run them otherwise, and shorter."""
 FIRST_SENTENCE = 4.2
 """Seconds of the demo."""
 FIRST_WORD = 0.1
@@ -143,7 +145,7 @@ PREPARED = {
 
 
 @pytest.mark.usefixtures("home")
-@pytest.mark.parametrize("command", PARTED)
+@pytest.mark.parametrize("command", [pytest.param("performance", marks=pytest.mark.long), "movestates"])
 def test_the_examples_of_what_a_command_does_run_one_after_the_other(
     command: str, folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -157,7 +159,9 @@ def test_the_examples_of_what_a_command_does_run_one_after_the_other(
 
 
 @pytest.mark.usefixtures("home", "qapp")
-@pytest.mark.parametrize("command", [*COMMANDS, "window"])
+@pytest.mark.parametrize(
+    "command", [pytest.param(c, marks=[pytest.mark.long] if c in SLOW else []) for c in (*COMMANDS, "window")]
+)
 def test_the_examples_run(command: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     PREPARED.get(command, lambda _folder: None)(folder)
     if command == "preview":

@@ -243,7 +243,7 @@ def test_each_file_of_translations_is_a_language_by_its_own_name() -> None:
     assert LANGUAGES_OF_WINDOW["de"] == "Deutsch"
 
 
-@pytest.mark.parametrize("language", ["en", "de"])
+@pytest.mark.parametrize("language", [pytest.param("en", marks=pytest.mark.long), "de"])  # whose words are longer
 def test_in_every_language_numbers_have_a_point_menus_letters_of_their_own_and_small_screens_suffice(
     open_window: Callable[[str], Desktop], language: str, qtbot: QtBot
 ) -> None:

@@ -1,5 +1,6 @@
 """The window that tests use in turn is as new each time, or another one."""
 
+import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QDockWidget
 
@@ -10,6 +11,7 @@ from tests.desktop.hands import click, followed, press
 from tests.desktop.lent_window import WindowLender
 
 
+@pytest.mark.long
 def test_a_window_is_lent_again_as_it_was_at_first(lender: WindowLender, desktop: Desktop, qtbot) -> None:
     desktop.window.show_page(TALK)
     desktop = lender.lend()  # another one unless all pages were made before
@@ -32,6 +34,7 @@ def test_a_window_is_lent_again_as_it_was_at_first(lender: WindowLender, desktop
     assert lender.lend() is again is desktop
 
 
+@pytest.mark.long
 def test_a_window_that_cannot_be_brought_back_costs_a_new_one(lender: WindowLender, desktop: Desktop) -> None:
     desktop.window.close()
     assert lender.lend() is not desktop

@@ -71,6 +71,7 @@ def test_a_signal_ends_it_at_once_and_page_docks_sound_and_edits_come_back(tmp_p
         assert CLOSED not in each["docks"]
 
 
+@pytest.mark.long
 def test_edits_outlive_a_program_that_is_killed(tmp_path):
     assert run(tmp_path, "kill", CARDS.name, CARDS) == (-signal.SIGKILL, [])
     seen = seen_at_the_next_start(tmp_path)

@@ -53,7 +53,10 @@ def deleted(path: Path) -> None:
     path.unlink()
 
 
-@pytest.mark.parametrize("change", [cut_off, made_shorter, made_longer, emptied, made_a_text, deleted])
+@pytest.mark.parametrize(
+    "change",
+    [cut_off, pytest.param(made_shorter, marks=pytest.mark.long), made_longer, emptied, made_a_text, deleted],
+)
 def test_a_file_that_changes_while_it_is_open_leaves_the_window_as_it_was(
     desktop, qtbot, sound, change: Callable[[Path], object]
 ):

@@ -144,7 +144,7 @@ def test_every_option_is_tried() -> None:
 
 
 @pytest.mark.parametrize(
-    "case", [pytest.param(case, marks=[pytest.mark.long] if case == "clip" else []) for case in CASES]
+    "case", [pytest.param(case, marks=[pytest.mark.long] if case in {"clip", "drawings"} else []) for case in CASES]
 )
 def test_all_ways_lead_to_the_same_bytes(case: str, folder: Path, server: str, qtbot: QtBot) -> None:
     words, sound = CASES[case], folder / ("mami.wav" if case == "files" else "sound")

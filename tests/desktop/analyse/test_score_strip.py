@@ -162,7 +162,7 @@ def test_everything_loaded_counts_recordings_and_the_open_file(desktop, window, 
     assert desktop.session.score.agreement.seconds == agreement.seconds  # an opened recording does not count twice
 
 
-@pytest.mark.parametrize("scope", [Scope.WHOLE, Scope.LOADED])
+@pytest.mark.parametrize("scope", [pytest.param(Scope.WHOLE, marks=pytest.mark.long), Scope.LOADED])
 def test_a_and_b_stand_side_by_side_and_change_places(desktop, window, strip, qtbot, tmp_path, scope):
     loaded(desktop, qtbot, tmp_path / "corpus")
     choose(desktop, qtbot, scope)

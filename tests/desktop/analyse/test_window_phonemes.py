@@ -164,6 +164,7 @@ def wait_behind(held: threading.Event, desktop: Desktop, sound: Path) -> None:
 
 
 @pytest.mark.usefixtures("own_desktop")
+@pytest.mark.long
 def test_the_window_goes_on_meanwhile_and_another_theme_loses_nothing(desktop, window, qtbot, sound, answer, held):
     answer(sound.with_suffix(".TextGrid"))
     wait_behind(held, desktop, sound)

@@ -99,6 +99,7 @@ def test_every_kind_is_heard_when_it_is_chosen_and_shows_its_own_numbers(desktop
         assert newest.features.frame(len(newest) - 1)["volume"] > 0.02
 
 
+@pytest.mark.long
 def test_white_noise_is_flat_and_pink_noise_falls(desktop, window, heard):
     window.filters.bypass.setChecked(True)
     slopes = {}
@@ -131,6 +132,7 @@ def test_a_vowel_of_the_list_brings_its_formants_to_the_ear(desktop, window, hea
     assert below > 10 * above
 
 
+@pytest.mark.long
 def test_a_sweep_rises(desktop, window, heard):
     choose(window.transport.tone.kind, "sweep")
     type_number(window.transport.tone.numbers["low"], "500")

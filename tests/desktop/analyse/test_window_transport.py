@@ -96,11 +96,11 @@ def test_a_sound_that_ends_stops_at_the_beginning(desktop, window, qtbot):
     assert desktop.session.source.position == 0
 
 
-@pytest.mark.parametrize("share", [0.25, 0.5, 0.9])
-def test_a_click_on_the_time_line_goes_there(desktop, window, share):
+def test_a_click_on_the_time_line_goes_there(desktop, window):
     line = window.transport.position_slider
-    click(line, 6 + share * (line.width() - 12))
-    assert desktop.session.source.position == pytest.approx(share * desktop.session.source.duration, abs=0.02)
+    for share in (0.25, 0.9):
+        click(line, 6 + share * (line.width() - 12))
+        assert desktop.session.source.position == pytest.approx(share * desktop.session.source.duration, abs=0.02)
 
 
 def test_a_drag_along_the_time_line_ends_where_the_mouse_is(desktop, window):

@@ -142,7 +142,7 @@ def test_cancel_adds_nothing(desktop, window, hand):
     assert not window.banner.isVisible()
 
 
-@pytest.mark.parametrize(("start", "end"), [(3000, 4500), (1200, 2500), (4000, 300)])
+@pytest.mark.parametrize(("start", "end"), [pytest.param(3000, 4500, marks=pytest.mark.long), (4000, 300)])
 def test_a_drag_anywhere_in_the_plot_draws_the_range(window, hand, start, end):
     offered = will_answer(hand, "my_hiss", accepted=False)
     view = window.analysis.averaged

@@ -68,7 +68,9 @@ def scores(preset: Preset, utterance: LabelledUtterance) -> Scores:
     return scores_of([predict(utterance, preset).answers])
 
 
-@pytest.mark.parametrize("name", ["thesis", "extended", "learned", "templates"])
+@pytest.mark.parametrize(
+    "name", ["thesis", "templates", *(pytest.param(name, marks=pytest.mark.long) for name in ("extended", "learned"))]
+)
 def test_a_voice_is_recognised_better_in_a_sentence_that_taught_nothing(
     takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, name: str
 ):
@@ -177,10 +179,10 @@ def test_the_command_line_gives_the_same_preset(
     project: TakeProject, takes: tuple[LabelledUtterance, ...], sentence: LabelledUtterance, tmp_path: Path, capsys
 ):
     sentence.path.with_suffix(".csv").write_text(format_table(sentence.labels), encoding="utf-8")
-    preset = load_preset(FACTORY / "extended.toml")
+    preset = load_preset(FACTORY / "thesis.toml")
     expected = calibrate(preset, takes, held_out=[sentence]).preset
     out = tmp_path / "mine.toml"
-    arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / "extended.toml")]
+    arguments = [str(project.folder), "-o", str(out), "--preset", str(FACTORY / "thesis.toml")]
     assert main(["adapt", *arguments, "--held-out", str(sentence.path)]) == 0
     assert "on held-out recordings, 4 s: macro F1 " in capsys.readouterr().out
     found = load_preset(out)

@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from phonemeanalyser.desktop.session.history import CAPACITY, GAP, NOWHERE, History
@@ -61,6 +61,7 @@ def test_the_last_minute_is_remembered(n: int) -> None:
     shows(filled(n), n)
 
 
+@settings(max_examples=15)
 @given(cuts=st.lists(st.integers(0, CAPACITY + 700), max_size=8))
 def test_the_history_does_not_depend_on_how_the_frames_came(cuts: list[int]) -> None:
     n = CAPACITY + 700

@@ -100,11 +100,11 @@ def test_other_settings_and_another_file_begin_anew(tiles, qtbot, tmp_path):
 
 
 def test_no_more_is_kept_than_there_is_room_for_and_what_is_seen_stays(tiles, qtbot):
-    tiles.most_tiles = 3
-    for second in range(6):
+    tiles.most_tiles = 2
+    for second in range(4):
         measured(tiles, qtbot, TimeSpan(second, second + 0.5), 500)
-    assert len(tiles._tiles) == 3
-    assert tiles.tiles_for(TimeSpan(5, 5.5), 500)
+    assert len(tiles._tiles) == 2
+    assert tiles.tiles_for(TimeSpan(3, 3.5), 500)
 
 
 def test_a_file_that_vanished_is_said(tiles, qtbot, tmp_path):

@@ -99,6 +99,7 @@ def test_without_opengl_a_sentence_stands_where_the_head_would_be(desktop, qtbot
 
 
 @pytest.mark.usefixtures("own_desktop")
+@pytest.mark.long
 def test_a_theme_changes_the_colours_and_nothing_else(window, desktop, qtbot):
     window.talk.head.setFocus()
     press(window, Qt.Key.Key_Right)
@@ -323,14 +324,14 @@ def test_left_and_right_go_one_picture_at_every_rate(window, desktop):
         box.setCurrentIndex(box.findData(rate))
         box.activated.emit(box.currentIndex())
         window.talk.lanes.line.setFocus()
-        for picture in range(1, 8):
+        for picture in range(1, 4):
             press(window, Qt.Key.Key_Right)
             assert desktop.talking.pictures.number == picture
             assert picture / rate <= session.source.position + 1e-6 < (picture + 1) / rate
         window.talk.pictures.refresh()
-        assert window.talk.pictures.place.text().endswith("picture 7")
+        assert window.talk.pictures.place.text().endswith("picture 3")
         press(window, Qt.Key.Key_Left)
-        assert desktop.talking.pictures.number == 6
+        assert desktop.talking.pictures.number == 2
         session.seek(0.0)
         press(window, Qt.Key.Key_Left)
         assert desktop.talking.pictures.number == 0

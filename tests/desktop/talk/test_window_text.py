@@ -394,7 +394,9 @@ def test_a_table_of_a_synthetic_performer_is_named_so_wherever_it_is_chosen(wind
     ("language", "lane", "tip", "caption"),
     [
         ("en", "Units", "[s o s o] from so so.so, ", "so so.so, original recording"),
-        ("de", "Einheiten", "[s o s o] aus so so.so, ", ", Originalaufnahme aus ann"),
+        pytest.param(
+            *("de", "Einheiten", "[s o s o] aus so so.so, ", ", Originalaufnahme aus ann"), marks=pytest.mark.long
+        ),
     ],
 )
 def test_units_are_named_and_played(window, desktop, qtbot, qapp, table, language, lane, tip, caption):

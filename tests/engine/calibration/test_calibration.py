@@ -215,7 +215,7 @@ def test_the_twins_hear_the_same_in_the_demo():
     assert np.mean(found[0] == found[1]) > 0.999
 
 
-@pytest.mark.parametrize("name", ["thesis.toml", "thesis-anti-aliased.toml"])
+@pytest.mark.parametrize("name", ["thesis.toml", pytest.param("thesis-anti-aliased.toml", marks=pytest.mark.long)])
 def test_each_rule_and_each_threshold_of_the_factory_presets_bears_on_speech_in_a_room(name, corpus):
     preset = load_preset(FACTORY / name)
     thresholds = preset.thresholds

@@ -89,7 +89,9 @@ def test_every_control_writes_what_it_reads_and_no_other_one(name: str):
         assert others <= allowed, control.name
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize(
+    "name", [pytest.param(name, marks=[pytest.mark.long] if name == "extended" else []) for name in NAMES]
+)
 def test_every_control_changes_what_is_recognised_somewhere_on_its_slider(name: str):
     preset = load_preset(name)
     speech, _ = soundfile.read(DEMO, dtype="float32", frames=4 * SAMPLE_RATE)

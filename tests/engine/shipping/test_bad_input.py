@@ -126,6 +126,7 @@ def test_the_next_sound_knows_nothing_of_the_last_one(library: EarLibrary) -> No
         assert (ear.hear(tone(700, 0.4)) == first).all()
 
 
+@pytest.mark.parametrize("each_compiler", [pytest.param("gcc", marks=pytest.mark.long), "clang"], indirect=True)
 def test_damaged_files_and_impossible_sound_leave_nothing_undefined(content: bytes, each_compiler: str) -> None:
     model = tone_model({1000.0: Phoneme.A}, 2, visemes={1000.0: Viseme.AA})
     own = replace(small_preset(), model=replace(model, viseme_set=replace(STANDARD_VISEMES, usual={})))
