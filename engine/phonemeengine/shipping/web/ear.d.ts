@@ -31,10 +31,16 @@ export function readFrame(bytes: Uint8Array, visemes?: number): Frame;
 /** Open the module and the preset of this package; or fetch others (ear.wasm, preset.ear), which are given by address. */
 export function loadModel(wasm?: string | URL, preset?: string | URL): Promise<EarModel>;
 
+/** Sound that can be recognised. */
+export type Source = AudioNode | MediaStream;
+
 /** What createRecogniser can be told; everything may be left out. */
 export interface RecogniserOptions {
-  /** What is recognised; the microphone unless given. A node of the Web Audio API decides the context, too. */
-  source?: AudioNode | MediaStream;
+  /**
+   * What is recognised; the microphone unless given. A node of the Web Audio API decides the context, too; a function gets
+   * the context, and returns the source, or a promise of it.
+   */
+  source?: Source | ((context: BaseAudioContext) => Source | Promise<Source>);
   /** Where it runs, such as a context of yours, which you start and close. Unless given, it has one of its own. */
   context?: BaseAudioContext;
   /** Called with each frame, in the thread of the page. */
@@ -57,6 +63,8 @@ export interface Recogniser {
   readonly model: EarModel;
   readonly context: BaseAudioContext;
   readonly node: EarNode;
+  /** What is connected to it. */
+  readonly source: AudioNode;
   /** The newest frame; null before the first one. */
   readonly frame: Frame | null;
   /** The blend shapes of its table. */
