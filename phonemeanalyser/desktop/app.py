@@ -386,7 +386,7 @@ def _report_bug(log: Path, kind: type[BaseException], error: BaseException, trac
     _log.error("the program crashed", exc_info=(kind, error, trace))
     if QApplication.activeModalWidget() is None:
         QMessageBox.critical(
-            None,
+            QApplication.activeWindow(),  # whose style it has
             "PhonemeAnalyser",
             tr("Internal error. Details are in {log}; send that file with your report.").format(log=log),
         )

@@ -2,10 +2,10 @@
 
 from itertools import combinations, pairwise
 
-from PySide6.QtWidgets import QDialog, QLabel, QScrollArea, QWidget
+from PySide6.QtWidgets import QDialog, QLabel, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
-from phonemeanalyser.desktop.widgets.builders import CLOSE, column, dialog_buttons, label, scrolling
+from phonemeanalyser.desktop.widgets.builders import CLOSE, ScrolledDown, column, dialog_buttons, label
 
 HEAD = [
     (tr_noop("Orbit; with Shift, pan"), tr_noop("Arrows")),
@@ -76,8 +76,8 @@ class ShortcutsDialog(QDialog):
             ),
             wraps=True,
         )
-        scroll = QScrollArea()
-        scroll.setMinimumWidth(scrolling(scroll, self.list))
+        scroll = ScrolledDown()
+        scroll.show_body(self.list)
         rows = column((scroll, 1), scope, dialog_buttons(self, CLOSE), on=self, margins=None)
         width = self.sizeHint().width()
         height = rows.totalHeightForWidth(width) - scroll.sizeHint().height() + self.list.sizeHint().height()

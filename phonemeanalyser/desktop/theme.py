@@ -9,7 +9,7 @@ from phonemeanalyser.colours import CURVE_COLOURS, DARK, LIGHT, PHONEME_COLOURS,
 
 BOX = 11
 """Pixels of an unchecked box within its frame, which Fusion draws dark on dark."""
-__all__ = ["CURVE_COLOURS", "DARK", "LIGHT", "PHONEME_COLOURS", "Theme", "apply_theme", "system_theme"]
+__all__ = ["CURVE_COLOURS", "DARK", "LIGHT", "PHONEME_COLOURS", "Theme", "apply_theme", "style_sheet", "system_theme"]
 
 
 def system_theme() -> Theme:
@@ -17,9 +17,9 @@ def system_theme() -> Theme:
     return DARK if QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark else LIGHT
 
 
-def apply_theme(app: QApplication, theme: Theme) -> None:
-    """Dress the application and all plots made from now on; nothing is done where it wears this theme already."""
-    sheet = (
+def style_sheet(theme: Theme) -> str:
+    """Return the style sheet of a window, for when its parts are there: Qt styles a part at each new parent."""
+    return (
         f"QToolTip {{ color: {theme.text}; background: {theme.raised}; border: 1px solid {theme.line} }}"
         f"QToolButton[checkable=true] {{ color: {theme.text}; background: {theme.raised}; padding: 1px 3px;"
         f" border: 1px solid {theme.line}; border-radius: 3px }}"
@@ -37,9 +37,11 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         f"QSlider::handle:horizontal:disabled {{ background: {theme.faint} }}"
         f"QSlider::sub-page:horizontal:disabled {{ background: {theme.line} }}"
     )
-    if app.styleSheet() == sheet:
-        return  # Qt would polish every widget anew, which takes a second
-    if not app.styleSheet():  # else it is Fusion already, and Qt would polish every widget once more
+
+
+def apply_theme(app: QApplication, theme: Theme) -> None:
+    """Give the application, and all plots made from now on, the colours of a theme; see `style_sheet` for windows."""
+    if app.style().name() != "fusion":  # else Qt would polish every widget once more
         app.setStyle("Fusion")
     palette = QPalette()
     roles = {
@@ -65,6 +67,6 @@ def apply_theme(app: QApplication, theme: Theme) -> None:
         palette.setColor(role, QColor(colour))
     for role in (QPalette.ColorRole.Text, QPalette.ColorRole.ButtonText, QPalette.ColorRole.WindowText):
         palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(theme.faint))
-    app.setPalette(palette)
-    app.setStyleSheet(sheet)
+    if palette != app.palette():
+        app.setPalette(palette)
     pg.setConfigOptions(background=theme.base, foreground=theme.text, antialias=False)

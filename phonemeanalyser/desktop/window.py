@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, QSettings, QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QMainWindow, QToolBar, QWidget
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QToolBar, QWidget
 
 from phonemeanalyser.desktop import calibrate, commands
 from phonemeanalyser.desktop.analyse.lanes.label_dialogs import LabelDialogs
@@ -35,7 +35,7 @@ from phonemeanalyser.desktop.talk.head.head_view import HeadView
 from phonemeanalyser.desktop.talk.model import TalkModel
 from phonemeanalyser.desktop.talk.page import Heads, TalkPage
 from phonemeanalyser.desktop.talk.words.spoken_lanes import spoken_lanes
-from phonemeanalyser.desktop.theme import Theme
+from phonemeanalyser.desktop.theme import Theme, style_sheet
 from phonemeanalyser.desktop.welcome import WelcomeCards
 from phonemeanalyser.desktop.what_is_this import WhatIsThis
 from phonemeanalyser.desktop.widgets.banner import Banner
@@ -190,13 +190,16 @@ class MainWindow(QMainWindow):
         analysis = self.analysis
         self.state = WindowState(self, analysis.splitters, analysis.switches, analysis.choices, self._settings)
         self._last_page = self.state.page()
-        self._add_docks()
+        widths = self._add_docks()
         self.statusBar().addWidget(self.status.left, 1)
         self.statusBar().addPermanentWidget(self.status.right)
         self.setAcceptDrops(True)
+        self.setStyleSheet(style_sheet(self.theme))  # widths are measured in it
+        self._docks.prefer(widths)
         self.resize(USUAL_SIZE.boundedTo(self.screen().availableSize() - DECORATIONS))
 
-    def _add_docks(self) -> None:
+    def _add_docks(self) -> dict[QDockWidget, int]:
+        """Add what is not there yet; return how wide docks are."""
         docks, left, right = self._docks, Qt.DockWidgetArea.LeftDockWidgetArea, Qt.DockWidgetArea.RightDockWidgetArea
         phoneme = docks.add(tr_noop("Phoneme"), right, self.recogniser, self.analysis.phoneme)
         self._thresholds = docks.add(tr_noop("Thresholds"), right, self.analysis.thresholds)
@@ -204,7 +207,7 @@ class MainWindow(QMainWindow):
         self.analysis.variable.looked_for.connect(lambda: docks.bring_forward(variable))
         docks.add_behind(self._thresholds, tr_noop("Rules"), self.analysis.rules)
         docks.add(tr_noop("Head"), left, self.head).hide()
-        docks.prefer({self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH, self._thresholds: PHONEME_WIDTH})
+        return {self._filters: FILTERS_WIDTH, phoneme: PHONEME_WIDTH, self._thresholds: PHONEME_WIDTH}
 
     def _make_menus(self) -> None:
         session, preset, dialogs, add = self._session, self._preset, self.dialogs, self.menus.add

@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QScrollArea, QSplitter, QTabWidget, QWidget
+from PySide6.QtWidgets import QSplitter, QTabWidget, QWidget
 
 from phonemeanalyser.desktop.engine_words import sound_name
 from phonemeanalyser.desktop.language import tr
@@ -24,6 +24,7 @@ from phonemeanalyser.desktop.talk.words.lanes_panel import LanesPanel
 from phonemeanalyser.desktop.talk.words.text_panel import TextPanel
 from phonemeanalyser.desktop.theme import PHONEME_COLOURS, Theme
 from phonemeanalyser.desktop.widgets.builders import (
+    ScrolledDown,
     Wrapping,
     choice,
     column,
@@ -34,7 +35,6 @@ from phonemeanalyser.desktop.widgets.builders import (
     named,
     open_without_arrow,
     row,
-    scrolling,
     spoken_button,
 )
 from phonemeanalyser.desktop.widgets.phoneme_keys import HeldKeys
@@ -302,11 +302,11 @@ class TalkPage(QWidget):
         row(self.split, on=self)
 
 
-def _scrolled(body: QWidget) -> QScrollArea:
+def _scrolled(body: QWidget) -> ScrolledDown:
     """Return an area that scrolls a body downwards."""
     leave_wheel(body)
-    scroll = QScrollArea()
-    scroll.setMinimumWidth(scrolling(scroll, body))
+    scroll = ScrolledDown()
+    scroll.show_body(body)
     scroll.setFocusPolicy(Qt.FocusPolicy.NoFocus)
     return scroll
 

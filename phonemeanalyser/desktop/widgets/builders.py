@@ -186,15 +186,6 @@ def line(colour: str, *, upright: bool = False) -> QFrame:
     return made
 
 
-def scrolling(area: QScrollArea, body: QWidget) -> int:
-    """Have an area scroll a body downwards only; return the least width at which all of it is seen, pixels."""
-    area.setWidget(body)
-    area.setWidgetResizable(True)
-    area.setFrameShape(QFrame.Shape.NoFrame)
-    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-    return body.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width()
-
-
 def dialog_buttons(dialog: QDialog, *buttons: Button, verb: str = "") -> QDialogButtonBox:
     """Make the buttons that end a dialog; a verb names the one that does what the dialog is for, by Return, too."""
     box = QDialogButtonBox()
@@ -337,7 +328,37 @@ class Scrolled(QScrollArea):
     @property
     def needed_width(self) -> int:
         """The least width at which nothing is scrolled sideways, pixels, with the bar that scrolls downwards."""
-        return self._view.minimumSizeHint().width() + self.verticalScrollBar().sizeHint().width()
+        return _needed_width(self, self._view)
+
+
+def _needed_width(area: QScrollArea, view: QWidget) -> int:
+    for layout in view.findChildren(QLayout):
+        layout.invalidate()  # else what lies within others has the width of the style before
+    for widget in view.findChildren(QWidget):
+        widget.updateGeometry()
+    return view.minimumSizeHint().width() + area.verticalScrollBar().sizeHint().width()
+
+
+class ScrolledDown(QScrollArea):
+    """Scrolls a body downwards only; it is never narrower than the body in the style of the window."""
+
+    def show_body(self, body: QWidget) -> None:
+        """Scroll this body from now on."""
+        self.setWidget(body)
+        self.setWidgetResizable(True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.keep_width(body)
+
+    def keep_width(self, body: QWidget) -> None:
+        """Take the width that the body needs now as the least."""
+        self.setMinimumWidth(_needed_width(self, body))
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Measure anew in another style: that of the window comes after the body was made."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange and (body := self.widget()):
+            self.keep_width(body)
 
 
 _SET_BY_WHEEL = (QAbstractSpinBox, QComboBox, QSlider)

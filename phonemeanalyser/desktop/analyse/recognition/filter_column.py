@@ -7,13 +7,14 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QKeyEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QScrollArea, QSizePolicy, QSlider, QToolButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QLabel, QSizePolicy, QSlider, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import recogniser_title
 from phonemeanalyser.desktop.language import tr, tr_amid
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
 from phonemeanalyser.desktop.widgets.builders import (
+    ScrolledDown,
     choice,
     grid,
     label,
@@ -21,7 +22,6 @@ from phonemeanalyser.desktop.widgets.builders import (
     line,
     named,
     row,
-    scrolling,
     silent,
     tool_button,
 )
@@ -123,7 +123,7 @@ FIELD_WIDTH, RESET_WIDTH = 124, 18
 FILTERS = frozenset(step.value for step in Filter)
 
 
-class FilterColumn(QScrollArea):
+class FilterColumn(ScrolledDown):
     """A switch, the parameters and a reset for each filter, then the statistics and the intensity's range.
 
     Attributes
@@ -144,7 +144,7 @@ class FilterColumn(QScrollArea):
             QCheckBox(tr("Bypass all filters")), tip=tr("Switch all filters off, or back to their previous state (B)")
         )
         self.unused = label(colour=theme.accent, wraps=True)
-        self._headings: dict[str, QWidget] = {}
+        self._headings: dict[str, QLabel | QCheckBox] = {}
         self._grid = grid(margins=(6, 6, 2, 6), across=3, down=3)
         self._fill()
         preset.changed.connect(self._show_preset)
@@ -167,7 +167,7 @@ class FilterColumn(QScrollArea):
         body.setLayout(self._grid)
         leave_wheel(body)
         self.setAccessibleName(tr("Filters"))
-        self.setMinimumWidth(scrolling(self, body))
+        self.show_body(body)
 
     def _add_stage(self, stage: Stage, switch: Callable[[bool], None] | None) -> None:
         """Add a line above, the switch, its parameters with their labels, the first beside it, and the reset."""
@@ -192,7 +192,7 @@ class FilterColumn(QScrollArea):
         if not stage.parameters:
             self._grid.addWidget(reset, at + 1, 2)
 
-    def _heading(self, stage: Stage, switch: Callable[[bool], None] | None) -> QWidget:
+    def _heading(self, stage: Stage, switch: Callable[[bool], None] | None) -> QLabel | QCheckBox:
         heading: QLabel | QCheckBox
         if switch is None:
             heading = QLabel(tr(stage.label))
@@ -200,10 +200,17 @@ class FilterColumn(QScrollArea):
             heading = self.switches[stage.name] = QCheckBox(tr(stage.label))
             heading.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             heading.toggled.connect(switch)
-        usual = heading.sizeHint().width()
-        heading.setStyleSheet(self._unused_style)
-        heading.setMinimumWidth(max(usual, heading.sizeHint().width()))  # the column keeps its width
         return heading
+
+    def keep_width(self, body: QWidget) -> None:
+        """Leave room for headings in either look, so that the column keeps its width."""
+        for heading in self._headings.values():
+            probe = type(heading)(heading.text(), body)
+            usual = probe.sizeHint().width()
+            probe.setStyleSheet(self._unused_style)
+            heading.setMinimumWidth(max(usual, probe.sizeHint().width()))
+            probe.setParent(None)
+        super().keep_width(body)
 
     def _reset(self, key: str, text: str) -> QToolButton:
         reset = self.resets[key] = tool_button(

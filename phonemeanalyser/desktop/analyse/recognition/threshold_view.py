@@ -8,14 +8,22 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFocusEvent, QKeyEvent, QMouseEvent, QPainter, QPolygonF
-from PySide6.QtWidgets import QGridLayout, QLabel, QScrollArea, QSizePolicy, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QToolButton, QWidget
 
 from phonemeanalyser.desktop.engine_words import tr_engine
 from phonemeanalyser.desktop.language import tr
 from phonemeanalyser.desktop.session.history import History
 from phonemeanalyser.desktop.session.preset import PresetModel
 from phonemeanalyser.desktop.theme import Theme
-from phonemeanalyser.desktop.widgets.builders import grid, label, leave_wheel, named, scrolling, silent, tool_button
+from phonemeanalyser.desktop.widgets.builders import (
+    ScrolledDown,
+    grid,
+    label,
+    leave_wheel,
+    named,
+    silent,
+    tool_button,
+)
 from phonemeanalyser.desktop.widgets.key_filters import ArrowKeys
 from phonemeanalyser.desktop.widgets.number_field import NumberField
 from phonemeengine.errors import EngineError
@@ -155,7 +163,7 @@ class Row:
     reset: QToolButton
 
 
-class ThresholdView(QScrollArea):
+class ThresholdView(ScrolledDown):
     """All controls of the recogniser in use, in groups; another recogniser has others.
 
     Signals
@@ -234,7 +242,7 @@ class ThresholdView(QScrollArea):
                 self.rows[control.name] = self._add_row(fields, fields.rowCount(), control)
         fields.setRowStretch(fields.rowCount(), 1)
         leave_wheel(body)
-        self.setMinimumWidth(scrolling(self, body))
+        self.show_body(body)
 
     def _heading(self, group: ControlGroup) -> QLabel:
         heading = QLabel(

@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QKeySequence, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QGraphicsPolygonItem, QLabel, QMenu
 
@@ -158,7 +158,6 @@ class AveragedView(SpectrumView):
         self.legend.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
 
     def _add_region(self) -> None:
-        self.measure.setFixedWidth(self.measure.sizeHint().width())  # other words on it must not widen the window
         self.beside.addWidget(self.measure)
         self.region.setVisible(False)
         for edge in self.region.lines:
@@ -170,6 +169,12 @@ class AveragedView(SpectrumView):
         self._since.move(60, 6)
         self._escape.setEnabled(False)
         self._escape.activated.connect(self.drop_region)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Have the button that marks a range keep its width: other words on it must not widen the window."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange:
+            self.measure.setFixedWidth(self.measure.sizeHint().width())
 
     def drop_region(self) -> None:
         """Mark no range any more, and ask for no variable."""

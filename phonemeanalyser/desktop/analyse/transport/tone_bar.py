@@ -4,7 +4,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtWidgets import QSlider, QWidget
 
 from phonemeanalyser.desktop.language import tr, tr_noop
@@ -110,12 +110,17 @@ class ToneBar(QWidget):
         tip = f"{tr(look.tip)}, {low:g}..{high:g} {unit}"
         box = named(NumberField(low, high, decimals=look.decimals, step=look.step, waits=True), tr(look.tip), tip)
         box.setPrefix(tr(look.prefix) if look.prefix else "")
-        if name in OF_VOWEL:  # they share one unit behind them, so that they fit into the line
-            box.setFixedWidth(box.sizeHint().width() - SPARE)
-        else:
+        if name not in OF_VOWEL:  # which share one unit behind them, so that they fit into the line
             box.setSuffix(f" {unit}")
         box.valueChanged.connect(lambda value: self._edit(name, value))
         return box
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Have the fields of the vowel as wide as they need be, in the style of the window."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.StyleChange:
+            for name in OF_VOWEL:
+                self.numbers[name].setFixedWidth(self.numbers[name].sizeHint().width() - SPARE)
 
     def _lay_out(self) -> None:
         self.slider.setRange(0, SLIDER_STEPS)
