@@ -117,6 +117,7 @@ def test_a_folder_gets_a_picture_of_every_frame_and_the_mouth_moves(plain: Path)
     assert 20 < columns.mean() < 34, "the mouth is in the middle, or a little to the left: the camera is aside"
 
 
+@pytest.mark.long
 def test_the_same_seed_gives_the_same_face_and_another_one_another(sound: Path, tmp_path: Path):
     runs = (("a", 5), ("b", 5), ("c", 6))
     one, same, other = (shot(sound, tmp_path / name, "--fps", 2, "--seed", n) for name, n in runs)

@@ -202,7 +202,10 @@ def test_a_sentence_to_judge_by_is_chosen_by_its_language_and_read_again_where_i
 
 @pytest.mark.parametrize(
     ("recogniser", "others"),
-    [("templates", ()), pytest.param("learned", ("templates", "brightness"), marks=pytest.mark.long)],
+    [
+        pytest.param("templates", (), marks=pytest.mark.long),
+        pytest.param("learned", ("templates", "brightness"), marks=pytest.mark.long),
+    ],
 )
 def test_window_api_and_command_line_make_the_same_of_a_voice(
     request: pytest.FixtureRequest, by_sounds: Calibrator, tmp_path: Path, recogniser: str, others: tuple[str, ...]

@@ -44,7 +44,7 @@ def mounted(tmp_path: Path) -> Iterator[Callable[..., Path]]:
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-@pytest.mark.parametrize("n_channels", [1, 2])
+@pytest.mark.parametrize("n_channels", [1, pytest.param(2, marks=pytest.mark.long)])
 def test_a_full_disk_stops_the_recording_with_one_sentence(
     suffix: str, n_channels: int, mounted: Callable[..., Path], tmp_path: Path
 ) -> None:
