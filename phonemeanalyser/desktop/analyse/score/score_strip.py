@@ -34,11 +34,11 @@ N_CONFUSIONS = 2
 MOST_PHONEMES = 3
 """Phonemes that are named of those that gained, and of those that lost."""
 VALUE_WIDTH = 44
-"""Pixels of a figure at least; the longer ones, and those with a difference, ask for more."""
+"""Pixels of a figure at least; longer ones ask for more."""
 HEADING_SIZE = 10
 """Pixels of the letters above the figures."""
-LEAST_WIDTH = 240
-"""Pixels of the figures where the window is narrower than all of them."""
+LEAST_WIDTH, MOST_WIDTH = 240, 560
+"""Pixels of all figures: where the window is narrow, and where each has room for its difference."""
 PARENTHESES = tr_noop("How often the recognised phoneme changes, and in parentheses how often the labels do")
 
 
@@ -114,8 +114,9 @@ class ScoreStrip(QWidget):
         figures = grid(self.figures, across=6, down=0)
         self._fill(figures)
         self.figures.setMinimumWidth(LEAST_WIDTH)
+        self.figures.setMaximumWidth(MOST_WIDTH)
         above = row(self.scope, (self.of_what, 3), (self.gained, 4), (self.lost, 4), (self.why_not, 1), spacing=8)
-        below = row(self.figures, self.ways, 1, column(*self.confusions, 1, spacing=2), spacing=8)
+        below = row((self.figures, 1000), self.ways, 1, column(*self.confusions, 1, spacing=2), spacing=8)
         column(above, below, on=self, margins=(6, 3, 6, 3), spacing=2)
 
     def _fill(self, figures: QGridLayout) -> None:
@@ -126,8 +127,9 @@ class ScoreStrip(QWidget):
             heading = named(ElidedLabel(tr(text), asks=True), tip=f"{tr(text)}: {of_heading}")
             heading.setStyleSheet(f"color: {self._theme.faint}; font-size: {HEADING_SIZE}px")
             figures.addWidget(heading, 0, k)
+            figures.setColumnStretch(k, 1)
             for at, letter in enumerate((A, B, "-"), 1):
-                figures.addWidget(self.values[letter, name], at, k)
+                figures.addWidget(self.values[letter, name], at, k, Qt.AlignmentFlag.AlignLeft)
 
     # -- what is shown ------------------------------------------------------------------------------------
 
