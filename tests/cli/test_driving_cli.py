@@ -85,6 +85,7 @@ def test_letters_leave_a_face_with_movestates_of_its_own_to_the_rules(
     assert capsys.readouterr().err == ""
 
 
+@pytest.mark.long
 def test_two_heads_are_those_of_two_drivers_alone_in_step(recorded: Path) -> None:
     context_or_skip().release()
     performer = ["--performance", "ann.sqlite"]

@@ -244,6 +244,7 @@ def test_without_the_packages_of_previews_one_sentence_says_which_extra_has_them
     assert said.endswith("); install them with: pip install 'phonemeanalyser[preview]'")
 
 
+@pytest.mark.long
 def test_how_closely_the_mouth_follows_is_told_as_to_the_exports(sound: Path, plain: Path, tmp_path: Path):
     usual = pictures(plain)
     for k, words in enumerate((["--detail", "loudness"], ["--anticipation", 0])):

@@ -155,6 +155,7 @@ def short(examples):
     return trained_on(examples, SHORT)
 
 
+@pytest.mark.long
 def test_the_same_seed_trains_the_same_model(examples, short):
     assert trained_on(examples, SHORT) == short
     assert trained_on(examples, SHORT) != trained_on(examples, replace(SHORT, seed=2))

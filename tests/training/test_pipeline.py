@@ -27,6 +27,7 @@ CONFIG = TrainingConfig(
 )
 
 
+@pytest.mark.long
 def test_a_teacher_teaches_moves_labels_and_hears_files(tmp_path: Path, whisper: Path):
     folder = tmp_path / "corpus"
     folder.mkdir()
