@@ -329,6 +329,7 @@ def _own_shape(phone: str) -> str:
 # Files.
 
 
+@cache
 def shipped_styles() -> tuple[str, ...]:
     """Name the styles that ship with the program, the neutral one first."""
     return (NEUTRAL, *sorted(path.stem for path in STYLES.glob("*.toml") if path.stem != NEUTRAL))

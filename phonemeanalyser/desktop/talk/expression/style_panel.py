@@ -162,10 +162,10 @@ class StylePanel(QWidget):
 
     def _show_state(self) -> None:
         model = self._model
+        known = model.known  # read from a folder
+        known += tuple(sorted({*filter(None, model.names.values())} - {*known}))
         for side, box in self.lists.items():
             none = [(tr("No style"), "")] if side == "B" else []
-            names = {*model.known, *filter(None, model.names.values())}
-            known = (*model.known, *sorted(names - {*model.known}))
             with silent(box):
                 offer(box, [*none, *((self._named(name), name) for name in known)], model.names[side])
             self.edits[side].setChecked(model.side == side)
