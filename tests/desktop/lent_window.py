@@ -279,11 +279,8 @@ def _leave_sound(session: Session) -> None:
 
 def _forget_edits(desktop: Desktop) -> None:
     """Have the rules of the thesis in use, as they are in their file."""
-    preset = desktop.preset
-    if preset.path != THESIS_PRESET or preset.has_unsaved_changes or preset.undo_stack.count():
-        preset.load(THESIS_PRESET)  # first, since the recogniser of another preset may be gone
-    if preset.bypassed:
-        preset.set_bypassed(False)
+    desktop.preset.load(THESIS_PRESET)  # first, since the recogniser of another preset may be gone
+    desktop.preset.set_bypassed(False)
     desktop.preset.try_out(None)
     desktop.session.curves.take_away(desktop.session.curves.curves)
 

@@ -11,7 +11,6 @@ from tests.desktop.hands import click, followed, press
 from tests.desktop.lent_window import WindowLender
 
 
-@pytest.mark.long
 def test_a_window_is_lent_again_as_it_was_at_first(lender: WindowLender, desktop: Desktop, qtbot) -> None:
     desktop.window.show_page(TALK)
     desktop = lender.lend()  # another one unless all pages were made before
