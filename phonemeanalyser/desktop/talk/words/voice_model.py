@@ -48,7 +48,7 @@ class VoiceChoice:
 
     @property
     def words(self) -> str:
-        """Whose sound is heard, in English."""
+        """Whose sound it is, in English."""
         return tr_noop("synthetic voice") if self.recordings is None else tr_noop("own sound of the recorded faces")
 
 
