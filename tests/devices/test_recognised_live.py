@@ -141,7 +141,7 @@ def share_at(heard: Heard, place: float) -> float:
     shift = np.exp(-2j * np.pi * np.fft.rfftfreq(2 * n) * fraction)
     shifted = np.fft.irfft(spectrum * shift, 2 * n)[:n].astype(np.float32) if fraction else heard.sentence
     start, offset = divmod(int(whole), HOP)
-    file = codes_of(shifted, offset, LEAD)
+    file = codes_of(shifted, offset, start)  # as much silence before it, which the encoder remembers
     live = heard.frames[start : start + len(file)]
     return float((live == file[: len(live)]).mean())
 

@@ -52,16 +52,6 @@ class TrainingExample:
         return len(self.phonemes)
 
 
-def example_of_recording(utterance: LabelledUtterance) -> TrainingExample:
-    """Measure a labelled recording as it is.
-
-    Raises
-    ------
-    AudioError : the sound cannot be read.
-    """
-    return example_of(sound_of(utterance), utterance.labels)
-
-
 def example_of(
     samples: Float32Array,
     labels: tuple[Label, ...],

@@ -21,20 +21,8 @@ from phonemeengine.mouth.blendshape_names import ARKIT, TONGUE, both_sides
 from phonemeengine.mouth.expression.channels import columns_of, shipped_channels
 from phonemeengine.mouth.expression.composer import Expression, InhibitionTimes
 from phonemeengine.mouth.performer import IdleMotion
-from phonemeengine.mouth.poses import (
-    USUAL_POSES,
-    USUAL_TONGUE,
-    Pose,
-    PoseTable,
-    load_poses,
-    pose_numbers,
-)
-from phonemeengine.mouth.style_numbers import (
-    FilterNumbers,
-    GestureNumbers,
-    MovementNumbers,
-    PoseNumbers,
-)
+from phonemeengine.mouth.poses import USUAL_POSES, USUAL_TONGUE, Pose, PoseTable, load_poses, pose_numbers
+from phonemeengine.mouth.style_numbers import FilterNumbers, GestureNumbers, MovementNumbers, PoseNumbers
 from phonemeengine.mouth.table import STRONGEST, MouthTable, TransitionTimes, phone_named
 from phonemeengine.phonemes import VOWELS, Phoneme
 from phonemeengine.storage.files import printable_name, write_file

@@ -145,7 +145,7 @@ def test_a_key_that_a_busy_system_repeats_as_presses_and_releases_is_one_take(li
     listening.let_go(Qt.Key.Key_A)
     listening.settle()
     (take,) = listening.takes
-    assert take.duration == pytest.approx(5 * (len(A) // 2205 * 441) / SAMPLE_RATE)
+    assert take.duration == pytest.approx(5 * (len(A) // 2205 * 441) / SAMPLE_RATE, abs=0.011)  # a frame of 10 ms
 
 
 def test_another_key_at_once_begins_another_take(listening: Calibrator):

@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
+from phonemeanalyser.cli.window import DEMO
 from phonemeanalyser.desktop.session.sources import SourceKind
 from phonemeanalyser.desktop.talk.words.scripts import words_beside
 from phonemeanalyser.desktop.talk.words.sound_words import POOR, fits_badly
+from phonemeanalyser.desktop.talk.words.written_text import WrittenText
 from phonemeengine.analyser import Analysis
 from phonemeengine.labels.textgrid import format_tiers
 from phonemeengine.labels.utterance import UNKNOWN_WORD, LabelUnit, Utterance, spans_of
@@ -268,6 +270,17 @@ def test_a_text_from_a_file_that_was_changed_is_unsaved(desk, tmp_path):
     assert not desk.texts.written.has_unsaved_changes
     desk.texts.set_text("so what")
     assert desk.texts.written.has_unsaved_changes
+
+
+def test_the_text_of_the_demo_is_where_to_begin_and_no_file_to_save_to(qapp):
+    written = WrittenText()
+    for expected in ("She sells", "Hello"):
+        written.leave(DEMO)
+        written.take("She sells", None)
+        assert written.text == expected
+        written.set_text("Hello")
+        assert not written.has_unsaved_changes
+        written.leave(None)
 
 
 # -- the head says what is known ----------------------------------------------------------------------

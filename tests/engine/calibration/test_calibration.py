@@ -14,7 +14,7 @@ import soundfile
 
 from phonemeengine.analyser import Analyser, analyse_blocks
 from phonemeengine.calibration.scores.corpus import FrameLabels, frame_labels_of, read_corpus, read_labels
-from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, Scores, confusion_of, scores_of
+from phonemeengine.calibration.scores.scoring import SCORED_PHONEMES, confusion_of, scores_of
 from phonemeengine.errors import CorpusError
 from phonemeengine.features.measure import Features
 from phonemeengine.labels.visemes import NO_VISEME, Viseme
@@ -241,15 +241,6 @@ def _measured_on(corpus: Path, preset: Preset) -> tuple[Features, np.ndarray]:
             values.append(found[: len(labels)])
             truth.append(labels)
     return Features(Analyser(preset).push(sound).features.names, np.concatenate(values)), np.concatenate(truth)
-
-
-def _scores_on(corpus: Path, preset: Preset) -> Scores:
-    pairs = []
-    for utterance in read_corpus(corpus):
-        sound, _ = soundfile.read(utterance.path, dtype="float32")
-        found = np.concatenate([a.phonemes for a in analyse_blocks([sound], preset)])
-        pairs.append((frame_labels_of(utterance.labels), found))
-    return scores_of(pairs)
 
 
 def test_the_demo_holds_all_ten_sounds_to_its_end():

@@ -18,7 +18,6 @@ from phonemeengine.phonemes import Phoneme
 from tests.labelled import labels_of
 
 ENCODINGS = ("utf-8", "utf-8-sig", "utf-16", "utf-16-be", "utf-16-le")
-MICROSECOND = 1e-6
 
 phonemes = st.sampled_from(Phoneme)
 phones = st.text(st.characters(exclude_categories=("Cs", "Cc", "Zl", "Zp")), min_size=1, max_size=8)

@@ -34,8 +34,6 @@ from tests.models import tone_model
 from tests.sounds import noise, tone
 
 N_DAMAGED = 80
-WORST = 1 << 16
-"""Samples."""
 
 
 @pytest.fixture(scope="module")

@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from phonemeengine.arrays import BoolArray, IndexArray, UInt8Array
+from phonemeengine.arrays import IndexArray, UInt8Array
 from phonemeengine.calibration.fits.limit_search import SIGNIFICANT_DIGITS, candidate_limits, counts_by_rank
 from phonemeengine.calibration.scores.scoring import (
     SCORED_PHONEMES,
@@ -90,10 +90,3 @@ def with_rule_off(preset: Preset, rule: int) -> Preset:
     """Return the preset with one of its rules switched off."""
     rules = tuple(replace(r, enabled=r.enabled and k != rule) for k, r in enumerate(preset.rules))
     return replace(preset, rules=rules)
-
-
-def labelled_part(features: Features, truth: UInt8Array, known: BoolArray) -> RuleTrials:
-    """Return trials on some frames of one sound, shape (n_frames,)."""
-    return RuleTrials(
-        Features(features.names, features.values[known]), truth[known], np.array([0, int(known.sum())], np.intp)
-    )

@@ -382,7 +382,7 @@ class TextModel(QObject):
         if sound == self.words.sound:
             if with_script:
                 self.written.take(found.text, found.utterance)
-            self._take_found(sound, replace(found, text=found.text if with_script else ""))
+            self._take_found(sound, replace(found, text=found.text if found.text == self.text else ""))
 
     def _take_found(self, sound: Path, found: FoundWords) -> None:
         if sound != self.words.sound:

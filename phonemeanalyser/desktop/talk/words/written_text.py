@@ -14,6 +14,8 @@ MOST_SOUNDS, MOST_LANGUAGES = 50, 5
 """Sounds whose texts are remembered, and languages that are offered first, because they were chosen last."""
 MOST_REMEMBERED = 200_000
 """Characters of all texts that are remembered."""
+PROGRAM = Path(__file__).resolve().parents[3]
+"""Where the program's own recordings are."""
 _DIRECTION = re.compile(r"\[[^\[\]\n]*\]")
 
 
@@ -88,10 +90,14 @@ class WrittenText(QObject):
     def take(self, found: str, known: Utterance | None) -> None:
         """Take the text of the current sound: from a file, from memory, from its words; else there is none.
 
-        What was typed before any sound was open stays, since it waited for this one.
+        What was typed before any sound was open stays, since it waited for this one. The text of the demo is where to
+        begin, and no file of the user's: what was typed in its place is remembered, and never saved there.
         """
         text, language = self.remembered.get(str(self._sound or ""), ("", ""))
-        self._in_file = found
+        if self._sound is not None and self._sound.resolve().is_relative_to(PROGRAM):
+            found, text, self._in_file = "", text or found, ""
+        else:
+            self._in_file = found
         if not (found or text) and known is not None:
             text = said_in(known)
         elif not (found or text) and self._typed_without:
@@ -104,9 +110,6 @@ class WrittenText(QObject):
     def note_saved(self) -> None:
         """Take note that the file beside the sound has this text now."""
         self._in_file = self.text
-
-    def _n_remembered(self) -> int:
-        return sum(len(text) for text, _ in self.remembered.values())
 
     def _put(self, text: str, language: str) -> None:
         if text != self.text:
