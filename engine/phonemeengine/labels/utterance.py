@@ -4,7 +4,7 @@ A script that was aligned with its recording, a text that a voice spoke, a label
 as this type; mouths, exports and timelines begin from it.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from itertools import accumulate, pairwise
@@ -147,14 +147,19 @@ class Utterance:
 
 
 def shifted(word: Word, seconds: float) -> Word:
-    """Return a word so much later."""
+    """Return a word that begins later by a number of seconds."""
+    return retimed(word, lambda time: time + seconds)
+
+
+def retimed(word: Word, time_of: Callable[[float], float]) -> Word:
+    """Return a word whose phones are at other times; the function gives the new time of an old one, seconds."""
     return replace(
         word,
         syllables=tuple(
             replace(
                 syllable,
                 phones=tuple(
-                    replace(phone, start=phone.start + seconds, end=phone.end + seconds) for phone in syllable.phones
+                    replace(phone, start=time_of(phone.start), end=time_of(phone.end)) for phone in syllable.phones
                 ),
             )
             for syllable in word.syllables

@@ -20,7 +20,7 @@ from phonemeengine.audio.files import SoundReader
 from phonemeengine.dsp.overlap_add import SoundPiece, joined_pieces, pitch_marks
 from phonemeengine.errors import PerformanceError
 from phonemeengine.labels.phone_sets import ipa_phoneme
-from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, shifted
+from phonemeengine.labels.utterance import Phone, Syllable, Utterance, Word, retimed, shifted
 from phonemeengine.performance.choice import (
     ChosenUnits,
     ExampleChoice,
@@ -145,7 +145,8 @@ class OwnSound:
             first = round(start * SAMPLE_RATE)
             samples[first : first + len(sound)] += sound[: len(samples) - first]
         times = np.concatenate(old), np.concatenate(new)
-        return replace(said, samples=samples, words=tuple(_moved(word, *times) for word in said.words))
+        words = tuple(retimed(word, lambda time: float(np.interp(time, *times))) for word in said.words)
+        return replace(said, samples=samples, words=words)
 
     def _with_clips(self, said: SaidT) -> tuple[SaidT, dict[int, _Answer]]:
         """Return a sentence in which recordings answer key words, and the recording of each word that one answers."""
@@ -342,27 +343,6 @@ def _pitch_about(pitches: Float32Array, sample: float) -> float:
 
 def _names_of(sentence: Sequence[PerformedPhone]) -> tuple[str, ...]:
     return tuple(phone.name for phone in sentence)
-
-
-def _moved(word: Word, old: Float64Array, new: Float64Array) -> Word:
-    """Return a word at other times, which straight lines between bounds tell, seconds."""
-    return replace(
-        word,
-        syllables=tuple(
-            replace(
-                syllable,
-                phones=tuple(
-                    replace(
-                        phone,
-                        start=float(np.interp(phone.start, old, new)),
-                        end=float(np.interp(phone.end, old, new)),
-                    )
-                    for phone in syllable.phones
-                ),
-            )
-            for syllable in word.syllables
-        ),
-    )
 
 
 def _words_of(clip: Performance, texts: Sequence[str], later: float) -> list[Word]:

@@ -1,4 +1,4 @@
-"""The file in hand is analysed whole in the background, and the timeline shows it."""
+"""The current file is analysed whole in the background, and the timeline shows it."""
 
 from pathlib import Path
 

@@ -54,7 +54,7 @@ def use(desk: Desk, path: Path) -> None:
 
 
 def settle(desk: Desk) -> None:
-    """Wait until the sound in hand is followed."""
+    """Wait until the network has followed the current sound."""
     desk.qtbot.waitUntil(lambda: not desk.texts.drivers.network.progress)
     desk.wait()
 

@@ -44,7 +44,7 @@ def table(tmp_path: Path) -> Iterator[PerformanceTable]:
         sound = hum(pitch, performance.duration)
         performances.append(replace(performance, phones=measured(performance.phones, sound)))
         write_sound(tmp_path / f"{words}.wav", sound)
-    clips = {"hello": "ta ti", "nn": "mi tu"}  # words that nobody says
+    clips = {"hello": "ta ti", "nn": "mi tu"}  # words that the recordings lack
     write_table(tmp_path / "t.sqlite", performances, folder=tmp_path, clips=clips)
     with PerformanceTable.open(tmp_path / "t.sqlite") as opened:
         yield opened
@@ -81,7 +81,7 @@ def bend_at(samples: Float32Array, time: float) -> float:
 
 
 def check_joins(table: PerformanceTable, n: int) -> None:
-    """Have the table say texts of known words until there were so many joins, none of which is a step."""
+    """Have the table say texts of known words until there were a number of joins, none of which is a step."""
     own, chance = OwnSound(table), np.random.default_rng(5)
     syllables = ("ma", "mi", "tu", "ti", "ta")
     found: list[float] = []

@@ -100,7 +100,7 @@ def test_strings_of_words_are_kept_whole_where_the_sentence_was_not_recorded(tmp
         slow = [*track_of(table, utterance_of("mi", "pa", length=0.2, pause=0.2, gap=0.0)).units()]
         assert [unit.kind for unit in slow] == ["left-half", "sentence", "right-half"]
         paused = units_in(table, utterance_of("mi", "pa", gap=0.1))
-        assert not {"sentence", "words"} & {kind for kind, _ in paused}  # nobody paused there
+        assert not {"sentence", "words"} & {kind for kind, _ in paused}  # the recordings have no pause there
 
 
 def test_lips_are_shut_at_p_b_and_m_even_where_the_recorded_ones_are_not(tmp_path: Path) -> None:
