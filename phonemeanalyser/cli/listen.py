@@ -321,7 +321,7 @@ def _attend(listener: Listener, seconds: float | None, look: Callable[[], None])
         listener.take_analyses()
         look()
         status = listener.status
-        words = f"listening to {status.words}" if status.listening else status.words.split(" since ")[0]
+        words = f"listening to {status.words}" if status.listening else status.trouble
         if words != said:
             print(f"phonemeanalyser: {words}", file=sys.stderr, flush=True)
             said = words

@@ -109,13 +109,16 @@ def test_the_label_shows_how_much_is_on_the_disk(booth: Booth, mic: HandDrivenMi
 
 
 def test_nothing_claims_to_record_while_nothing_comes(booth: Booth, mic: HandDrivenMicrophone):
+    said: list[str] = []
+    booth.desktop.session.microphone.error.connect(said.append)
     booth.record()
     assert booth.window.transport.time.text() == "waiting 0:00.0"
     booth.hear(mic, known(0, 50))
     booth.until(lambda: booth.window.transport.time.text().startswith("● "), mic)
     booth.until(lambda: booth.window.transport.time.text().startswith("waiting "))
     booth.until(lambda: "the recording continues once the signal is back" in booth.banner)
-    booth.until(lambda: "no signal from Desk · ALSA for" in booth.status)
+    booth.until(lambda: "no signal from Desk · ALSA for 2 s" in booth.status)
+    assert len(said) == 1, "the status line counts the seconds, the banner does not"
 
 
 def test_the_offer_opens_the_recording(booth: Booth, mic: HandDrivenMicrophone):

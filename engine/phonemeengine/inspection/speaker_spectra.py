@@ -115,10 +115,14 @@ def measured_again(
     """
     if not curve.parts:
         raise CurveError(f"{curve.name} cannot be measured again, since it does not say of which sound file it is")
-    gone = next((part.path for part in curve.parts if not part.path.is_file()), None)
-    if gone is not None:
-        raise CurveError(f"{curve.name} cannot be measured again, since {gone.name} is not there any more")
-    again = average_parts(curve.parts, settings, curve.name, progress=progress)
+    try:
+        again = average_parts(curve.parts, settings, curve.name, progress=progress)
+    except AudioError as error:
+        # Looked for only now, since a file may vanish at any moment before it is read.
+        gone = next((part.path for part in curve.parts if not part.path.is_file()), None)
+        if gone is None:
+            raise
+        raise CurveError(f"{curve.name} cannot be measured again, since {gone.name} is not there any more") from error
     return replace(again, since=curve.since, colour=curve.colour, hidden=curve.hidden)
 
 

@@ -154,9 +154,11 @@ class Status:
 
     listening: bool
     words: str
+    trouble: str = ""
+    """Why nothing comes in, without for how long, so that it can be said once; empty while sound comes in."""
 
 
-NOT_LISTENING = Status(listening=False, words="not listening")
+NOT_LISTENING = Status(listening=False, words="not listening", trouble="not listening")
 
 
 def status_of(source: Input, *, analysed: bool, silent: float, cancels: bool = False) -> Status:
@@ -165,13 +167,18 @@ def status_of(source: Input, *, analysed: bool, silent: float, cancels: bool = F
     `cancels` says that the channels that are mixed cancel each other.
     """
     if not analysed:
-        return Status(listening=False, words=f"waiting for a signal from {source.name}")
+        words = f"waiting for a signal from {source.name}"
+        return Status(listening=False, words=words, trouble=words)
     if silent < QUIET and cancels:
         words = f"{source.name}; its channels cancel each other out when mixed, so choose one of them"
         return Status(listening=True, words=words)
     if silent < QUIET:
         return Status(listening=True, words=source.name)
-    return Status(listening=False, words=f"no signal from {source.name} for {silent:.0f} s; trying again every 2 s")
+    return Status(
+        listening=False,
+        words=f"no signal from {source.name} for {silent:.0f} s; trying again every 2 s",
+        trouble=f"no signal from {source.name}; trying again every 2 s",
+    )
 
 
 CLOSE_TIMEOUT = 5.0
@@ -281,7 +288,7 @@ class Listener(Closing):
         if self._closing or not self._thread.is_alive():
             return NOT_LISTENING
         if source is None:
-            return Status(listening=False, words=self._refusal)
+            return Status(listening=False, words=self._refusal, trouble=self._refusal)
         return status_of(
             source,
             analysed=analyser is not None,

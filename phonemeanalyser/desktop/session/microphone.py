@@ -205,7 +205,7 @@ class Microphone(QObject):
         self._recorder: Recorder | None = None
         self._preset = Preset()
         self._goes_on = False
-        self._troubled = self._words = ""
+        self._troubled = self._trouble = ""
         self._since = 0.0
         self.inputs.changed.connect(self.devices_changed)
         self.latency_test.info.connect(self.info)
@@ -304,7 +304,7 @@ class Microphone(QObject):
         if self.active:
             listener, self.listener = self.listener, NoListener()
             self._watch.stop()
-            self._troubled = self._words = ""
+            self._troubled = self._trouble = ""
             self._cards.submit(lambda _progress: listener.close())  # a sound server that hangs, hangs no window
             self.changed.emit()
 
@@ -397,15 +397,15 @@ class Microphone(QObject):
                 words = tr("The microphone is back: {status}. {seconds:.1f} s of its signal were lost.")
                 lost = self.listener.lost_seconds
                 self.info.emit(words.format(status=tr_engine(status.words), seconds=lost))
-            self._troubled = self._words = ""
+            self._troubled = self._trouble = ""
             return
-        words, now = status.words.split(" since ")[0], time.monotonic()
-        if words != self._words:
-            self._words, self._since = words, now
-        if words != self._troubled and now - self._since >= PATIENCE:
-            self._troubled = words
+        trouble, now = status.trouble, time.monotonic()
+        if trouble != self._trouble:
+            self._trouble, self._since = trouble, now
+        if trouble != self._troubled and now - self._since >= PATIENCE:
+            self._troubled = trouble
             waits = "; " + tr("the recording continues once the signal is back") if self.recording else ""
-            told = tr_engine(words)
+            told = tr_engine(trouble)
             self.error.emit(f"{told[0].upper()}{told[1:]}{waits}.")
 
     def _tell_recorded(self, recorder: Recorder) -> None:

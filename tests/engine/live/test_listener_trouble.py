@@ -57,8 +57,12 @@ def test_a_microphone_from_which_nothing_comes_is_never_said_to_be_heard(hear: H
     assert hearing.listener.status.listening
     clock.now += 0.6
     assert hearing.listener.status == Status(
-        listening=False, words="no signal from moved by hand for 1 s; trying again every 2 s"
+        listening=False,
+        words="no signal from moved by hand for 1 s; trying again every 2 s",
+        trouble="no signal from moved by hand; trying again every 2 s",
     )
+    clock.now += 5.0
+    assert hearing.listener.status.trouble == "no signal from moved by hand; trying again every 2 s"
 
 
 @pytest.mark.parametrize(("how", "value"), [("lost", True), ("quiet", STALLED + 0.1)])
