@@ -31,7 +31,7 @@ test-web: setup
 	@$(BIN)/python -c 'import playwright' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[test-web]'
 	$(BIN)/python -m pytest -q -m browser
 
-# The C# for Unity and Godot, compiled and run by Mono (mono-mcs, mono-runtime), and the GDScript, read by gdtoolkit.
+# The C# for Unity and Godot, compiled and run by Mono (mono-mcs, mono-runtime), the C++ for Unreal, by g++, and the GDScript, read by gdtoolkit.
 test-csharp: setup
 	@$(BIN)/python -c 'import gdtoolkit' 2>/dev/null || $(BIN)/python -m pip install --quiet -e '.[test-godot]'
 	$(BIN)/python -m pytest -q -m csharp

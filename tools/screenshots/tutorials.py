@@ -8,9 +8,11 @@ from pathlib import Path
 
 import numpy as np
 import soundfile
-from PySide6.QtWidgets import QDialog, QWidget
+from PySide6.QtWidgets import QDialog, QTabWidget, QWidget
 
 from phonemeanalyser.desktop.app import Desktop
+from phonemeanalyser.desktop.export_dialog import ExportDialog
+from phonemeanalyser.desktop.talk.expression.expression_panel import OscPanel
 from phonemeengine.settings import SAMPLE_RATE
 from tests.fakes.virtual_sound import VirtualSound
 from tools.bench.desktop import live_for
@@ -85,6 +87,7 @@ def animate(desktop: Desktop, own: Path, folder: Path) -> None:
     _wait_while(desktop, lambda: text.busy)
     desktop.session.analyse_until(0.99)
     _save(desktop, desktop.window, folder / "tutorial-words.png")
+    _save_osc(desktop, folder / "unreal-osc.png")
     for show, name in (
         (desktop.window.dialogs.show_export, "tutorial-export.png"),
         (desktop.window.dialogs.presets.show_ship, "tutorial-ship.png"),
@@ -93,8 +96,32 @@ def animate(desktop: Desktop, own: Path, folder: Path) -> None:
         dialog = desktop.window.findChild(QDialog)
         assert isinstance(dialog, QDialog)
         _save(desktop, dialog, folder / name)
+        if name == "tutorial-export.png":
+            _save_curves(desktop, dialog, folder / "unreal-export.png")
         dialog.reject()
         live_for(0.1)
+
+
+def _save_curves(desktop: Desktop, dialog: QDialog, out: Path) -> None:
+    """Save the dialog for exporting with the format of Live Link Face, and its preview."""
+    assert isinstance(dialog, ExportDialog)
+    kind = dialog.choices.kind
+    kind.setCurrentIndex(kind.findData("livelink-csv"))
+    dialog.look.click()
+    _wait_while(desktop, lambda: "EyeBlinkLeft" not in dialog.preview.toPlainText())
+    _save(desktop, dialog, out)
+
+
+def _save_osc(desktop: Desktop, out: Path) -> None:
+    """Save the page Talk while it sends OSC."""
+    (tabs,) = (found for found in desktop.window.findChildren(QTabWidget) if found.tabText(2) == "Output")
+    tabs.setCurrentIndex(2)
+    (panel,) = desktop.window.findChildren(OscPanel)
+    panel.address.setText("127.0.0.1:39539")
+    panel.switch.click()
+    _save(desktop, desktop.window, out)
+    panel.switch.click()
+    tabs.setCurrentIndex(0)
 
 
 def _wait_while(desktop: Desktop, busy: Callable[[], bool]) -> None:

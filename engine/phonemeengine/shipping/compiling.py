@@ -75,6 +75,11 @@ LIBRARIES: Mapping[str, tuple[tuple[str, ...], ...]] = {
 """Options of zig for each library: once, once for each processor of macOS, or once for each source of an archive."""
 
 
+def runtime_sources(folder: str) -> dict[str, bytes]:
+    """Return the C that a program compiles itself, by path, in a folder of that name."""
+    return {f"{folder}/{path.name}": path.read_bytes() for path in sorted((_HERE / "c").glob("ear*.[ch]"))}
+
+
 def library(name: str) -> bytes:
     """Return one of `LIBRARIES`: as it came with the program, or compiled now.
 

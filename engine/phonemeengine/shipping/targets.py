@@ -19,7 +19,7 @@ from phonemeengine.mouth.exports.glb import shipped_glb
 from phonemeengine.mouth.table import load_table
 from phonemeengine.presets.preset import Preset
 from phonemeengine.settings import ModelKind
-from phonemeengine.shipping.compiling import LIBRARIES, MODULE, library, module
+from phonemeengine.shipping.compiling import LIBRARIES, MODULE, library, module, runtime_sources
 from phonemeengine.shipping.sections import (
     is_ear_file,
     join_sections,
@@ -226,6 +226,23 @@ def _godot_add_on() -> Files:
     return {"plugin.cfg": _config(plugin), "phoneme_ear.gdextension": _config(extension), **libraries}
 
 
+def _unreal_plugin() -> Files:
+    """Return the C of the runtime, which Unreal compiles with the plugin, and what describes the plugin."""
+    plugin = {
+        "FileVersion": 3,
+        "VersionName": phonemeengine.__version__,
+        "FriendlyName": "Phoneme Ear",
+        "Description": DESCRIPTION,
+        "Category": "Animation",
+        "CreatedBy": "PhonemeAnalyser",
+        "CanContainContent": False,
+        "IsBetaVersion": True,
+        "Modules": [{"Name": "PhonemeEar", "Type": "Runtime", "LoadingPhase": "Default"}],
+        "Plugins": [{"Name": name, "Enabled": True} for name in ("AudioCapture", "LiveLink")],
+    }
+    return {"PhonemeEar.uplugin": _json(plugin), **runtime_sources("Source/PhonemeEar/Private")}
+
+
 def _config(sections: Mapping[str, Mapping[str, str]]) -> bytes:
     """Return sections as Godot's own files have them."""
     parts = (
@@ -260,6 +277,12 @@ TARGETS: Mapping[str, ShipTarget] = {
     ),
     "godot": ShipTarget(
         "add-on for Godot 4 (GDScript and C#), with the same two", {"godot": "", "csharp": ""}, (_godot_add_on,)
+    ),
+    "unreal": ShipTarget(
+        "Unreal plugin: a component that moves a face, and a source for Live Link",
+        {"unreal": ""},
+        (_unreal_plugin,),
+        "Resources/preset.ear",
     ),
 }
 """What can be shipped for, by name."""

@@ -4,10 +4,11 @@ import hashlib
 import json
 import tomllib
 from collections.abc import Mapping
-from pathlib import Path, PurePosixPath
+from pathlib import PurePosixPath
 
 import phonemeengine
 from phonemeengine.mouth.face_mapping import SHAPE_NAMES
+from phonemeengine.shipping.compiling import runtime_sources
 
 Files = dict[str, bytes]
 
@@ -48,10 +49,6 @@ def package_files(shared: Files, description: str) -> Files:
         ],
     }
     libraries = {PLACES[name]: content for name, content in shared.items()}
-    source = {
-        f"{_SOURCE_FOLDER}/{path.name}": path.read_bytes()
-        for path in sorted((Path(__file__).with_name("c")).glob("ear*.[ch]"))
-    }
     version = phonemeengine.__version__
     changes = f"# Changelog\n\n## [{version}]\n\nMade by PhonemeAnalyser {version}.\n"
     return {
@@ -59,7 +56,7 @@ def package_files(shared: Files, description: str) -> Files:
         "CHANGELOG.md": changes.encode(),
         "Editor/shape_names.txt": _shape_names(),
         **libraries,
-        **source,
+        **runtime_sources(_SOURCE_FOLDER),
     }
 
 

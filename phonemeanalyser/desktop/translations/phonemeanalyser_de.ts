@@ -11145,6 +11145,11 @@
             <translation>Alle beschrifteten Aufnahmen entladen; die Dateien bleiben erhalten</translation>
         </message>
         <message>
+            <location filename="../../../phonemeanalyser/desktop/engine_words.py" />
+            <source>Unreal plugin: a component that moves a face, and a source for Live Link</source>
+            <translation>Unreal-Plugin: eine Komponente, die ein Gesicht bewegt, und eine Quelle für Live Link</translation>
+        </message>
+        <message>
             <location filename="../../../phonemeanalyser/desktop/talk/dialogs.py" />
             <source>Unsaved Boundaries</source>
             <translation>Ungespeicherte Grenzen</translation>

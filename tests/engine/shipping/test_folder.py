@@ -201,8 +201,8 @@ def test_a_game_engine_gets_sources_libraries_and_a_readme_that_names_them(
         assert len(named) == len(LIBRARIES) + 1
 
 
-SOURCES_OF_TARGETS = ("c", "csharp", "godot", "unity", "web", "web_demo")
-SIGNED = {".c", ".h", ".cs", ".js", ".jsx", ".gd", ".ts", ".css", ".html", ""}
+SOURCES_OF_TARGETS = ("c", "csharp", "godot", "unity", "unreal", "web", "web_demo")
+SIGNED = {".c", ".h", ".cpp", ".cs", ".js", ".jsx", ".gd", ".ts", ".css", ".html", ""}
 """Endings of files that can say their licence; a Makefile has none."""
 
 

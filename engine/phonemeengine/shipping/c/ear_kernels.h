@@ -423,7 +423,7 @@ static const kernels KERNELS_OF_4 = {
 
 #if !defined(EAR_PLAIN) && !defined(EAR_NO_AVX2) && (defined(__x86_64__) || defined(_M_X64))
 #define HAS_AVX2_CODE 1
-#ifdef _MSC_VER
+#if defined(_MSC_VER) && !defined(__clang__)
 #include <intrin.h>
 #define AVX2_TARGET
 #else
@@ -516,7 +516,7 @@ static int has_avx2(void)
     /* the processor has FMA, the system lets xgetbv be asked; then bits 1 and 2 of the answer: the system saves the
      * registers of SSE and AVX when it changes programs */
     const unsigned fma_and_saved = 1u << 12 | 1u << 27, avx2 = 1u << 5;
-#ifdef _MSC_VER
+#if defined(_MSC_VER) && !defined(__clang__)
     int first[4], seventh[4];
     __cpuid(first, 0);
     if (first[0] < 7)
