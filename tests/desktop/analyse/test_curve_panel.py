@@ -62,6 +62,7 @@ def test_file_and_selection_are_rows_of_the_table(desktop, window, curves, qtbot
     choose(window, "Add", "Selection")
     added(window, curves, qtbot, 2)
     assert [cell(window, row, NAME) for row in range(2)] == ["cards", "cards 0.50-1.25 s"]
+    assert window.curves.list.columnWidth(NAME) >= window.curves.list.sizeHintForColumn(NAME)  # none is cut
     assert cell(window, 1, SECONDS) == "0.8"
     assert float(cell(window, 1, LEVEL)) == pytest.approx(curves.curves[1].level, abs=0.05)
     assert cell(window, 1, FILTERS) == "5.5 kHz, High-pass, Normalise"

@@ -289,3 +289,6 @@ def test_presets_of_version_1_are_read_for_ever(tmp_path):
         old = old.replace(new, before)
     (tmp_path / "voice.toml").write_text(old, encoding="utf-8")
     assert load_preset(tmp_path / "voice.toml") == preset
+    save_preset(load_preset(tmp_path / "voice.toml"), tmp_path / "again.toml")
+    written = (tmp_path / "again.toml").read_text(encoding="utf-8")
+    assert [name for name in ("preset 1", "file_ear", "twin", '"live"') if name in written] == []

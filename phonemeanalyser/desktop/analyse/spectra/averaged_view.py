@@ -250,7 +250,8 @@ class AveragedView(SpectrumView):
             self.legend.setColumnCount(n_columns)
         levels = [float(curve.levels.mean()) for curve, _, _ in self._drawn]
         is_below = self.in_decibels and bool(levels) and np.mean(levels) > FLOOR_DB / 2
-        corner, offset = ((0, 1), (30, 0)) if is_below else ((1, 0), (-8, 26))
+        top = max(0, min(26, int(self.item.vb.height() - self.legend.height())))  # within a plot that is low
+        corner, offset = ((0, 1), (30, 0)) if is_below else ((1, 0), (-8, top))
         self.legend.anchor(corner, corner, offset)
 
     def _name_curves(self, current: AveragedSpectrum) -> None:

@@ -5,11 +5,10 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor, QIcon, QKeyEvent, QPixmap, QShowEvent
+from PySide6.QtGui import QColor, QIcon, QKeyEvent, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QColorDialog,
-    QHeaderView,
     QLabel,
     QMenu,
     QSplitter,
@@ -50,6 +49,9 @@ DELTA = tr_noop(
     "Δ: root-mean-square difference of two spectra in dB, independent of loudness (the mean difference is taken "
     "away). The measure is d2 of Gray and Markel, IEEE Trans. ASSP 24(5), 1976."
 )
+WIDTHS = (80, 44, 40, 0)
+LEAST_FILTERS = 46
+"""Of the columns, pixels: names take what they need, filters what is left, and that at least."""
 MOST_COMPARED = 30
 """Curves in the matrix at most."""
 CELL = 52
@@ -66,9 +68,8 @@ class CurveList(QTableWidget):
         self.setHorizontalHeaderLabels([tr(heading) for heading in HEADINGS])
         for k, tip in enumerate(TIPS):
             self.model().setHeaderData(k, Qt.Orientation.Horizontal, tr(tip), Qt.ItemDataRole.ToolTipRole)
-        style_list(self, 22, (0, 44, 40, 96))
-        self.horizontalHeader().setMinimumSectionSize(36)
-        self.horizontalHeader().setSectionResizeMode(FILTERS, QHeaderView.ResizeMode.Interactive)
+        style_list(self, 22, WIDTHS)
+        self.horizontalHeader().setMinimumSectionSize(LEAST_FILTERS)
         self.setIconSize(QSize(ICON, ICON))
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         triggers = QAbstractItemView.EditTrigger
@@ -100,6 +101,11 @@ class CurveList(QTableWidget):
         """Ask for the room of all curves, up to a dozen."""
         return QSize(260, 30 + 22 * min(max(self.rowCount(), 3), 12))
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give names the room that they need."""
+        super().resizeEvent(event)
+        self._fit_names()
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Remove what is chosen."""
         if event.key() in {Qt.Key.Key_Delete, Qt.Key.Key_Backspace}:
@@ -118,7 +124,12 @@ class CurveList(QTableWidget):
                 for k, item in enumerate(_items_of(curve)):
                     self.setItem(place, k, item)
         self.choose([place for place in chosen if place < self.rowCount()])
+        self._fit_names()
         self.viewport().update()
+
+    def _fit_names(self) -> None:
+        room = self.viewport().width() - WIDTHS[SECONDS] - WIDTHS[LEVEL] - LEAST_FILTERS
+        self.setColumnWidth(NAME, max(WIDTHS[NAME], min(self.sizeHintForColumn(NAME), room)))
 
     def _take_edit(self, item: QTableWidgetItem) -> None:
         if item.column() != NAME:
