@@ -14,7 +14,14 @@ from phonemeanalyser.cli.jobs import say_note
 from phonemeengine import PerformanceTable, Progress, TextError, Voice, build_table, make_corpus, speak
 from phonemeengine.errors import ModelError
 from phonemeengine.mouth.style import save_style
-from phonemeengine.performance.components import USUAL_SHARE, principal_components, reduce_table, rms_between
+from phonemeengine.mouth.table import table_to_toml
+from phonemeengine.performance.components import (
+    USUAL_SHARE,
+    component_table,
+    principal_components,
+    reduce_table,
+    rms_between,
+)
 from phonemeengine.performance.corpus import BuiltTable
 from phonemeengine.performance.face_learning import LearnedFace, learn_face
 from phonemeengine.performance.face_network import owns, save_face_network
@@ -23,7 +30,7 @@ from phonemeengine.performance.style_fit import fit_style
 from phonemeengine.performance.table_file import TableAbout
 from phonemeengine.presets.files import DEFAULT_PRESET, load_preset
 from phonemeengine.storage.files import printable_name, read_text_file
-from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own
+from phonemeengine.storage.replacing import Guard, guarded_text, nothing_is_own, write_guarded
 
 USUAL_MINUTES, MOST_MINUTES = 15.0, 600.0
 BAR = "{desc}: {n:.0f} %|{bar}| {elapsed}"
@@ -58,7 +65,7 @@ EXAMPLES_OF = {
     ),
     "pca": (
         "phonemeanalyser performance pca face.sqlite -o small.sqlite",
-        "phonemeanalyser performance pca face.sqlite -o smaller.sqlite --explained 95",
+        "phonemeanalyser performance pca face.sqlite -o smaller.sqlite --explained 95 --rig rig.toml",
         "phonemeanalyser performance pca other.sqlite -o small.sqlite --overwrite",
     ),
     "show": (
@@ -116,6 +123,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         default=100 * USUAL_SHARE,
         metavar="P",
         help=f"percent of the variance that the components explain (default: {100 * USUAL_SHARE:g})",
+    )
+    pca.add_argument(
+        "--rig",
+        type=file_place,
+        metavar="RIG.toml",
+        help="write a mouth table for a rig with a shape for each component, for --table",
     )
     add_options(pca, "overwrite")
     pca.set_defaults(act=_pca)
@@ -211,13 +224,18 @@ def _info(options: argparse.Namespace) -> Iterator[str]:
 
 
 def _pca(options: argparse.Namespace) -> Iterator[str]:
-    Guard(nothing_is_own, options.overwrite).check(options.out)
+    guard = Guard(nothing_is_own, options.overwrite)
+    guard.check(options.out)
+    guard.check(options.rig)
     with PerformanceTable.open(options.table) as table:
         basis = principal_components((found for _, found in table.recordings()), options.explained / 100)
         about = reduce_table(table, options.out, basis)
         with PerformanceTable.open(options.out) as small:
             pairs = zip(table.recordings(), small.recordings(), strict=True)
             error = rms_between((before, after) for (_, before), (_, after) in pairs)
+        if options.rig is not None:
+            text = table_to_toml(component_table(basis, options.rig.stem))
+            write_guarded(options.rig, [text.encode()], guard)
     yield _summary(options.out, about)
     n, n_shapes = basis.components.shape
     yield f"{n} principal components in place of {n_shapes} shapes, which differ by {error:.4f} RMS"

@@ -255,7 +255,8 @@ def animation_by_rules(speech: Transcript, options: ExportOptions, rate: float) 
     MouthError : the table cannot be used.
     """
     ahead = MOST_ANTICIPATION if options.anticipation is None else options.anticipation
-    return animation_of(speech, options.mouth_table(USUAL_TABLE), rate, options.idle, anticipation=ahead)
+    table = options.style.with_tongue(options.mouth_table(USUAL_TABLE))
+    return animation_of(speech, table, rate, options.idle, anticipation=ahead)
 
 
 def sound_track(reader: SoundReader, start: float = 0.0, end: float | None = None) -> SoundTrack:

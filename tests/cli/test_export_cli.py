@@ -11,7 +11,7 @@ from pygltflib import GLTF2
 from phonemeanalyser.cli.main import main
 from phonemeanalyser.cli.window import DEMO
 from phonemeengine.mouth.animation import Animation
-from phonemeengine.mouth.blendshape_names import ARKIT
+from phonemeengine.mouth.blendshape_names import ARKIT, TONGUE
 from phonemeengine.mouth.curves_file import read_curves
 from phonemeengine.mouth.exports.formats import FORMATS
 from phonemeengine.mouth.head import load_head
@@ -86,7 +86,7 @@ def test_the_programs_own_head_is_animated_where_no_other_is_named(sound: Path, 
     (primitive,) = gltf.meshes[0].primitives
     assert gltf.accessors[primitive.attributes.POSITION].count == len(head.mesh)
     names = gltf.meshes[0].extras["targetNames"]
-    assert sorted(names) == sorted(ARKIT)
+    assert sorted(names) == sorted((*ARKIT, *TONGUE))
     (channel, turning), (sampler, turned) = gltf.animations[0].channels, gltf.animations[0].samplers
     assert (gltf.nodes[channel.target.node].mesh, channel.target.path) == (0, "weights")
     form = gltf.accessors[sampler.output]

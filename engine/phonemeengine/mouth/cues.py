@@ -287,7 +287,7 @@ def planned_movements(
         if rate and _closes(cue, table):
             lead = max(lead, cue.start - _picture_in(cue, rate) + time)
         wanted = cue.start - lead
-        begin = max(wanted, begun + APART, _held_until(before, table, rate))
+        begin = max(wanted, begun + APART, _held_until(before, cue, table, rate))
         hurried = max(1.0 - (begin - wanted) / time, table.movement.quickest) if time else 1.0
         planned.append(PlannedMovement(begin, hurried, cue, begin + hurried * time))
         begun = begin
@@ -313,13 +313,19 @@ def _closes(cue: Cue, table: MouthTable) -> bool:
     return cue.phoneme is not Phoneme.SILENCE and table.closes(cue.phoneme, cue.phone)
 
 
-def _held_until(cue: Cue, table: MouthTable, rate: float) -> float:
-    """Return until when nothing moves apart what has met, seconds."""
+def _held_until(cue: Cue, after: Cue, table: MouthTable, rate: float) -> float:
+    """Return until when nothing moves apart what has met, seconds.
+
+    Of two closures side by side, one of higher priority takes all its time, one of lower priority gives way.
+    """
     if not _closes(cue, table):
         return -math.inf
     width = narrowest(table.widths, cue.phone or cue.phoneme.label, 1.0)
     share = min(table.movement.held * width, 1.0)
     held = max(cue.start + share * cue.duration, cue.end - table.movement.released / width)
+    if table.priorities and _closes(after, table):
+        mine, other = (narrowest(table.priorities, one.phone or one.phoneme.label, 0.0) for one in (cue, after))
+        held = cue.end if mine > other else cue.start if mine < other else held
     return max(held, _picture_in(cue, rate)) if rate else held
 
 

@@ -1,9 +1,11 @@
 """The heads that ship with the program, a woman's and a man's: CC0, with the 52 blend shapes of ARKit.
 
+Six more move the tongue as `TONGUE` names them; they are made of where its vertices lie when a head is loaded.
 The origin is where a head turns on its neck; a unit is a decimetre. Made by `python -m tools.head`.
 """
 
 import os
+from collections.abc import Iterator
 from enum import StrEnum
 from pathlib import Path
 from typing import Any
@@ -11,10 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from phonemeengine.arrays import BoolArray, Float32Array
 from phonemeengine.errors import MeshError
 from phonemeengine.mouth.mesh import mesh_of
 from phonemeengine.mouth.morph_mesh import MorphMesh
-from phonemeengine.mouth.movestate import movestate_of
+from phonemeengine.mouth.movestate import Movestate, movestate_of
 from phonemeengine.storage.npz import read_npz
 
 HEADS = Path(__file__).with_name("heads")
@@ -22,6 +25,18 @@ LARGEST = 64 << 20
 """Bytes of all its arrays at most."""
 OFFSET_STEP = 1 / 4096
 """What offsets are stored in, decimetres."""
+TONGUE_PART = 4
+"""The number of the tongue among the parts of a stored head."""
+TONGUE_MOVES: dict[str, tuple[float, float, float, float]] = {
+    "tongueTipInterdental": (1.0, 0.3, 0.02, 0.05),
+    "tongueTipAlveolar": (1.0, 0.3, 0.13, 0.02),
+    "tongueFrontDorsalPalate": (0.75, 0.2, 0.12, 0.0),
+    "tongueMidDorsalPalate": (0.5, 0.2, 0.12, 0.0),
+    "tongueBackDorsalVelar": (0.2, 0.2, 0.12, 0.0),
+    "tongueRetreat": (1.0, 1.0, 0.0, -0.1),
+}
+"""Where each movement of the tongue is largest, from 0 at its root to 1 at its tip; how far along it reaches; and by
+how much it goes up and forward there, decimetres."""
 OWN_LIFE = ("eye", "brow")
 """States whose names begin so are not interactable: the mouth does not push eyes and brows back."""
 
@@ -50,7 +65,7 @@ class Framing(StrEnum):
 
 
 def load_head(head: Head | str | os.PathLike[str] = USUAL_HEAD) -> MorphMesh:
-    """Load a head and its movestates, whose names are those of ARKit.
+    """Load a head and its movestates, whose names are those of `ARKIT` and `TONGUE`.
 
     Parameters
     ----------
@@ -71,10 +86,18 @@ def _morph_mesh_of(arrays: dict[str, NDArray[Any]], name: str) -> MorphMesh:
     colours = (arrays["colours"] / 255).astype(np.float32)
     mesh = mesh_of(arrays["positions"], arrays["triangles"], name=name, colours=colours)
     names = [str(name) for name in arrays["names"]]
-    return MorphMesh(
-        mesh,
-        tuple(
-            movestate_of(name, offsets * np.float32(OFFSET_STEP), interactable=not name.startswith(OWN_LIFE))
-            for name, offsets in zip(names, arrays["offsets"], strict=True)
-        ),
-    )
+    states = [
+        movestate_of(name, offsets * np.float32(OFFSET_STEP), interactable=not name.startswith(OWN_LIFE))
+        for name, offsets in zip(names, arrays["offsets"], strict=True)
+    ]
+    return MorphMesh(mesh, (*states, *_tongue_of(mesh.positions, arrays["part"] == TONGUE_PART)))
+
+
+def _tongue_of(points: Float32Array, part: BoolArray) -> Iterator[Movestate]:
+    """Return the movestates of a tongue, whose root lies behind and whose tip in front."""
+    depth = points[part, 2]
+    along = (depth - depth.min()) / np.ptp(depth)
+    for name, (place, reach, up, forward) in TONGUE_MOVES.items():
+        offsets = np.zeros_like(points)
+        offsets[part] = np.exp(-(((along - place) / reach) ** 2))[:, None] * np.array((0.0, up, forward))
+        yield movestate_of(name, offsets)

@@ -24,8 +24,10 @@ from typing import TypeVar
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
+from phonemeengine.labels.articulation import narrowest
+from phonemeengine.mouth.blendshape_names import TONGUE
 from phonemeengine.mouth.table import MouthTable
-from phonemeengine.phonemes import Phoneme
+from phonemeengine.phonemes import VOWELS, Phoneme
 
 # Movements along half a cosine, laid over each other: of each mouth that goes from shape to shape.
 #
@@ -97,6 +99,8 @@ def shares_of(movements: Reversible[M], time: float) -> list[tuple[M, float]]:
 
 HALF_OPEN = 0.6
 """How far a mouth of two states opens, as a share of the shape of a."""
+_LETTERS = {Phoneme.SZ: "s", Phoneme.SCH: "ʃ"} | {vowel: vowel.label for vowel in VOWELS}
+"""The letters of phonemes that show where the tongue is, where no phone is known."""
 MOST_MOVEMENTS = 64
 """Movements that are remembered at once: more than fit into the longest one would be forgotten, oldest first."""
 
@@ -114,6 +118,8 @@ class _Movement(EasedMovement):
     whole: bool
     """Whether the shape is full whatever the loudness."""
     share: float
+    tongue: Float32Array
+    """The weights of the tongue, which is where it is whatever the loudness; empty where the table has none."""
 
 
 class Morpher:
@@ -134,7 +140,9 @@ class Morpher:
         self._rows = _rows_of(table, detail, self._random)
         self._row_of_shape = {shape: len(Phoneme) + k for k, shape in enumerate(table.shapes)}
         self._closed = {*table.closed_phonemes, Phoneme.SILENCE}
-        self._movements = deque([_Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0)], maxlen=MOST_MOVEMENTS)
+        self._tongue = [k for k, name in enumerate(table.movestates) if table.tongue and name in TONGUE]
+        resting = _Movement(-math.inf, 0.0, Phoneme.SILENCE, True, 1.0, np.zeros(len(self._tongue), np.float32))
+        self._movements = deque([resting], maxlen=MOST_MOVEMENTS)
         self._said, self._row = (Phoneme.SILENCE, ""), int(Phoneme.SILENCE)
         self._loudness = LowPass(self._motion.loudness)
 
@@ -165,7 +173,7 @@ class Morpher:
         if said == self._said:
             return
         row = self._row_of(*said)
-        if row != self._row:
+        if row != self._row or (self._tongue and said[1] != self._said[1]):
             self._movements.append(self._movement(time, row, *said, time_share))
         self._said, self._row = said, row
 
@@ -179,13 +187,15 @@ class Morpher:
         Movements that have ended by this time are forgotten: times may be looked at in order only.
         """
         movements, gain = self._movements, self._gain(time)
-        shares, rows = [], []
-        for movement, share in shares_of(movements, time):
+        shares, rows, mixed = [], [], shares_of(movements, time)
+        for movement, share in mixed:
             shares.append(share * (movement.share if movement.whole else movement.share * gain))
             rows.append(movement.row)
         while rows and movements[0] is not movement:
             movements.popleft()
         weights: Float32Array = np.array(shares, np.float32) @ self._rows[rows]
+        if self._tongue:
+            weights[self._tongue] = sum(share * movement.tongue for movement, share in mixed)
         return weights
 
     def _row_of(self, phoneme: Phoneme, phone: str) -> int:
@@ -202,7 +212,18 @@ class Morpher:
         if not closes:
             duration *= 1 + vary_time
         whole = closes or self._detail is Detail.TWO_STATES
-        return _Movement(time, duration * time_share, row, whole, 1.0 if closes else 1.0 + vary_shape)
+        share = 1.0 if closes else 1.0 + vary_shape
+        return _Movement(time, duration * time_share, row, whole, share, self._tongue_in(phoneme, phone))
+
+    def _tongue_in(self, phoneme: Phoneme, phone: str) -> Float32Array:
+        """Return where the tongue goes; it stays where it went before in sounds of lips and glottis."""
+        before = self._movements[-1].tongue
+        if not self._tongue or phoneme is Phoneme.SILENCE:
+            return np.zeros_like(before)
+        pose = narrowest(self.table.tongue, phone or _LETTERS.get(phoneme, ""), None)
+        if pose is None:
+            return before
+        return np.array([pose.get(self.table.movestates[k], 0.0) / 100 for k in self._tongue], np.float32)
 
     def _gain(self, time: float) -> float:
         least = 0.0 if self._detail is Detail.LOUDNESS else self._motion.minimum_opening
@@ -223,7 +244,8 @@ def _rows_of(table: MouthTable, detail: Detail, chance: random.Random) -> Float3
     Lips that meet do so in every mouth.
     """
     rows, spread = np.concatenate((table.weights(), table.shape_weights())), table.motion.randomness
-    habits = np.array([chance.uniform(-spread, 0.0) for _ in table.movestates], np.float32)
+    own = (table.tongue and name in TONGUE for name in table.movestates)  # lips are the same without a tongue
+    habits = np.array([0.0 if tongue else chance.uniform(-spread, 0.0) for tongue in own], np.float32)
     firm = {table.phones[name] for name in table.closed_phones}
     loose = [int(p) for p in Phoneme if p not in {*table.closed_phonemes, Phoneme.SILENCE}]
     loose += [len(Phoneme) + k for k, shape in enumerate(table.shapes) if shape not in firm]

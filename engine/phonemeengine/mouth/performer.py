@@ -193,7 +193,7 @@ class Performer:
         with self._lock:
             if table.shapes.keys() != self.table.shapes.keys():
                 self.visemes = VisemeOverride(table)
-            elif table.shapes is not self.table.shapes:
+            elif table.shapes is not self.table.shapes or table.movestates != self.table.movestates:
                 self.visemes.reshape(table)
             self._head.gestures = idle.gestures
             again = (table, idle.detail, idle.seed) != (self.table, self.idle.detail, self.idle.seed)

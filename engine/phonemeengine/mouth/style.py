@@ -113,7 +113,6 @@ class Style:
                 else {state: _limited(percent * gains[state]) for state, percent in shape.items()}
                 for name, shape in table.shapes.items()
             }
-        firm_phones = table.closed_phones
         return replace(
             table,
             shapes=shapes,
@@ -122,12 +121,28 @@ class Style:
                 for phoneme, times in table.times.items()
             },
             phone_times={
-                name: self._timed(times, "vowel" in name or name in _VOWELS, name in firm_phones)
+                name: self._timed(times, "vowel" in name or name in _VOWELS, name in table.closed_phones)
                 for name, times in table.phone_times.items()
             },
             movement=replace(self.movement, held=self.movement.held * (1 - MUMBLED_CLOSURE * self.mumbling)),
             widths={name: pose.width for name, pose in self.closures.phones.items() if pose.width != 1.0},
+            priorities=self._raised(),
         )
+
+    def with_tongue(self, table: MouthTable) -> MouthTable:
+        """Return a table with ARKit's movestates that also moves the tongue, for faces that have its movestates."""
+        if table.movestates != ARKIT:
+            return table
+        tongue = {name: self.tongue.shapes[pose.shape] for name, pose in self.tongue.phones.items()}
+        targets = table.targets and {**table.targets, **{name: {name: 100.0} for name in TONGUE}}
+        return replace(table, movestates=(*ARKIT, *TONGUE), tongue=tongue, targets=targets)
+
+    def _raised(self) -> dict[str, float]:
+        """Return by how much closures have another priority than in the neutral style."""
+        usual = _usual(USUAL_POSES).phones
+        firm = {name: pose.priority for name, pose in self.closures.phones.items() if pose.firm}
+        raised = {name: priority - usual.get(name, Pose("")).priority for name, priority in firm.items()}
+        return {name: more for name, more in raised.items() if more}
 
     def on_idle(self, idle: IdleMotion) -> IdleMotion:
         """Return what a face does besides speaking, as it does that in this style."""
@@ -337,7 +352,7 @@ def load_style(name: str | os.PathLike[str]) -> Style:
     MouthError : there is none, or it says something impossible; the message names the file, the entry and what to do.
     """
     if str(name) in shipped_styles():
-        return _style_in(STYLES / f"{name}.toml")
+        return _shipped_style(STYLES / f"{name}.toml")
     own = {path.stem: path for path in own_styles()}
     path = own.get(str(name), Path(name))
     if not os.path.lexists(path):
@@ -412,15 +427,11 @@ def limits_of(number: Field[float]) -> tuple[float, float, str]:
     return limits
 
 
-@cache
-def _known_style(path: Path) -> Style:
-    return load_text(path, "a style (.toml)", MouthError, style_of)
-
-
 def _style_in(path: Path) -> Style:
-    if path.parent == STYLES:
-        return _known_style(path)
     return load_text(path, "a style (.toml)", MouthError, style_of)
+
+
+_shipped_style = cache(_style_in)
 
 
 def style_of(text: str) -> Style:

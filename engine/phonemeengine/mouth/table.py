@@ -151,6 +151,8 @@ class MouthTable(ShortRepr):
     targets : for a face whose shapes have other names: the percentages of its shapes that a movestate stands for; a
         movestate that is not named moves nothing then. Empty for a face with the movestates themselves.
     movement, widths : how a style moves the mouth, and factors of the time for which what meets stays so, by letter.
+    priorities : by how much a style puts what meets above what meets beside it, by letter; 0 for the others.
+    tongue : percentages of the tongue's movestates, beside those of shapes, by letter or class.
     """
 
     name: str
@@ -167,6 +169,8 @@ class MouthTable(ShortRepr):
     targets: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     movement: MovementNumbers = field(default_factory=MovementNumbers)
     widths: Mapping[str, float] = field(default_factory=dict)
+    priorities: Mapping[str, float] = field(default_factory=dict)
+    tongue: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     @cached_property
     def face_names(self) -> tuple[str, ...]:
@@ -208,12 +212,8 @@ class MouthTable(ShortRepr):
 
     def shape_weights(self) -> Float32Array:
         """Return the weights of every shape in the order of `shapes`, shape (n_shapes, n_movestates)."""
-        columns = {name: k for k, name in enumerate(self.movestates)}
-        rows = np.zeros((len(self.shapes), len(columns)), np.float32)
-        for row, shape in zip(rows, self.shapes.values(), strict=True):
-            for movestate, percent in shape.items():
-                row[columns[movestate]] = percent / 100
-        return rows
+        rows = [[shape.get(name, 0.0) / 100 for name in self.movestates] for shape in self.shapes.values()]
+        return np.array(rows, np.float32)
 
     def with_motion(self, attack: float, release: float, *, random: bool) -> "MouthTable":
         """Return the table with all its times multiplied by factors above 0, and with its randomness or without."""

@@ -2,10 +2,12 @@
 
 import os
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
 from phonemeengine.errors import PerformanceError
+from phonemeengine.mouth.table import USUAL_TABLE, MouthTable, load_table
 from phonemeengine.performance.face_track import shape_name
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.table_file import PerformanceTable, TableAbout, write_table
@@ -66,6 +68,19 @@ def reduce_table(table: PerformanceTable, path: str | os.PathLike[str], basis: B
         clips=about.clips,
         basis=basis,
     )
+
+
+def component_table(basis: Basis, name: str) -> MouthTable:
+    """Return a mouth table whose curves are those of the components, for a rig that has a shape for each, ``pc1`` on.
+
+    A component's shape is the sum of the face's shapes by its numbers; weights are counted from the neutral face.
+    """
+    percent = np.round(100.0 * basis.components.T, 4).tolist()
+    targets = {
+        shape: {f"pc{k + 1}": share for k, share in enumerate(row)}
+        for shape, row in zip(basis.shapes, percent, strict=True)
+    }
+    return replace(load_table(USUAL_TABLE), name=name, targets=targets)
 
 
 def rms_between(pairs: Iterable[tuple[Performance, Performance]]) -> float:

@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
-from phonemeengine.arrays import Float64Array
 from phonemeengine.errors import CorpusError
 from phonemeengine.mouth.action_units import shapes_moved_by
 from phonemeengine.mouth.blendshape_names import OPENFACE_POSE, STRONGEST_UNIT
+from phonemeengine.mouth.exports.openface import head_turns
 from phonemeengine.mouth.expression.streams import ExpressionStream, recorded_expression
 from phonemeengine.performance.face_track import FaceTrack, captured
 from phonemeengine.performance.livelink import numbers_of, parse_livelink
@@ -83,16 +83,10 @@ def parse_openface(text: str, file: str) -> FaceTrack:
     channels = [*shapes]
     if len(turned) == len(OPENFACE_POSE):
         channels += HEAD
-        weights += [*_turns_of(numbers[:, len(wanted) - len(turned) : len(wanted)])]
+        weights += [*head_turns(numbers[:, len(wanted) - len(turned) : len(wanted)]).T]
     track = captured(numbers[:, 0], channels, np.stack(weights, axis=1).astype(np.float32), file)
     used = {k for some in shapes.values() for k in some}
     return _with_note(track, [name for k, name in enumerate(units) if k not in used])
-
-
-def _turns_of(pose: Float64Array) -> Float64Array:
-    """Return yaw, pitch and roll in degrees, shape (3, n), of turns about the axes of a camera, shape (n, 3)."""
-    x, y, z = np.degrees(pose).T
-    return np.stack([-y, -x, z])
 
 
 def _with_note(track: FaceTrack, unknown: list[str]) -> FaceTrack:

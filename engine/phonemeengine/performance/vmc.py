@@ -15,12 +15,14 @@ import math
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.errors import CorpusError
-from phonemeengine.performance.face_track import FaceTrack, captured, shape_name
+from phonemeengine.mouth.action_units import is_unit
+from phonemeengine.performance.face_track import FaceTrack, captured, shape_name, shapes_in
 from phonemeengine.storage.files import printable_name, read_text_file
 
 LARGEST = 64 << 20
@@ -54,25 +56,26 @@ def read_vmc(path: Path) -> FaceTrack:
 def parse_vmc(text: str, file: str) -> FaceTrack:
     """Read the text of a recording of VMC messages; `file` is what it is called in a refusal.
 
-    Blend shapes that are not sent anew stay as they are. ARKit's and the shoulders' count; others are passed over.
+    Blend shapes that are not sent anew stay as they are. ARKit's, the shoulders', and action units such as ``AU12``
+    for shapes that are not sent count; others are passed over.
 
     Raises
     ------
     CorpusError : it is no such recording, it moves no blend shape of ARKit, or the times have gaps.
     """
     frames = [*_frames_of(text.split("\n"), file)]
-    channels = tuple(dict.fromkeys(name for frame in frames for name in frame.weights))
-    if not channels:
+    names = [*dict.fromkeys(name for frame in frames for name in frame.weights)]
+    shapes = shapes_in(names)
+    if not shapes:
         raise CorpusError(
             f"{file}: there is no blend shape of ARKit, such as jawOpen, in it, followed by {APPLY}; record VMC "
             "messages with oscdump, from a program that sends ARKit's names"
         )
     senders = [frame.sender for frame in frames if frame.sender is not None]
     times = senders if len(senders) == len(frames) else [frame.packet for frame in frames]
-    weights = np.zeros((len(frames), len(channels)), np.float32)
-    for k, frame in enumerate(frames):
-        weights[k] = [frame.weights.get(name, 0.0) for name in channels]
-    return captured(np.array(times, float), channels, weights, file)
+    sent = np.array([[frame.weights.get(name, 0.0) for name in names] for frame in frames], np.float32)
+    weights = np.stack([sent[:, list(some)].mean(axis=1) for some in shapes.values()], axis=1)
+    return captured(np.array(times, float), [*shapes], weights, file)
 
 
 def _frames_of(lines: Iterable[str], file: str) -> Iterator[_Frame]:
@@ -113,8 +116,14 @@ def _weight_of(arguments: str, number: int, file: str) -> dict[str, float]:
         raise CorpusError(
             f'{file}, line {number}: a blend shape is like "jawOpen" 0.42, found {arguments[:30]!r}; record it again'
         )
-    name = shape_name(found[1])
-    return {} if name is None else {name: _number_of(found[2], number, file)}
+    name = _counted(found[1])
+    return {name: _number_of(found[2], number, file)} if name else {}
+
+
+@lru_cache(1024)
+def _counted(name: str) -> str:
+    """Return what a blend shape is called here, or an action unit; an empty text for others."""
+    return shape_name(name) or (name if is_unit(name) else "")
 
 
 def _number_of(word: str, number: int, file: str) -> float:

@@ -480,6 +480,9 @@ class TalkModel(QObject):
         self.osc.follow(self._table_for(self.osc.performer), idle)
 
     def _table_for(self, performer: Performer) -> MouthTable:
-        """Return the mouth table; for recorded faces with all that they move, such as shoulders and tongue."""
-        recorded = performer in self._tracks and self._tracks[performer].movestates == FACE
+        """Return the mouth table; for recorded faces with all that they move, for heads by rules with a tongue."""
+        track = self._tracks.get(performer)
+        if track is None and performer is not self.osc.performer:
+            return self.styles.style.with_tongue(self.table)
+        recorded = track is not None and track.movestates == FACE
         return replace(self.table, movestates=FACE) if recorded and self.table.movestates == ARKIT else self.table

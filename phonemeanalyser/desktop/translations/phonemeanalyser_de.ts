@@ -7331,8 +7331,8 @@
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />
-            <source>Poses of the tongue in recorded faces</source>
-            <translation>Posen der Zunge bei aufgezeichneten Gesichtern</translation>
+            <source>Poses of the tongue</source>
+            <translation>Posen der Zunge</translation>
         </message>
         <message>
             <location filename="../../../phonemeanalyser/desktop/talk/expression/style_panel.py" />

@@ -51,7 +51,7 @@ def test_a_pause_holds_the_mouth_that_is_sent_as_it_holds_the_head(stage: Stage)
     stage.wait(1.0)
     now = stage.now - START
     shown, sent = talking.performer.at(now).weights, talking.osc.performer.at(now).weights
-    np.testing.assert_array_equal(sent, shown)
+    np.testing.assert_array_equal(sent, shown[: len(sent)])  # the head has a tongue, too
     assert shown[talking.table.movestates.index("jawOpen")] > 0.15
 
 
@@ -117,7 +117,7 @@ def test_film_window_and_network_move_alike(stage: Stage, receiver: Receiver, qt
             now = stage.now - START
             qtbot.waitUntil(lambda: receiver.weights_at(now) is not None)  # older mouths may still be on their way
             weights = receiver.weights_at(now) or {}
-            shown.append(talking.performer.at(now).weights)
+            shown.append(talking.performer.at(now).weights[: len(film.movestates)])
             sent.append([weights.get(name, 0.0) for name in film.movestates])
 
     stage.play(3.0, look)

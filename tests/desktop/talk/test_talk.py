@@ -266,7 +266,7 @@ def test_another_shape_of_the_mouth_does_not_open_eyes_that_blink(stage: Stage) 
     face = stage.talking.face
     assert face.states is not None
     assert not face.states.interactable("eyeBlinkLeft")
-    still = np.zeros(len(stage.talking.table.movestates), np.float32)
+    still = np.zeros(len(stage.talking.performer.table.movestates), np.float32)
     face.blink(0.8)
     face.move(still)
     assert face.states.percentage("eyeBlinkLeft") == pytest.approx(80)

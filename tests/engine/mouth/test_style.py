@@ -93,6 +93,40 @@ def test_firmness_of_a_closure_acts_on_rules():
     assert (firm.closes(Phoneme.O), firm.shape_of(Phoneme.O, "o")) == (True, table.shape_of(Phoneme.O))
 
 
+def test_the_tongue_of_a_style_moves_with_rules_where_a_face_has_one():
+    edited = style_of(f'format = "{FORMAT}"\n[tongue.alveolar.shape]\ntongueTipAlveolar = 60\n')
+    said = phones_said(("a", 0.2), ("t", 0.12), ("a", 0.2), ("θ", 0.12), ("k", 0.12), ("p", 0.1))
+    plain = TABLE.with_motion(1, 1, random=False)
+    faces = [
+        animation_of(said, table, 100, IdleMotion(blinks=False))
+        for table in (plain, Style().with_tongue(plain), edited.with_tongue(plain))
+    ]
+    lips, tongue, other = (face.weights for face in faces)
+    np.testing.assert_array_equal(tongue[:, : len(ARKIT)], lips)
+    tip, between, back = (len(ARKIT) + k for k in (1, 0, 4))
+    assert [tongue[at, column] for at, column in ((56, tip), (88, between), (102, back))] == pytest.approx(
+        [1, 1, 1], abs=0.15
+    )
+    assert (tongue[38, tip], tongue[104, tip]) == pytest.approx((0, 0), abs=0.02)
+    assert other[:, tip].max() == pytest.approx(0.6 * tongue[:, tip].max(), abs=1e-3)
+    assert load_table("vrm") == Style().with_tongue(load_table("vrm"))
+
+
+def test_the_priority_of_two_closures_side_by_side_says_which_of_them_is_met_fully():
+    said = phones_said(("a", 0.2), ("p", 0.06), ("f", 0.06), ("a", 0.2))
+    plain = TABLE.with_motion(1, 1, random=False)
+
+    def of(text: str) -> tuple[float, float]:
+        table = style_of(f'format = "{FORMAT}"\n{text}\n').on_table(plain)
+        press, roll = ARKIT.index("mouthPressLeft"), ARKIT.index("mouthRollLower")
+        weights = animation_of(said, table, 200, IdleMotion(blinks=False)).weights
+        return float(weights[111, press]), float(weights[113, roll])
+
+    first, usual, second = of("[closures.p]\npriority = 9"), of(""), of("[closures.labiodental]\npriority = 9")
+    assert first[0] > usual[0] + 0.02
+    assert second[1] > usual[1] + 0.02
+
+
 def test_expressions_give_way_as_the_style_says():
     idle = IdleMotion(expression=Expression((held_expression({"smile": 1.0}),)))
     style = Style(inhibition=InhibitionTimes(0.3, 0.6, 0.2), reductions={"browInnerUp": 0.9})

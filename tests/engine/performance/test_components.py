@@ -6,9 +6,17 @@ import numpy as np
 import pytest
 
 from phonemeengine import PerformanceError
-from phonemeengine.performance.components import principal_components, reduce_table, rms_between
+from phonemeengine.mouth.exports.exporter import Exporter
+from phonemeengine.mouth.table import table_of, table_to_toml
+from phonemeengine.performance.components import (
+    component_table,
+    principal_components,
+    reduce_table,
+    rms_between,
+)
 from phonemeengine.performance.recording import Performance
 from phonemeengine.performance.table_file import PerformanceTable, write_table
+from tests.engine.mouth.speaking import speech
 from tests.engine.performance.sentences import performance_of
 
 CHANNELS = ("headYaw", "jawOpen", "mouthFunnel", "mouthClose", "browInnerUp")
@@ -42,6 +50,17 @@ def test_weights_come_back_from_fewer_columns(small: Path) -> None:
         found = [performance for _, performance in table.recordings()]
     assert rms_between(zip(map(moved, (1, 2)), found, strict=True)) < 5e-4
     assert found[0].weights[:, -1] == pytest.approx(moved(1).weights[:, 0], abs=0.02)
+
+
+def test_a_rig_with_a_shape_for_each_component_is_moved_by_rules_and_recorded_faces(small: Path) -> None:
+    with PerformanceTable.open(small) as table:
+        basis = principal_components(found for _, found in table.recordings())
+    rig = table_of(table_to_toml(component_table(basis, "rig")))
+    film = Exporter("livelink-csv").export_of(speech()).animation
+    shown = film.on_face(rig)
+    assert shown.movestates == ("pc1", "pc2")
+    shapes = film.weights[:, [*map(film.movestates.index, basis.shapes)]]
+    np.testing.assert_allclose(shown.weights, shapes @ basis.components.T, atol=1e-5)
 
 
 def test_a_part_of_the_variance_takes_fewer_components() -> None:

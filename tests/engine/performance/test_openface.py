@@ -7,6 +7,7 @@ import pytest
 from phonemeengine import CorpusError
 from phonemeengine.mouth.blendshape_names import ARKIT
 from phonemeengine.mouth.exports.exporter import Exporter, ExportOptions
+from phonemeengine.mouth.exports.openface import head_turns
 from phonemeengine.performance.face_csv import parse_openface, read_expression, read_face_csv
 from phonemeengine.performance.recording import HEAD
 from tests.engine.mouth.speaking import speech
@@ -25,9 +26,28 @@ def test_intensities_become_shapes_and_frames_without_a_face_are_left_out() -> N
     moved = dict(zip(track.channels, track.weights.T.tolist(), strict=True))
     assert moved["mouthSmileLeft"] == moved["mouthSmileRight"] == pytest.approx([0, 0.5])
     assert moved["jawOpen"] == pytest.approx([1, 0.2])
-    turned = np.degrees([-0.2, -0.1, 0.3])  # towards the camera's left, downwards, to the performer's left
-    assert [moved[name][1] for name in HEAD] == pytest.approx(turned)
+    assert [moved[name][0] for name in HEAD] == pytest.approx([0, 0, 0])
     assert track.notes == ("no blend shape of ARKit is moved by AU25, which is left out",)
+
+
+def test_heads_turn_by_the_rotation_that_openface_documents() -> None:
+    """Its wiki: radians, R = Rx Ry Rz; its axes point to the right of a picture, downwards, and into it."""
+
+    def about(axis: int, angle: float) -> np.ndarray:
+        turned, (k, m) = np.eye(3), ((1, 2), (2, 0), (0, 1))[axis]
+        turned[k, k] = turned[m, m] = np.cos(angle)
+        turned[m, k], turned[k, m] = np.sin(angle), -np.sin(angle)
+        return turned
+
+    pose = np.array([[0.1, 0, 0], [0, 0.2, 0], [0, 0, 0.3], [0.35, -0.6, 0.25]])
+    yaw, pitch, roll = head_turns(pose).T
+    # down; to the performer's right; towards the performer's left shoulder
+    assert (pitch[0], yaw[1], roll[2]) == pytest.approx(tuple(np.degrees([-0.1, -0.2, 0.3])))
+    x, y, z = pose[3]
+    own = np.radians([-yaw[3], -pitch[3], roll[3]])  # ours: a head rolls first, then nods, then turns
+    np.testing.assert_allclose(
+        about(0, x) @ about(1, y) @ about(2, z), about(1, own[0]) @ about(0, own[1]) @ about(2, own[2]), atol=1e-12
+    )
 
 
 def test_what_is_written_is_read_back_as_both_sides_alike(tmp_path: Path) -> None:

@@ -32,6 +32,15 @@ def test_shoulders_travel_as_blend_shapes_and_other_names_are_passed_over() -> N
     assert track.weights[:, 0] == pytest.approx([0, 0.01, 0.01])
 
 
+def test_action_units_count_for_shapes_that_are_not_sent() -> None:
+    frames = recorded_vmc([1.0, 1.05, 1.1], clock=True)
+    units = frames.replace("JawOpen", "AU12L"), frames.replace("JawOpen", "AU26"), frames
+    for text, channels in zip(units, (("mouthSmileLeft",), ("jawOpen",), ("jawOpen",)), strict=True):
+        track = parse_vmc(text, "a.osc")
+        assert track.channels == channels
+        assert track.weights[:, 0] == pytest.approx([0, 0.01, 0.02])
+
+
 def test_what_the_program_sends_can_be_recorded() -> None:
     receiver, times = Receiver(), count()
     performer = Performer(load_table("arkit"))

@@ -135,7 +135,8 @@ class Exporter:
         cues: tuple[Cue, ...] = ()
         if self.format.has_cues:
             cues = cues_of(speech.runs, self._table, minimum=self._minimum(), anticipation=anticipation)
-        return Export(speech, self._table, cues, self.rate, self.idle, self._mesh, movement, anticipation, keys)
+        table = options.style.with_tongue(self._table) if self.format.moves_mesh else self._table
+        return Export(speech, table, cues, self.rate, self.idle, self._mesh, movement, anticipation, keys)
 
     def chunks_of(
         self, speech: Transcript, movement: Animation | None = None, keys: KeyLayer = NO_KEYS

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from phonemeengine.arrays import Float32Array, Float64Array
 from phonemeengine.mouth.action_units import units_shown
 from phonemeengine.mouth.blendshape_names import ARKIT, OPENFACE_POSE, STRONGEST_UNIT
 from phonemeengine.mouth.exports.export import Export, number_lines
@@ -26,8 +27,30 @@ def write(export: Export) -> Iterator[str]:
     yield START + ",".join((*OPENFACE_POSE, *(f"{name}_r" for name in units))) + "\n"
     frame = 0
     for block in export.animation_blocks():
-        yaw, pitch, roll = np.radians(block.head).T
-        turns = np.stack([-pitch, -yaw, roll], axis=1)
-        for line in number_lines(np.hstack((turns, np.clip(block.weights @ mixed, 0, STRONGEST_UNIT)))):
+        for line in number_lines(
+            np.hstack((_turns_of(block.head), np.clip(block.weights @ mixed, 0, STRONGEST_UNIT)))
+        ):
             yield f"{frame + 1},{frame / block.rate:.5f},1,1,{line}\n"
             frame += 1
+
+
+# Turns: OpenFace's rotation is Rx Ry Rz, about axes to the right, down, and away from the camera, each counted as a
+# right-handed turn about its axis. A head here rolls first, then nods, then turns: Ry Rx Rz.
+
+
+def head_turns(pose: Float64Array) -> Float64Array:
+    """Return yaw, pitch and roll of heads, degrees, of turns that OpenFace wrote, radians; both of shape (n, 3)."""
+    (s1, s2, s3), (c1, c2, c3) = np.sin(pose).T, np.cos(pose).T
+    yaw, pitch = np.arctan2(s2, c1 * c2), np.arcsin(s1 * c2)
+    roll = np.arctan2(c1 * s3 + s1 * s2 * c3, c1 * c3 - s1 * s2 * s3)
+    turns: Float64Array = np.degrees(np.stack([-yaw, -pitch, roll], axis=1))
+    return turns
+
+
+def _turns_of(head: Float32Array) -> Float64Array:
+    """Return the turns that OpenFace would write of heads; the opposite of `head_turns`."""
+    angles = np.radians(head) * (-1, -1, 1)
+    (sy, sx, sz), (cy, cx, cz) = np.sin(angles).T, np.cos(angles).T
+    rx, ry = np.arctan2(sx, cy * cx), np.arcsin(sy * cx)
+    turns: Float64Array = np.stack([rx, ry, np.arctan2(cy * sz - sy * sx * cz, cy * cz + sy * sx * sz)], axis=1)
+    return turns

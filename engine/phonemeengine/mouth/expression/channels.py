@@ -2,13 +2,14 @@
 
 import os
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 import numpy as np
 
 from phonemeengine.arrays import Float32Array
 from phonemeengine.errors import MouthError
+from phonemeengine.mouth.action_units import shapes_moved_by
 from phonemeengine.mouth.blendshape_names import ARKIT, both_sides
 from phonemeengine.storage.strict_table import load_text, parse_toml, shown
 
@@ -67,11 +68,19 @@ def _channels_in(text: str) -> ExpressionChannels:
 def columns_of(name: object) -> list[int]:
     """Return the numbers of the blend shapes in `ARKIT` that a name stands for: without a side, those of both.
 
+    Names of action units, such as ``AU12`` or ``AU12L``, stand for the shapes that they move.
+
     Raises
     ------
     MouthError : there is none of this name.
     """
-    found = [ARKIT.index(side) for side in (str(name), *both_sides(str(name))) if side in ARKIT]
+    found = _columns_named(str(name))
     if not found:
         raise MouthError(f"ARKit has no blend shape {shown(name)}; name one such as mouthSmile or mouthSmileLeft")
     return found
+
+
+@lru_cache(1024)
+def _columns_named(name: str) -> list[int]:
+    sides = (name, *both_sides(name))
+    return [ARKIT.index(shape) for shape in (*sides, *shapes_moved_by([name])) if shape in ARKIT]

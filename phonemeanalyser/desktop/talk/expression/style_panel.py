@@ -38,7 +38,7 @@ AMOUNT_WORDS = {
 }
 TABLES = {
     "closures": tr_noop("Poses of the lips"),
-    "tongue": tr_noop("Poses of the tongue in recorded faces"),
+    "tongue": tr_noop("Poses of the tongue"),
     "movement": tr_noop("Movement of the mouth"),
     "poses": tr_noop("Poses over recorded faces"),
     "filters": tr_noop("Smoothing of recorded faces"),
